@@ -1,0 +1,281 @@
+//! Figures as data. Nothing here knows how they are drawn.
+//!
+//! Labels use a small markup: `_x` or `_{xy}` lowers, `^x` or `^{−6}` raises, the rest is plain Unicode:
+//! `R_s`, `θ_B`, `10^{−6}`, `n_t/n_i`.
+
+/// A figure: one or more panels side by side.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plot {
+    /// Heading, in the label markup.
+    pub title: String,
+    /// Left to right, wrapped into rows of `columns`.
+    pub panels: Vec<Panel>,
+    /// Panels in a row (at least 1).
+    pub columns: usize,
+}
+
+impl Plot {
+    /// A figure of a single panel.
+    pub fn of(title: impl Into<String>, panel: impl Into<Panel>) -> Self {
+        Self { title: title.into(), panels: vec![panel.into()], columns: 1 }
+    }
+
+    /// A figure of several panels, `columns` to a row.
+    pub fn grid(title: impl Into<String>, columns: usize, panels: Vec<Panel>) -> Self {
+        Self { title: title.into(), panels, columns: columns.max(1) }
+    }
+}
+
+/// One part of a figure.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Panel {
+    /// Curves and points on axes.
+    Chart(Chart),
+    /// A colour map of a grid of values.
+    Map(Map),
+    /// A picture in linear radiance.
+    Picture(Picture),
+}
+
+impl From<Chart> for Panel {
+    fn from(chart: Chart) -> Self {
+        Self::Chart(chart)
+    }
+}
+
+impl From<Map> for Panel {
+    fn from(map: Map) -> Self {
+        Self::Map(map)
+    }
+}
+
+impl From<Picture> for Panel {
+    fn from(picture: Picture) -> Self {
+        Self::Picture(picture)
+    }
+}
+
+/// How an axis runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// Evenly in the logarithm; values that are not positive are not drawn.
+    Log,
+}
+
+/// An axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// Name of the quantity.
+    pub label: String,
+    /// Unit, empty if it has none.
+    pub unit: String,
+    /// Linear or logarithmic.
+    pub scale: Scale,
+    /// First and last value; from the data where `None`.
+    pub range: Option<(f64, f64)>,
+    /// Distance of labelled ticks on a linear axis; chosen where `None` (30 suits degrees).
+    pub tick: Option<f64>,
+}
+
+impl Axis {
+    /// A linear axis over the data.
+    pub fn linear(label: impl Into<String>, unit: impl Into<String>) -> Self {
+        Self { label: label.into(), unit: unit.into(), scale: Scale::Linear, range: None, tick: None }
+    }
+
+    /// A logarithmic axis over the data.
+    pub fn log(label: impl Into<String>, unit: impl Into<String>) -> Self {
+        Self { scale: Scale::Log, ..Self::linear(label, unit) }
+    }
+
+    /// The same axis from `first` to `last`.
+    pub fn range(self, first: f64, last: f64) -> Self {
+        Self { range: Some((first, last)), ..self }
+    }
+
+    /// The same axis with a labelled tick every `tick`.
+    pub fn tick(self, tick: f64) -> Self {
+        Self { tick: Some(tick), ..self }
+    }
+}
+
+/// Curves and points on a pair of axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// Heading of the panel; may be empty.
+    pub title: String,
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// Drawn in order, the last on top.
+    pub marks: Vec<Mark>,
+}
+
+impl Chart {
+    /// Empty axes.
+    pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
+        Self { title: title.into(), x, y, marks: Vec::new() }
+    }
+
+    /// With one more mark.
+    pub fn with(mut self, mark: Mark) -> Self {
+        self.marks.push(mark);
+        self
+    }
+
+    /// With a solid curve.
+    pub fn line(self, hue: Hue, label: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        self.with(Mark::Line { label: label.into(), hue, dash: Dash::Solid, points })
+    }
+
+    /// With a dashed curve.
+    pub fn dashed(self, hue: Hue, label: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        self.with(Mark::Line { label: label.into(), hue, dash: Dash::Dashed, points })
+    }
+
+    /// With a vertical reference line.
+    pub fn at_x(self, x: f64, label: impl Into<String>) -> Self {
+        self.with(Mark::AtX { x, label: label.into() })
+    }
+
+    /// With a horizontal reference line.
+    pub fn at_y(self, y: f64, label: impl Into<String>) -> Self {
+        self.with(Mark::AtY { y, label: label.into() })
+    }
+}
+
+/// Something drawn on axes. Points that are NaN or infinite break a curve and are not drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Mark {
+    /// A curve.
+    Line {
+        /// Legend entry; none if empty.
+        label: String,
+        /// Colour.
+        hue: Hue,
+        /// Stroke.
+        dash: Dash,
+        /// (x, y) in axis units.
+        points: Vec<[f64; 2]>,
+    },
+    /// Separate points, joined by a thin line if `joined`.
+    Points {
+        /// Legend entry; none if empty.
+        label: String,
+        /// Colour.
+        hue: Hue,
+        /// Shape of each point.
+        shape: Shape,
+        /// Whether a thin line joins them.
+        joined: bool,
+        /// (x, y) in axis units.
+        points: Vec<[f64; 2]>,
+    },
+    /// A thin vertical reference line with its name.
+    AtX {
+        /// Where.
+        x: f64,
+        /// Written beside it.
+        label: String,
+    },
+    /// A thin horizontal reference line with its name.
+    AtY {
+        /// Where.
+        y: f64,
+        /// Written beside it.
+        label: String,
+    },
+}
+
+/// Colours by role, distinct to colour-blind eyes and kept the same throughout the lecture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Hue {
+    /// s polarisation.
+    S,
+    /// p polarisation.
+    P,
+    /// Natural light, or the exact answer.
+    Natural,
+    /// What is transmitted.
+    Transmitted,
+    /// The program's own method.
+    Ours,
+    /// The textbook form.
+    Textbook,
+    /// A reference or an aid to the eye.
+    Reference,
+    /// The k-th of several equals.
+    Nth(u8),
+}
+
+/// Stroke of a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dash {
+    /// Unbroken.
+    Solid,
+    /// Broken.
+    Dashed,
+    /// Dotted.
+    Dotted,
+}
+
+/// Shape of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// ●
+    Disc,
+    /// ■
+    Square,
+    /// ▲
+    Triangle,
+    /// ◆
+    Diamond,
+    /// ✕
+    Cross,
+    /// ○
+    Ring,
+}
+
+/// A colour map over a regular grid in axis space (logarithmic axes are divided evenly in the logarithm).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Map {
+    /// Heading of the panel; may be empty.
+    pub title: String,
+    /// Horizontal axis; its range must be set.
+    pub x: Axis,
+    /// Vertical axis; its range must be set.
+    pub y: Axis,
+    /// The quantity shown; its range must be set.
+    pub colour: Axis,
+    /// Colours used.
+    pub ramp: Ramp,
+    /// Cells along x.
+    pub columns: usize,
+    /// Row by row from the bottom, `columns` values a row; NaN is drawn as hatched "broken".
+    pub values: Vec<f64>,
+    /// Lines drawn over it.
+    pub marks: Vec<Mark>,
+}
+
+/// Colours of a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ramp {
+    /// From dark (low) to bright (high), even in lightness.
+    Sequential,
+    /// Two colours that meet in white at the middle of the range.
+    Diverging,
+}
+
+/// A picture in linear radiance (sRGB primaries), row by row from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Caption under the panel, in the label markup; may be empty.
+    pub title: String,
+    /// Pixels in a row.
+    pub width: usize,
+    /// Linear red, green and blue of each pixel; 1 is display white.
+    pub pixels: Vec<[f32; 3]>,
+}

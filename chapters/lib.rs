@@ -1,0 +1,14 @@
+//! `chapters`: what we claim. The lecture as data; every view (terminal, JSON, tests, book, coverage)
+//! is a walk over [`CURRICULUM`].
+
+pub mod figure;
+pub mod fresnel;
+pub mod function;
+pub mod lecture;
+pub mod setting;
+pub mod vocabulary;
+
+pub use vocabulary::{Chapter, Step};
+
+/// The chapters in teaching order: the only list of them.
+pub const CURRICULUM: &[&Chapter] = &[&fresnel::CHAPTER];

@@ -1,0 +1,351 @@
+//! The parameters of a step and the values in force: what `--set name=value` changes.
+
+use light::Complex64;
+use light::optics::material::{self, Medium};
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::fmt;
+
+/// Why an input cannot be used: where, and what would be valid.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// The parameter, field or address.
+    pub place: String,
+    /// What is wrong with it and the valid range.
+    pub message: String,
+}
+
+impl Fault {
+    /// A fault at `place`.
+    pub fn new(place: impl Into<String>, message: impl Into<String>) -> Self {
+        Self { place: place.into(), message: message.into() }
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.place, self.message)
+    }
+}
+
+impl std::error::Error for Fault {}
+
+/// Something that `--set` may change.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameter {
+    /// The word before `=`.
+    pub name: &'static str,
+    /// Symbol, in the label markup of [`crate::figure`].
+    pub symbol: &'static str,
+    /// What it is.
+    pub says: &'static str,
+    /// Its value if nothing is set, written as on the command line.
+    pub default: &'static str,
+    /// What it may be.
+    pub kind: Kind,
+}
+
+/// What a parameter may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// A finite number within `min ..= max` (in `unit`, SI; suffixes such as `deg`, `nm`, `GHz` convert to it).
+    Number {
+        /// Smallest value.
+        min: f64,
+        /// Largest value.
+        max: f64,
+        /// SI unit: `rad`, `m`, `Hz`, `1`.
+        unit: &'static str,
+    },
+    /// A refractive index: a number, `n+ki`, or a material by name, evaluated at the step's `wavelength`.
+    Medium,
+    /// A medium that does not absorb.
+    ClearMedium,
+}
+
+/// A value in force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// In SI.
+    Number(f64),
+    /// A medium.
+    Medium(Medium),
+}
+
+/// The vacuum wavelength [m] used where a step names none: the middle of the visible.
+pub const DEFAULT_WAVELENGTH: f64 = 550e-9;
+
+/// The values in force for one step.
+#[derive(Clone, Debug)]
+pub struct Setting {
+    entries: Vec<(Parameter, String, Value)>,
+}
+
+impl Setting {
+    /// The defaults of `parameters`.
+    ///
+    /// # Panics
+    /// If a default is not valid; the tests build every step's setting.
+    pub fn defaults(parameters: &[Parameter]) -> Self {
+        let entries = parameters.iter().map(|parameter| {
+            let value = parameter.parse(parameter.default).unwrap_or_else(|fault| panic!("default {fault}"));
+            (*parameter, parameter.default.to_owned(), value)
+        });
+        let setting = Self { entries: entries.collect() };
+        setting.validate().unwrap_or_else(|fault| panic!("default {fault}"));
+        setting
+    }
+
+    /// With every `(name, text)` applied; names that the step lacks are faults.
+    pub fn with(mut self, changes: &[(String, String)]) -> Result<Self, Fault> {
+        for (name, text) in changes {
+            let known = self.entries.iter().map(|entry| entry.0.name).collect::<Vec<_>>().join(", ");
+            let entry = self.entries.iter_mut().find(|entry| entry.0.name == name).ok_or_else(|| {
+                Fault::new(
+                    name,
+                    if known.is_empty() {
+                        "this step has no parameters".into()
+                    } else {
+                        format!("no such parameter here; there are: {known}")
+                    },
+                )
+            })?;
+            (entry.1, entry.2) = (text.clone(), entry.0.parse(text)?);
+        }
+        self.validate()?;
+        Ok(self)
+    }
+
+    /// Every medium must have an index at the wavelength, and be clear where it has to be.
+    fn validate(&self) -> Result<(), Fault> {
+        let wavelength = self.wavelength();
+        for (parameter, text, value) in &self.entries {
+            let Value::Medium(medium) = value else { continue };
+            let index = medium.index(wavelength).map_err(|out| Fault::new(parameter.name, out.to_string()))?;
+            if parameter.kind == Kind::ClearMedium && index.im != 0.0 {
+                return Err(Fault::new(
+                    parameter.name,
+                    format!("{text} absorbs (k = {:.3}); this side needs a medium with k = 0", index.im),
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// The vacuum wavelength [m]: the parameter `wavelength`, or the default.
+    pub fn wavelength(&self) -> f64 {
+        match self.find("wavelength") {
+            Some(Value::Number(metres)) => metres,
+            _ => DEFAULT_WAVELENGTH,
+        }
+    }
+
+    /// The number named `name`, in SI.
+    ///
+    /// # Panics
+    /// If the step has no such number: a mistake in the chapter, not in its use.
+    pub fn number(&self, name: &str) -> f64 {
+        match self.find(name) {
+            Some(Value::Number(value)) => value,
+            _ => panic!("the step declares no number `{name}`"),
+        }
+    }
+
+    /// The medium named `name`.
+    ///
+    /// # Panics
+    /// As [`Setting::number`].
+    pub fn medium(&self, name: &str) -> Medium {
+        match self.find(name) {
+            Some(Value::Medium(medium)) => medium,
+            _ => panic!("the step declares no medium `{name}`"),
+        }
+    }
+
+    /// The complex index [1] of the medium named `name` at the setting's wavelength.
+    ///
+    /// # Panics
+    /// As [`Setting::number`].
+    pub fn index(&self, name: &str) -> Complex64 {
+        self.medium(name).index(self.wavelength()).expect("validated when it was set")
+    }
+
+    /// Parameters with the text and value in force, in the step's order.
+    pub fn entries(&self) -> impl Iterator<Item = (&Parameter, &str, &Value)> {
+        self.entries.iter().map(|(parameter, text, value)| (parameter, text.as_str(), value))
+    }
+
+    fn find(&self, name: &str) -> Option<Value> {
+        self.entries.iter().find(|entry| entry.0.name == name).map(|entry| entry.2)
+    }
+}
+
+impl Parameter {
+    /// The value that `text` stands for.
+    pub fn parse(&self, text: &str) -> Result<Value, Fault> {
+        let fault = |message: String| Fault::new(self.name, message);
+        match self.kind {
+            Kind::Number { min, max, unit } => {
+                let value =
+                    parse_quantity(text, unit).map_err(|reason| fault(format!("{reason}; {}", self.domain())))?;
+                if !(min..=max).contains(&value) {
+                    return Err(fault(format!("{text} is out of range; {}", self.domain())));
+                }
+                Ok(Value::Number(value))
+            }
+            Kind::Medium | Kind::ClearMedium => parse_medium(text).map(Value::Medium).map_err(fault),
+        }
+    }
+
+    /// The valid values in words.
+    pub fn domain(&self) -> String {
+        match self.kind {
+            Kind::Number { min, max, unit: "rad" } => {
+                format!("valid: {}deg to {}deg", min.to_degrees(), max.to_degrees())
+            }
+            Kind::Number { min, max, unit: "m" } if max <= 1.0 => {
+                format!("valid: {} nm to {} nm", significant(min * 1e9), significant(max * 1e9))
+            }
+            Kind::Number { min, max, unit: "1" } => format!("valid: {min} to {max}"),
+            Kind::Number { min, max, unit } => format!("valid: {min} to {max} {unit}"),
+            Kind::Medium => "valid: an index such as 1.5 or 0.2+3.4i, or a material by name".into(),
+            Kind::ClearMedium => "valid: a real index such as 1.5, or a clear material by name".into(),
+        }
+    }
+}
+
+/// `x` without the last digits that unit conversion leaves behind.
+fn significant(x: f64) -> f64 {
+    format!("{x:.9e}").parse().expect("a number just printed")
+}
+
+/// The parameter every optics step shares: the vacuum wavelength.
+pub const WAVELENGTH: Parameter = Parameter {
+    name: "wavelength",
+    symbol: "λ",
+    says: "vacuum wavelength",
+    default: "550nm",
+    kind: Kind::Number { min: 1e-9, max: 1e-3, unit: "m" },
+};
+
+/// The angle of incidence, measured from the normal.
+pub const THETA: Parameter = Parameter {
+    name: "theta",
+    symbol: "θ_1",
+    says: "angle of incidence, from the normal",
+    default: "45deg",
+    kind: Kind::Number { min: 0.0, max: FRAC_PI_2, unit: "rad" },
+};
+
+/// Reads a finite number with an optional unit suffix, converted to `unit`.
+pub fn parse_quantity(text: &str, unit: &str) -> Result<f64, String> {
+    let text = text.trim();
+    let (digits, factor) = suffixes(unit)
+        .iter()
+        .filter_map(|(suffix, factor)| Some((text.strip_suffix(suffix)?, *factor)))
+        .find(|(digits, _)| digits.trim_end().parse::<f64>().is_ok())
+        .unwrap_or((text, 1.0));
+    let value: f64 = digits.trim_end().parse().map_err(|_| format!("`{}` is not a number", excerpt(text)))?;
+    let value = if factor == DEGREE { value.to_radians() } else { value * factor };
+    if !value.is_finite() {
+        return Err(format!("`{}` is not a finite number", excerpt(text)));
+    }
+    Ok(value)
+}
+
+const DEGREE: f64 = PI / 180.0;
+
+/// Suffixes that are understood for a unit, with their size in it.
+fn suffixes(unit: &str) -> &'static [(&'static str, f64)] {
+    match unit {
+        "rad" => &[("deg", DEGREE), ("°", DEGREE), ("rad", 1.0)],
+        "m" => &[("nm", 1e-9), ("um", 1e-6), ("µm", 1e-6), ("μm", 1e-6), ("mm", 1e-3), ("km", 1e3), ("m", 1.0)],
+        "Hz" => &[("THz", 1e12), ("GHz", 1e9), ("MHz", 1e6), ("kHz", 1e3), ("Hz", 1.0)],
+        "s" => &[("fs", 1e-15), ("ps", 1e-12), ("ns", 1e-9), ("us", 1e-6), ("ms", 1e-3), ("s", 1.0)],
+        _ => &[],
+    }
+}
+
+/// Reads `1.5`, `0.2+3.4i` or a material's name.
+pub fn parse_medium(text: &str) -> Result<Medium, String> {
+    let text = text.trim();
+    if let Some(material) = material::named(text) {
+        return Ok(Medium::Material(material));
+    }
+    let index = parse_index(text).ok_or_else(|| {
+        let names: Vec<_> = material::MATERIALS.iter().map(|material| material.name).collect();
+        format!(
+            "`{}` is neither an index (1.5, 0.2+3.4i) nor a material; materials: {}",
+            excerpt(text),
+            names.join(", ")
+        )
+    })?;
+    if !(index.re.is_finite() && index.im.is_finite()) {
+        return Err(format!("`{}` is not a finite index; {INDEX_DOMAIN}", excerpt(text)));
+    }
+    if !(INDEX_MIN..=INDEX_MAX).contains(&index.re) || !(0.0..=INDEX_MAX).contains(&index.im) {
+        return Err(format!("{} is out of range; {INDEX_DOMAIN}", excerpt(text)));
+    }
+    Ok(Medium::Constant(index))
+}
+
+/// Smallest real part of an index taken [1].
+pub const INDEX_MIN: f64 = 1e-9;
+/// Largest part of an index taken [1].
+pub const INDEX_MAX: f64 = 1e9;
+const INDEX_DOMAIN: &str = "valid: n from 1e-9 to 1e9, k from 0 to 1e9";
+
+fn parse_index(text: &str) -> Option<Complex64> {
+    if let Ok(n) = text.parse::<f64>() {
+        return Some(Complex64::new(n, 0.0));
+    }
+    let body = text.strip_suffix('i')?;
+    // The sign between the parts is the last one that does not belong to an exponent.
+    let (split, _) = body
+        .char_indices()
+        .rev()
+        .find(|&(at, sign)| at > 0 && matches!(sign, '+' | '-') && !body[..at].ends_with(['e', 'E']))?;
+    let (re, im) = (body[..split].trim().parse().ok()?, body[split..].replace(' ', "").parse().ok()?);
+    Some(Complex64::new(re, im))
+}
+
+/// At most 40 characters of `text`, so that no message repeats a megabyte.
+pub fn excerpt(text: &str) -> String {
+    let mut short: String = text.chars().take(40).collect();
+    if short.len() < text.len() {
+        short.push('…');
+    }
+    short
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantities_take_suffixes_and_refuse_the_rest() {
+        assert_eq!(parse_quantity("90deg", "rad"), Ok(FRAC_PI_2));
+        assert_eq!(parse_quantity("0.5", "rad"), Ok(0.5));
+        assert!((parse_quantity("550nm", "m").unwrap() - 550e-9).abs() < 1e-22);
+        for bad in ["", "deg", "1e400", "nan", "inf", "5 furlongs", "550nm nm"] {
+            assert!(parse_quantity(bad, "m").is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn indices_are_numbers_or_pairs() {
+        assert_eq!(parse_index("1.5"), Some(Complex64::new(1.5, 0.0)));
+        assert_eq!(parse_index("0.2+3.4i"), Some(Complex64::new(0.2, 3.4)));
+        assert_eq!(parse_index("1e-3+2e-4i"), Some(Complex64::new(1e-3, 2e-4)));
+        assert_eq!(parse_index("1-2i"), Some(Complex64::new(1.0, -2.0)));
+        for bad in ["", "i", "+i", "1.5x", "1e-3i", "1+i+2"] {
+            assert_eq!(parse_index(bad), None, "{bad}");
+        }
+    }
+
+    #[test]
+    fn media_outside_the_domain_are_refused() {
+        for bad in ["-1.5", "0", "1-2i", "nan", "1e400", "unobtainium"] {
+            assert!(parse_medium(bad).is_err(), "{bad}");
+        }
+    }
+}

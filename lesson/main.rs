@@ -1,0 +1,2 @@
+//! `lesson`: how it is shown.
+fn main() {}

@@ -1,0 +1,4 @@
+//! Derivations. (being written)
+/// A chain of lines.
+#[derive(Clone, Debug)]
+pub struct Chain {}

@@ -1,0 +1,4 @@
+//! Yardsticks for chapters and tests alike: references in arbitrary precision, condition numbers,
+//! observed orders, quadrature, statistics.
+
+pub mod order;

@@ -1,0 +1,22 @@
+//! `light`: what is true. The physics of rendering, the equations as objects, and the yardsticks
+//! (arbitrary precision, statistics, orders) that check them. It prints, parses, plots and times nothing.
+//!
+//! # Conventions, stated once
+//!
+//! - SI units, `f64`, angles in radians. A unit stands in brackets in the documentation: [W m⁻² sr⁻¹].
+//! - Fields vary as e^(i(k·r − ωt)); an absorbing medium has the index n + iκ with κ ≥ 0, so a wave
+//!   decays along its propagation, and every transmitted normal wave number has an imaginary part ≥ 0.
+//! - s: the electric field is perpendicular to the plane of incidence; p: it lies in it.
+//!   `r_p` compares electric fields with the sign of the lecture's E39, so that at normal incidence
+//!   `r_p` = −`r_s` (the magnetic fields of p are counted alike: E₁ − E₁′, H₁ + H₁′, E38).
+//! - `n_i`, `cos_i`: the side the light comes from; `n_t`, `cos_t`: the other side.
+//! - z is the local normal; `wi` and `wo` both point away from the surface.
+//! - The same inputs and seed give the same bits, whatever the number of threads.
+
+pub mod equation;
+pub mod evidence;
+pub mod optics;
+pub mod precise;
+pub mod sampling;
+
+pub use num_complex::Complex64;

@@ -1,0 +1,7 @@
+//! Optics of plane waves: interfaces, films, and the media they are made of.
+
+pub mod film;
+pub mod fresnel;
+pub mod material;
+pub mod schlick;
+pub mod textbook;
