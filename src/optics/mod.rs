@@ -2,6 +2,9 @@
 
 pub mod film;
 pub mod fresnel;
+pub mod incidence;
 pub mod material;
 pub mod schlick;
 pub mod textbook;
+
+pub use incidence::Incidence;
