@@ -1,8 +1,10 @@
 //! The inputs that break formulas: the grid over which the chapter keeps its promise of accuracy.
 
+use crate::vocabulary::Extreme;
 use light::Complex64;
-use light::evidence::fresnel::Input;
-use light::optics::{Direction, Incidence, fresnel};
+use light::evidence::fresnel::{Exact, Input, NAMES};
+use light::optics::{Direction, Incidence, fresnel, textbook};
+use light::precise;
 use std::f64::consts::FRAC_PI_2;
 
 /// A family of extreme inputs.
@@ -32,27 +34,76 @@ pub fn families() -> Vec<Family> {
     ]
 }
 
-/// The program's outputs at `input`, in the order of [`light::evidence::fresnel::NAMES`].
-pub fn ours(input: &Input) -> [f64; 14] {
+/// The program's outputs at `input`, in the order of [`NAMES`].
+fn ours(input: &Input) -> [f64; NAMES.len()] {
     let incidence = Incidence::from(input.direction);
-    let a = fresnel::amplitudes(incidence, input.n_i, input.n_t);
-    let p = fresnel::powers(incidence, input.n_i, input.n_t);
-    [
-        a.r_s.re,
-        a.r_s.im,
-        a.t_s.re,
-        a.t_s.im,
-        a.r_p.re,
-        a.r_p.im,
-        a.t_p.re,
-        a.t_p.im,
-        p.r_s,
-        p.t_s,
-        p.r_p,
-        p.t_p,
-        p.r_n(),
-        p.t_n(),
-    ]
+    flat(fresnel::amplitudes(incidence, input.n_i, input.n_t), fresnel::powers(incidence, input.n_i, input.n_t))
+}
+
+/// What the lecture's formulas as written give at `input`.
+fn as_written(input: &Input) -> [f64; NAMES.len()] {
+    let theta = match input.direction {
+        Direction::Angle(theta) => theta,
+        Direction::Grazing(delta) => FRAC_PI_2 - delta,
+        Direction::Cos(cos) => cos.acos(),
+    };
+    flat(textbook::amplitudes(theta, input.n_i, input.n_t), textbook::powers(theta, input.n_i, input.n_t))
+}
+
+fn flat(a: fresnel::Amplitudes, p: fresnel::Powers) -> [f64; NAMES.len()] {
+    let parts = [a.r_s, a.t_s, a.r_p, a.t_p].map(|z| [z.re, z.im]);
+    let [r_s, t_s, r_p, t_p] = parts;
+    [r_s[0], r_s[1], t_s[0], t_s[1], r_p[0], r_p[1], t_p[0], t_p[1], p.r_s, p.t_s, p.r_p, p.t_p, p.r_n(), p.t_n()]
+}
+
+/// The outputs called `quantities`, each at every one of `inputs`.
+pub fn cases(quantities: &[&str], inputs: &[Input]) -> Vec<Extreme> {
+    let of_input = |input: &Input| {
+        let exact = Exact::new(input);
+        let (ours, as_written, conditions) = (ours(input), as_written(input), exact.conditions());
+        let wanted = (0..NAMES.len()).filter(|&at| quantities.contains(&NAMES[at]));
+        let extreme = |at: usize| Extreme {
+            input: describe(input),
+            quantity: NAMES[at],
+            reference: exact.outputs[at].clone(),
+            textbook: as_written[at],
+            ours: ours[at],
+            condition: conditions[at],
+            worst_of: 1,
+        };
+        wanted.map(extreme).collect::<Vec<_>>()
+    };
+    inputs.iter().flat_map(of_input).collect()
+}
+
+/// For every output the input of `family` at which the program uses up most of what it is allowed.
+pub fn worst_cases(family: &Family) -> Vec<Extreme> {
+    let mut worst: Vec<Option<(f64, Extreme)>> = vec![None; NAMES.len()];
+    for input in &family.inputs {
+        let (exact, ours) = (Exact::new(input), ours(input));
+        let errors: Vec<f64> =
+            ours.iter().zip(&exact.outputs).map(|(ours, exact)| precise::relative_error(*ours, exact)).collect();
+        // Condition numbers cost four more solutions; where every error is below a rounding unit they cannot matter.
+        let calm = errors.iter().all(|error| *error <= f64::EPSILON);
+        let conditions = if calm { [0.0; NAMES.len()] } else { exact.conditions() };
+        for (at, slot) in worst.iter_mut().enumerate() {
+            let used = errors[at] / (1.0 + conditions[at]);
+            let used = if used.is_nan() { f64::INFINITY } else { used };
+            if slot.as_ref().is_none_or(|(most, _)| used > *most) {
+                let extreme = Extreme {
+                    input: format!("{}: {}", family.name, describe(input)),
+                    quantity: NAMES[at],
+                    reference: exact.outputs[at].clone(),
+                    textbook: as_written(input)[at],
+                    ours: ours[at],
+                    condition: conditions[at],
+                    worst_of: family.inputs.len(),
+                };
+                *slot = Some((used, extreme));
+            }
+        }
+    }
+    worst.into_iter().flatten().map(|(_, extreme)| extreme).collect()
 }
 
 /// The input in words.
@@ -151,8 +202,7 @@ fn traces() -> Vec<Input> {
 }
 
 fn everywhere() -> Vec<Direction> {
-    let even =
-        (0..=90).step_by(2).map(|degrees| Direction::Angle(f64::from(degrees).to_radians().min(FRAC_PI_2 - 1e-9)));
+    let even = (0..=90).map(|degrees| Direction::Angle(f64::from(degrees).to_radians().min(FRAC_PI_2 - 1e-9)));
     even.chain(near_normal().into_iter().step_by(3)).chain(grazing().into_iter().step_by(3)).collect()
 }
 

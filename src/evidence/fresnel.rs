@@ -24,22 +24,35 @@ pub const NAMES: [&str; 14] = [
     "T_n",
 ];
 
-/// The outputs at `input`, and for each its condition number: Σ |x ∂y/∂x| / |y| over the inputs x (the direction
-/// and both indices' parts) [1]; infinite where y = 0 although it could move, 0 where nothing moves it.
-pub fn reference(input: &Input) -> (Outputs, [f64; NAMES.len()]) {
-    let exact = Wide::new(input);
-    let outputs = exact.outputs();
-    let step = precise::real(STEP);
-    let mut condition = [0.0; NAMES.len()];
-    for moved in exact.neighbours(&step) {
-        for ((sum, there), here) in condition.iter_mut().zip(&moved.outputs()).zip(&outputs) {
-            let change = there - here;
-            if !is_zero(&change) {
-                *sum += if is_zero(here) { f64::INFINITY } else { precise::to_f64(&(change / here)).abs() / STEP };
+/// The outputs at an input, exact for every purpose of `f64`.
+#[derive(Debug)]
+pub struct Exact {
+    wide: Wide,
+    /// In the order of [`NAMES`].
+    pub outputs: Outputs,
+}
+
+impl Exact {
+    /// Solves the interface at `input`.
+    pub fn new(input: &Input) -> Self {
+        let wide = Wide::new(input);
+        Self { outputs: wide.outputs(), wide }
+    }
+
+    /// The condition number of each output [1]: Σ |x ∂y/∂x| / |y| over the inputs x (the direction and both indices'
+    /// parts); infinite where y = 0 although it could move, 0 where nothing moves it.
+    pub fn conditions(&self) -> [f64; NAMES.len()] {
+        let mut condition = [0.0; NAMES.len()];
+        for moved in self.wide.neighbours(&precise::real(STEP)) {
+            for ((sum, there), here) in condition.iter_mut().zip(&moved.outputs()).zip(&self.outputs) {
+                let change = there - here;
+                if !is_zero(&change) {
+                    *sum += if is_zero(here) { f64::INFINITY } else { precise::to_f64(&(change / here)).abs() / STEP };
+                }
             }
         }
+        condition
     }
-    (outputs, condition)
 }
 
 /// Relative step of the difference quotients: far below f64, far above the rounding of [`precise::BITS`].
@@ -50,6 +63,7 @@ fn is_zero(x: &Real) -> bool {
 }
 
 /// The inputs with sine and cosine resolved.
+#[derive(Clone, Debug)]
 struct Wide {
     sin: Real,
     cos: Real,
@@ -91,17 +105,9 @@ impl Wide {
     /// The inputs with one of them moved by a relative `step`, one after another; zeros cannot be moved so.
     fn neighbours<'a>(&'a self, step: &'a Real) -> impl Iterator<Item = Self> + 'a {
         let grown = move |x: &Real| x + x * step;
-        let base = move || Self {
-            sin: self.sin.clone(),
-            cos: self.cos.clone(),
-            turn: self.turn.clone(),
-            n_i: self.n_i.clone(),
-            n: self.n.clone(),
-            k: self.k.clone(),
-        };
-        let turned = Self { sin: &self.sin + &self.turn.0 * step, cos: &self.cos + &self.turn.1 * step, ..base() };
+        let base = || self.clone();
         let moved = [
-            turned,
+            Self { sin: &self.sin + &self.turn.0 * step, cos: &self.cos + &self.turn.1 * step, ..base() },
             Self { n_i: grown(&self.n_i), ..base() },
             Self { n: grown(&self.n), ..base() },
             Self { k: grown(&self.k), ..base() },
