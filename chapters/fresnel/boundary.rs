@@ -6,21 +6,42 @@ use super::{INTERFACE, extremes, incidence, sample_inputs};
 use crate::setting::Setting;
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step};
 use light::equation::derivation::Chain;
-use light::equation::{Equation, Expr, cos};
-use light::optics::fresnel::{Amplitudes, amplitudes};
+use light::equation::expr::cos;
+use light::equation::{Equation, Expr, Symbol};
 use light::optics::Incidence;
+use light::optics::fresnel::{Amplitudes, amplitudes};
 
-pub const STEP: Step = Step {
+pub(super) const STEP: Step = Step {
     id: "boundary",
     title: "What must be continuous",
     says: "The tangential fields on both sides are the same: two equations for each polarisation.",
     rows: &["E35", "E38"],
     parameters: INTERFACE,
     statements: &[
-        Statement { id: "s_electric", says: "s: the electric field is all tangential", rows: &["E35"], equation: || Equation::new(E_1 + E_1R, E_2) },
-        Statement { id: "s_magnetic", says: "s: of the magnetic field cos θ is", rows: &["E35"], equation: || Equation::new((H_1 - H_1R) * cos(THETA_1), H_2 * cos(THETA_2)) },
-        Statement { id: "p_electric", says: "p: of the electric field cos θ is tangential", rows: &["E38"], equation: || Equation::new((E_1 - E_1R) * cos(THETA_1), E_2 * cos(THETA_2)) },
-        Statement { id: "p_magnetic", says: "p: the magnetic field is all tangential", rows: &["E38"], equation: || Equation::new(H_1 + H_1R, H_2) },
+        Statement {
+            id: "s_electric",
+            says: "s: the electric field is all tangential",
+            rows: &["E35"],
+            equation: || Equation::new(E_1 + E_1R, E_2),
+        },
+        Statement {
+            id: "s_magnetic",
+            says: "s: of the magnetic field cos θ is",
+            rows: &["E35"],
+            equation: || Equation::new((H_1 - H_1R) * cos(THETA_1), H_2 * cos(THETA_2)),
+        },
+        Statement {
+            id: "p_electric",
+            says: "p: of the electric field cos θ is tangential",
+            rows: &["E38"],
+            equation: || Equation::new((E_1 - E_1R) * cos(THETA_1), E_2 * cos(THETA_2)),
+        },
+        Statement {
+            id: "p_magnetic",
+            says: "p: the magnetic field is all tangential",
+            rows: &["E38"],
+            equation: || Equation::new(H_1 + H_1R, H_2),
+        },
     ],
     derivations: &[
         Derivation {
@@ -47,15 +68,13 @@ pub const STEP: Step = Step {
     figures: &[],
 };
 
-/// The tangential component of three waves, of which the second has the normal part of its wave vector reversed.
-fn turned(first: light::equation::Symbol, second: light::equation::Symbol, third: light::equation::Symbol, left: Expr) -> Chain {
-    let along = |wave: &light::equation::Symbol, cosine: Expr| wave.clone() * cosine;
+/// The tangential components of three waves, of which the second has the normal part of its wave vector reversed.
+fn turned(first: Symbol, second: Symbol, third: Symbol, left: Expr) -> Chain {
     let (cos_1, cos_2) = (cos(THETA_1), cos(THETA_2));
-    let solved = (&first - &second) * &cos_1 / &cos_2;
-    Chain::new()
-        .given(third.clone(), solved)
-        .equation("E4: tangential parts meet", Equation::new(along(&first, cos_1.clone()) + along(&second, -cos_1), along(&third, cos_2.clone())))
-        .equation("collect cos θ₁", Equation::new(left, third * cos_2))
+    let across = &third * &cos_2;
+    Chain::new(Equation::new(&first * &cos_1 + &second * -&cos_1, across.clone()))
+        .given(third, (&first - &second) * cos_1 / cos_2, "E4: tangential parts meet")
+        .then(Equation::new(left, across), ["collect cos θ₁"])
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
@@ -76,7 +95,11 @@ const CONTINUITY: Check = Check {
     claim: "the program's amplitudes make tangential E and H continuous, in clear and absorbing media",
     rows: &["E35", "E38"],
     route: "full field vectors of the three waves, H = n k×E, component by component",
-    bound: Bound::AtMost { limit: 32.0, unit: "ε", why: "a dozen roundings in the amplitudes and in each of the vectors' products" },
+    bound: Bound::AtMost {
+        limit: 32.0,
+        unit: "ε",
+        why: "a dozen roundings in the amplitudes and in each of the vectors' products",
+    },
     measure: |bench| largest_step(bench, |a| a),
     spoiled: |bench| largest_step(bench, |a| Amplitudes { r_p: -a.r_p, ..a }),
     slip: "r_p with the sign of the other convention",

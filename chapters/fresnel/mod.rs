@@ -1,19 +1,20 @@
 //! What an interface does to a plane wave: rows E33–E44 and C10–C15. One module a step, in teaching order.
 
-pub mod amplitudes;
-pub mod boundary;
-pub mod brewster;
-pub mod digits;
-pub mod dip;
-pub mod energy;
-pub mod extremes;
-pub mod functions;
-pub mod grazing;
-pub mod natural;
-pub mod powers;
-pub mod snell;
-pub mod symbols;
-pub mod total_reflection;
+mod amplitudes;
+mod boundary;
+//TODO mod brewster;
+//TODO mod digits;
+//TODO mod dip;
+//TODO mod energy;
+mod extremes;
+mod fields;
+//TODO mod functions;
+//TODO mod grazing;
+//TODO mod natural;
+//TODO mod powers;
+mod snell;
+mod symbols;
+//TODO mod total_reflection;
 
 use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::Chapter;
@@ -35,16 +36,16 @@ pub const CHAPTER: Chapter = Chapter {
         amplitudes::T_S_STEP,
         amplitudes::R_P_STEP,
         amplitudes::T_P_STEP,
-        powers::STEP,
-        natural::STEP,
-        energy::STEP,
-        digits::STEP,
-        brewster::STEP,
-        dip::STEP,
-        grazing::STEP,
-        total_reflection::STEP,
+        //TODO powers::STEP,
+        //TODO natural::STEP,
+        //TODO energy::STEP,
+        //TODO digits::STEP,
+        //TODO brewster::STEP,
+        //TODO dip::STEP,
+        //TODO grazing::STEP,
+        //TODO total_reflection::STEP,
     ],
-    functions: functions::FUNCTIONS,
+    functions: &[],
 };
 
 /// The medium the light comes from.
@@ -65,7 +66,11 @@ const INTERFACE: &[Parameter] = &[N_I, N_T, THETA, WAVELENGTH];
 
 /// The interface that the setting describes.
 fn interface(setting: &Setting) -> Input {
-    Input { direction: Direction::Angle(setting.number("theta")), n_i: setting.index("n_i").re, n_t: setting.index("n_t") }
+    Input {
+        direction: Direction::Angle(setting.number("theta")),
+        n_i: setting.index("n_i").re,
+        n_t: setting.index("n_t"),
+    }
 }
 
 /// The direction of incidence in the setting.
@@ -85,8 +90,10 @@ fn over_angle(value: impl Fn(Incidence) -> f64) -> Vec<[f64; 2]> {
 
 /// Curve points refined around `centre` [°], where the curve turns sharply: a critical or Brewster's angle.
 fn over_angle_near(centre: f64, value: impl Fn(Incidence) -> f64) -> Vec<[f64; 2]> {
-    let near = (-60..=60).map(|step: i32| centre + f64::from(step.signum()) * 10f64.powf(f64::from(step.abs()) / 12.0 - 5.0));
-    let mut degrees: Vec<f64> = curve_degrees().chain(near).filter(|degrees| (0.0..=89.999).contains(degrees)).collect();
+    let near =
+        (-60..=60).map(|step: i32| centre + f64::from(step.signum()) * 10f64.powf(f64::from(step.abs()) / 12.0 - 5.0));
+    let mut degrees: Vec<f64> =
+        curve_degrees().chain(near).filter(|degrees| (0.0..=89.999).contains(degrees)).collect();
     degrees.sort_by(f64::total_cmp);
     degrees.into_iter().map(|degrees| [degrees, value(Incidence::from_angle(degrees.to_radians()))]).collect()
 }
@@ -102,7 +109,8 @@ fn sample_media() -> Vec<(f64, Complex64)> {
 /// The sample media and the setting's own pair, each at every angle of a coarse fan.
 fn sample_inputs(setting: &Setting) -> Vec<Input> {
     let own = interface(setting);
-    let fan = [0.0, 10.0, 25.0, 41.0, 45.0, 56.0, 70.0, 80.0, 89.0, 89.99].map(|degrees: f64| Direction::Angle(degrees.to_radians()));
+    let fan = [0.0, 10.0, 25.0, 41.0, 45.0, 56.0, 70.0, 80.0, 89.0, 89.99]
+        .map(|degrees: f64| Direction::Angle(degrees.to_radians()));
     let media = sample_media().into_iter().chain([(own.n_i, own.n_t)]);
     let each = |(n_i, n_t)| fan.map(|direction| Input { direction, n_i, n_t });
     media.flat_map(each).chain([own]).collect()

@@ -1,18 +1,19 @@
 //! E33: the directions, from phase matching along the interface.
 
-use super::symbols::{C, K_0, N_1, N_2, OMEGA, THETA_1, THETA_1R, THETA_2, V_1, V_2};
+use super::symbols::{C, N_1, N_2, OMEGA, THETA_1, THETA_1R, THETA_2, V_1, V_2};
 use super::{INTERFACE, extremes, incidence};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
-use crate::vocabulary::{Bench, Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
+use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
 use light::Complex64;
 use light::equation::derivation::Chain;
-use light::equation::{Equation, sin};
+use light::equation::expr::sin;
+use light::equation::{Equation, Expr};
 use light::optics::fresnel::refract;
 use light::optics::{Direction, Incidence, fresnel};
 use light::precise;
 
-pub const STEP: Step = Step {
+pub(super) const STEP: Step = Step {
     id: "snell",
     title: "Where the waves go",
     says: "Along the interface all three waves keep step, and that alone fixes their directions.",
@@ -66,15 +67,13 @@ pub const STEP: Step = Step {
 };
 
 /// Phase matching: the wave numbers along the interface are equal, k₁ sin θ₁ = k₂ sin θ₂ with k = ω/v and v = c/n.
-fn phase_matching(left: light::equation::Expr, right: light::equation::Expr) -> Chain {
-    Chain::new()
-        .given(N_2, N_1 * sin(THETA_1) / sin(THETA_2))
-        .given(V_1, C / N_1)
-        .given(V_2, C / N_2)
-        .given(K_0, OMEGA / C)
-        .equation("phase matching", Equation::new(OMEGA / V_1 * sin(THETA_1), OMEGA / V_2 * sin(THETA_2)))
-        .equation("divide by ω", Equation::new(sin(THETA_1) / V_1, sin(THETA_2) / V_2))
-        .equation("v = c/n, times c", Equation::new(left, right))
+fn phase_matching(left: Expr, right: Expr) -> Chain {
+    Chain::new(Equation::new(OMEGA / V_1 * sin(THETA_1), OMEGA / V_2 * sin(THETA_2)))
+        .given(N_2, N_1 * sin(THETA_1) / sin(THETA_2), "phase matching")
+        .given(V_1, C / N_1, "v = c/n")
+        .given(V_2, C / N_2, "v = c/n")
+        .then(Equation::new(sin(THETA_1) / V_1, sin(THETA_2) / V_2), ["divide by ω"])
+        .then(Equation::new(left, right), ["v = c/n", "times c"])
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
@@ -84,10 +83,34 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     let q_t = light::optics::incidence::outgoing_root(light::optics::incidence::normal_squared(direction, n_i, n_t));
     let tangential = n_i * direction.sin();
     vec![
-        Quantity { key: "theta_t", symbol: "θ_2", says: "angle of the refracted planes of phase", value: tangential.atan2(q_t.re), unit: "rad" },
-        Quantity { key: "tangential", symbol: "n_1 sin θ_1", says: "what all three waves share", value: tangential, unit: "1" },
-        Quantity { key: "q_t_re", symbol: "Re n_2 cos θ_2", says: "normal wave number over that of the vacuum", value: q_t.re, unit: "1" },
-        Quantity { key: "q_t_im", symbol: "Im n_2 cos θ_2", says: "decay rate over the vacuum wave number", value: q_t.im, unit: "1" },
+        Quantity {
+            key: "theta_t",
+            symbol: "θ_2",
+            says: "angle of the refracted planes of phase",
+            value: tangential.atan2(q_t.re),
+            unit: "rad",
+        },
+        Quantity {
+            key: "tangential",
+            symbol: "n_1 sin θ_1",
+            says: "what all three waves share",
+            value: tangential,
+            unit: "1",
+        },
+        Quantity {
+            key: "q_t_re",
+            symbol: "Re n_2 cos θ_2",
+            says: "normal wave number over that of the vacuum",
+            value: q_t.re,
+            unit: "1",
+        },
+        Quantity {
+            key: "q_t_im",
+            symbol: "Im n_2 cos θ_2",
+            says: "decay rate over the vacuum wave number",
+            value: q_t.im,
+            unit: "1",
+        },
     ]
 }
 
@@ -110,14 +133,16 @@ const FERMAT: Check = Check {
 fn least_time(order: fn(f64, f64) -> (f64, f64)) -> Measured {
     let media = [(1.0, 1.5), (1.5, 1.0), (1.33, 2.4), (1.0, 1.0003)];
     let crossing = [0.1, 0.3, 0.5, 0.9];
-    Measured::worst(media.into_iter().flat_map(|(n_i, n_t)| crossing.map(|span| (n_i, n_t, span))).map(|(n_i, n_t, span)| {
-        // From (0, 1) above the interface to (span, −1) below it, crossing at (x, 0).
-        let path = |x: f64| n_i * x.hypot(1.0) + n_t * (span - x).hypot(1.0);
-        let x = golden_section(path, 0.0, span);
-        let (n_a, n_b) = order(n_i, n_t);
-        let refracted = refract(Incidence::from_angle(x.atan()), n_a, n_b).map_or(f64::NAN, |(sin, _)| sin);
-        (refracted - (span - x).atan().sin(), format!("n {n_i} → {n_t}, crossing {x:.3}"))
-    }))
+    Measured::worst(media.into_iter().flat_map(|(n_i, n_t)| crossing.map(|span| (n_i, n_t, span))).map(
+        |(n_i, n_t, span)| {
+            // From (0, 1) above the interface to (span, −1) below it, crossing at (x, 0).
+            let path = |x: f64| n_i * x.hypot(1.0) + n_t * (span - x).hypot(1.0);
+            let x = golden_section(path, 0.0, span);
+            let (n_a, n_b) = order(n_i, n_t);
+            let refracted = refract(Incidence::from_angle(x.atan()), n_a, n_b).map_or(f64::NAN, |(sin, _)| sin);
+            (refracted - (span - x).atan().sin(), format!("n {n_i} → {n_t}, crossing {x:.3}"))
+        },
+    ))
 }
 
 /// Place of the least value of a unimodal `f` (Kiefer 1953).
