@@ -259,6 +259,8 @@ pub struct Extreme {
     pub ours: f64,
     /// Condition number κ of the quantity with respect to its inputs [1].
     pub condition: f64,
+    /// How many inputs this one is the worst of; 1 if it stands for itself.
+    pub worst_of: usize,
 }
 
 impl Extreme {

@@ -18,5 +18,6 @@ pub mod evidence;
 pub mod optics;
 pub mod precise;
 pub mod sampling;
+mod wide;
 
 pub use num_complex::Complex64;

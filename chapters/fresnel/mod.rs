@@ -1,5 +1,7 @@
 //! What an interface does to a plane wave: rows E33–E44 and C10–C15.
 
+pub mod extremes;
+
 use crate::vocabulary::Chapter;
 
 /// The chapter.

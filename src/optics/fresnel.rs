@@ -1,1 +1,374 @@
-//! (being written)
+//! Fresnel's coefficients of a plane interface, in the form that keeps its digits.
+//!
+//! Born & Wolf, *Principles of Optics* (7th ed.), §1.5 (clear media), §14.2 (conductors); signs as in the crate's
+//! conventions. With q_i = n_i cos θ_i and q_t = √(n_t² − n_i² sin² θ_i), Im q_t ≥ 0, the lecture's E36–E40 read
+//! r_s = (q_i − q_t)/(q_i + q_t) and r_p = (n_t² q_i − n_i² q_t)/(n_t² q_i + n_i² q_t).
+//! The differences in the numerators are where digits go: near normal incidence, near equal indices, near
+//! Brewster's angle. They never appear here; with q_i² − q_t² = n_i² − n_t² each is replaced by a product whose
+//! factors are differences of *inputs*, which are exact. Sums of products of one sign need no such care.
+
+use super::incidence::{Incidence, brewster_balance, normal_squared, outgoing_root};
+use num_complex::Complex64;
+
+/// Ratios of electric field amplitudes to the incident one [1], with respect to e^(−iωt).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Amplitudes {
+    /// Reflected, s (E36).
+    pub r_s: Complex64,
+    /// Transmitted, s (E37).
+    pub t_s: Complex64,
+    /// Reflected, p (E39).
+    pub r_p: Complex64,
+    /// Transmitted, p (E40).
+    pub t_p: Complex64,
+}
+
+/// Shares of the incident power, normal to the interface [1] (E41–E43).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Powers {
+    /// R_s: reflected, s.
+    pub r_s: f64,
+    /// T_s: transmitted, s.
+    pub t_s: f64,
+    /// R_p: reflected, p.
+    pub r_p: f64,
+    /// T_p: transmitted, p.
+    pub t_p: f64,
+}
+
+impl Powers {
+    /// R_n: reflected share of natural light, the mean of s and p (E42).
+    pub fn r_n(&self) -> f64 {
+        0.5 * (self.r_s + self.r_p)
+    }
+
+    /// T_n: transmitted share of natural light (E43).
+    pub fn t_n(&self) -> f64 {
+        0.5 * (self.t_s + self.t_p)
+    }
+}
+
+/// Field ratios at the interface from the clear medium `n_i` (1e−9 … 1e9) into `n_t` = n + iκ, κ ≥ 0.
+/// Real and imaginary part each keep their digits. Total reflection is an answer: complex r of modulus 1.
+pub fn amplitudes(incidence: Incidence, n_i: f64, n_t: Complex64) -> Amplitudes {
+    let Some(side) = Solution::new(incidence, n_i, n_t) else { return NOTHING_THERE };
+    let Solution { q_i, q_t, cos_i, s_norm, p_norm, .. } = side;
+    let t_s = Complex64::new(q_i + q_t.re, -q_t.im) * (2.0 * q_i / s_norm);
+    let t_p = side.along * (2.0 * cos_i * n_i / (n_t.norm_sqr() * p_norm));
+    Amplitudes { r_s: side.r_s(), t_s, r_p: side.r_p(), t_p }
+}
+
+/// Shares of power at the interface from the clear medium `n_i` into `n_t`; domain as [`amplitudes`].
+/// T is computed by itself, not as 1 − R, so that it keeps its digits where it is small.
+pub fn powers(incidence: Incidence, n_i: f64, n_t: Complex64) -> Powers {
+    let Some(side) = Solution::new(incidence, n_i, n_t) else {
+        return Powers { r_s: 0.0, t_s: 1.0, r_p: 0.0, t_p: 1.0 };
+    };
+    if side.q_t.re == 0.0 {
+        return Powers { r_s: 1.0, t_s: 0.0, r_p: 1.0, t_p: 0.0 };
+    }
+    Powers {
+        r_s: side.r_s().norm_sqr(),
+        t_s: 4.0 * side.q_i * side.q_t.re / side.s_norm,
+        r_p: side.r_p().norm_sqr(),
+        t_p: 4.0 * side.cos_i * side.g.re / side.p_norm,
+    }
+}
+
+/// The answer between equal media at exactly grazing incidence, where both normal wave numbers vanish.
+const NOTHING_THERE: Amplitudes = {
+    let (zero, one) = (Complex64::new(0.0, 0.0), Complex64::new(1.0, 0.0));
+    Amplitudes { r_s: zero, t_s: one, r_p: zero, t_p: one }
+};
+
+/// What amplitudes and powers share: the normal wave numbers and the two denominators.
+struct Solution {
+    incidence: Incidence,
+    n_i: f64,
+    n_t: Complex64,
+    cos_i: f64,
+    /// n_i cos θ_i.
+    q_i: f64,
+    /// q_t² and q_t.
+    q2_t: Complex64,
+    q_t: Complex64,
+    /// n_i q_t / n_t²: what cos θ_i is weighed against in p.
+    g: Complex64,
+    /// n_t* (cos_i + g*): what t_p is proportional to.
+    along: Complex64,
+    /// |q_i + q_t|².
+    s_norm: f64,
+    /// |cos θ_i + g|².
+    p_norm: f64,
+}
+
+impl Solution {
+    /// None if there is no interface to speak of: equal media at exactly grazing incidence.
+    fn new(incidence: Incidence, n_i: f64, n_t: Complex64) -> Option<Self> {
+        debug_assert!(n_i > 0.0 && n_t.re > 0.0 && n_t.im >= 0.0);
+        let cos_i = incidence.cos();
+        let q_i = n_i * cos_i;
+        let q2_t = normal_squared(incidence, n_i, n_t);
+        let q_t = outgoing_root(q2_t);
+        // q_t n_t* = forward + i·aside. The latter, n Im q_t − κ Re q_t, would cancel; from Re q_t Im q_t = nκ and
+        // q_t² = n_t² − n_i² sin² θ_i it is a product of what is never negative.
+        let n_i_sin = n_i * incidence.sin();
+        let modulus = n_t.norm_sqr();
+        let forward = n_t.re * q_t.re + n_t.im * q_t.im;
+        let turned = n_t.re * n_t.re + q_t.im * q_t.im;
+        let aside = n_t.re * q_t.im * (n_i_sin * n_i_sin) / turned;
+        let scale = n_i / (modulus * modulus);
+        let g =
+            Complex64::new(scale * (forward * n_t.re + aside * n_t.im), scale * (aside * n_t.re - forward * n_t.im));
+        let lift = n_i / modulus;
+        let along = Complex64::new(n_t.re * cos_i + lift * forward, -(n_t.im * cos_i + lift * aside));
+        let s_sum = q_i + q_t.re;
+        let p_sum = cos_i + g.re;
+        let s_norm = s_sum * s_sum + q_t.im * q_t.im;
+        let p_norm = p_sum * p_sum + g.im * g.im;
+        (s_norm > 0.0).then_some(Self { incidence, n_i, n_t, cos_i, q_i, q2_t, q_t, g, along, s_norm, p_norm })
+    }
+
+    /// n_t² − n_i², its real part from exact differences.
+    fn contrast(&self) -> Complex64 {
+        let Self { n_i, n_t, .. } = *self;
+        Complex64::new((n_t.re - n_i) * (n_t.re + n_i) - n_t.im * n_t.im, 2.0 * n_t.re * n_t.im)
+    }
+
+    /// (q_i − q_t)(q_i + q_t*)/|q_i + q_t|². Its real part needs q_i² − |q_t|², which is
+    /// (q_i⁴ − |q_t|⁴)/(q_i² + |q_t|²) with q_t² = q_i² + contrast.
+    fn r_s(&self) -> Complex64 {
+        let Self { q_i, q2_t, q_t, s_norm, .. } = *self;
+        let contrast = self.contrast();
+        let q2_i = q_i * q_i;
+        let excess = contrast.re * (q2_i + q2_t.re) + contrast.im * contrast.im;
+        let re = -excess / ((q2_i + q_t.norm_sqr()) * s_norm);
+        Complex64::new(re, -2.0 * q_i * q_t.im / s_norm)
+    }
+
+    /// (cos_i − g)(cos_i + g*)/|cos_i + g|².
+    fn r_p(&self) -> Complex64 {
+        let Self { cos_i, g, p_norm, .. } = *self;
+        let (cos2, g2) = (cos_i * cos_i, g.norm_sqr());
+        let difference = if (cos2 - g2).abs() > 0.5 * cos2 { cos2 - g2 } else { self.brewster_difference(g2) };
+        Complex64::new(difference / p_norm, -2.0 * cos_i * g.im / p_norm)
+    }
+
+    /// cos² θ_i − |g|² near its zero, from cos⁴ θ_i |n_t|⁸ − n_i⁴ |q_t|⁴ in factors that do not cancel:
+    /// (n_t² − n_i²)(n_t² cos² θ_i − n_i² sin² θ_i)(…) for clear media, plus what absorption adds.
+    fn brewster_difference(&self, g2: f64) -> f64 {
+        let Self { incidence, n_i, n_t, cos_i, q2_t, .. } = *self;
+        let (cos2, n2_i, square) = (cos_i * cos_i, n_i * n_i, square(n_t));
+        let balance = brewster_balance(incidence, n_i, n_t);
+        let (re2, im2) = (square.re * square.re, square.im * square.im);
+        let clear = self.contrast().re * balance * (cos2 * re2 + n2_i * q2_t.re);
+        let absorbed = im2 * (cos2 * cos2 * (2.0 * re2 + im2) - n2_i * n2_i);
+        let modulus = n_t.norm_sqr();
+        let modulus4 = modulus * modulus * modulus * modulus;
+        (clear + absorbed) / (modulus4 * (cos2 + g2))
+    }
+}
+
+/// n², its real part as a product, so that n ≈ κ loses nothing.
+fn square(n: Complex64) -> Complex64 {
+    Complex64::new((n.re - n.im) * (n.re + n.im), 2.0 * n.re * n.im)
+}
+
+/// Field ratios between any two media, either of which may absorb, for a tangential index β = n sin θ [1]
+/// common to both sides (complex if the incident wave is inhomogeneous). Accurate relative to each ratio's modulus.
+/// Interchanging the media gives the wave from the other side.
+pub fn amplitudes_between(beta: Complex64, n_i: Complex64, n_t: Complex64) -> Amplitudes {
+    let (square_i, square_t, beta2) = (n_i * n_i, n_t * n_t, beta * beta);
+    let (q_i, q_t) = (upward_root((n_i - beta) * (n_i + beta)), upward_root((n_t - beta) * (n_t + beta)));
+    let contrast = (n_t - n_i) * (n_t + n_i);
+    let (s, p) = (q_i + q_t, square_t * q_i + square_i * q_t);
+    let balance = square_i * square_t - beta2 * (square_i + square_t);
+    Amplitudes {
+        r_s: -contrast / (s * s),
+        t_s: 2.0 * q_i / s,
+        r_p: contrast * balance / (p * p),
+        t_p: 2.0 * n_i * n_t * q_i / p,
+    }
+}
+
+/// The root with Im ≥ 0, and Re > 0 on the real axis.
+fn upward_root(square: Complex64) -> Complex64 {
+    if square.im >= 0.0 {
+        return outgoing_root(square);
+    }
+    // The mirror image about the imaginary axis.
+    let root = outgoing_root(square.conj());
+    Complex64::new(-root.re, root.im)
+}
+
+/// Angle of incidence [rad] at which p is not reflected at all between clear media: tan θ_B = n_t/n_i.
+pub fn brewster_angle(n_i: f64, n_t: f64) -> f64 {
+    n_t.atan2(n_i)
+}
+
+/// Angle of incidence [rad] from which on everything is reflected, sin θ_c = n_t/n_i; `None` into the denser medium.
+pub fn critical_angle(n_i: f64, n_t: f64) -> Option<f64> {
+    // atan2 keeps the digits that asin would lose at n_t ≈ n_i, where cos θ_c = √((n_i − n_t)(n_i + n_t))/n_i.
+    (n_t < n_i).then(|| n_t.atan2(((n_i - n_t) * (n_i + n_t)).sqrt()))
+}
+
+/// Snell's law (E33): sin θ_t = n_i sin θ_i / n_t between clear media, as the refracted direction;
+/// `None` beyond the critical angle. Cosine and sine both keep their digits.
+pub fn refract(incidence: Incidence, n_i: f64, n_t: f64) -> Option<(f64, f64)> {
+    let q2 = normal_squared(incidence, n_i, Complex64::new(n_t, 0.0)).re;
+    (q2 >= 0.0).then(|| (n_i * incidence.sin() / n_t, q2.sqrt() / n_t))
+}
+
+/// 1/e depth of the *field* behind a totally reflecting interface over the vacuum wavelength [1]:
+/// 1/(2π |q_t|); infinite at and below the critical angle (E33, C13).
+pub fn evanescent_depth(incidence: Incidence, n_i: f64, n_t: f64) -> f64 {
+    let q_t = outgoing_root(normal_squared(incidence, n_i, Complex64::new(n_t, 0.0)));
+    1.0 / (std::f64::consts::TAU * q_t.im)
+}
+
+/// R_n [1] of natural light between clear media, for many cosines of incidence (0 … 1) at once:
+/// one square root and one division each, no branch, so that the compiler can work on several at a time.
+///
+/// # Panics
+/// If the slices differ in length.
+pub fn natural_reflectance(cos_i: &[f64], n_i: f64, n_t: f64, out: &mut [f64]) {
+    assert_eq!(cos_i.len(), out.len());
+    let relative = n_t / n_i;
+    let index2 = relative * relative;
+    let contrast = ((n_t - n_i) / n_i) * ((n_t + n_i) / n_i);
+    for (out, &cos) in out.iter_mut().zip(cos_i) {
+        let (cos2, sin2) = (cos * cos, (1.0 - cos) * (1.0 + cos));
+        // As in `normal_squared`, over n_i².
+        let q2 = if cos2 < 0.5 { contrast + cos2 } else { index2 - sin2 };
+        let q = q2.max(0.0).sqrt();
+        let (s, p) = (cos + q, index2 * cos + q);
+        let (s2, p2) = (s * s, p * p);
+        let balance = index2 * cos2 - sin2;
+        let both = s2 * p2;
+        let sum = p2 * p2 + balance * balance * (s2 * s2);
+        let below = 0.5 * (contrast * contrast) * sum / (both * both);
+        // Equal media at grazing: 0/0; nothing is reflected.
+        let below = if both > 0.0 { below } else { 0.0 };
+        *out = if q2 > 0.0 || contrast == 0.0 { below } else { 1.0 };
+    }
+}
+
+/// R_n [1] of natural light into an absorbing medium, for many cosines of incidence (0 … 1) at once.
+///
+/// # Panics
+/// If the slices differ in length.
+pub fn natural_reflectance_absorbing(cos_i: &[f64], n_i: f64, n_t: Complex64, out: &mut [f64]) {
+    assert_eq!(cos_i.len(), out.len());
+    for (out, &cos) in out.iter_mut().zip(cos_i) {
+        *out = powers(Incidence::from_cos(cos), n_i, n_t).r_n();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn index() -> impl Strategy<Value = f64> {
+        prop_oneof![0.3..5.0, Just(1.0), Just(1.5)]
+    }
+
+    fn extinction() -> impl Strategy<Value = f64> {
+        prop_oneof![Just(0.0), 1e-12..1e-3, 0.0..8.0]
+    }
+
+    fn angle() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            Just(0.0),
+            0.0..1.5707,
+            (0.0_f64..12.0).prop_map(|p| std::f64::consts::FRAC_PI_2 - 10f64.powf(-p - 0.5))
+        ]
+    }
+
+    fn close(a: Complex64, b: Complex64, tolerance: f64) -> bool {
+        (a - b).norm() <= tolerance * (1.0 + a.norm().max(b.norm()))
+    }
+
+    proptest! {
+        #[test]
+        fn energy_is_conserved_into_any_medium(theta in angle(), n_i in index(), n in index(), k in extinction()) {
+            let p = powers(Incidence::from_angle(theta), n_i, Complex64::new(n, k));
+            for sum in [p.r_s + p.t_s, p.r_p + p.t_p, p.r_n() + p.t_n()] {
+                prop_assert!((sum - 1.0).abs() <= 8.0 * f64::EPSILON, "{sum}");
+            }
+        }
+
+        #[test]
+        fn both_routes_agree(theta in 0.0..1.5, n_i in index(), n in index(), k in extinction()) {
+            let n_t = Complex64::new(n, k);
+            let incidence = Incidence::from_angle(theta);
+            let careful = amplitudes(incidence, n_i, n_t);
+            let general = amplitudes_between(Complex64::from(n_i * incidence.sin()), Complex64::from(n_i), n_t);
+            // The general form takes sin θ alone, which decides nothing within 1e−9 of a critical angle.
+            prop_assume!(normal_squared(incidence, n_i, n_t).norm() > 1e-6);
+            for (a, b) in [(careful.r_s, general.r_s), (careful.t_s, general.t_s), (careful.r_p, general.r_p), (careful.t_p, general.t_p)] {
+                prop_assert!(close(a, b, 1e-9), "{a} {b}");
+            }
+        }
+
+        #[test]
+        fn reversal_and_stokes(beta in 0.0..2.0, n_a in index(), k_a in extinction(), n_b in index(), k_b in extinction()) {
+            let (a, b, beta) = (Complex64::new(n_a, k_a), Complex64::new(n_b, k_b), Complex64::from(beta));
+            let (there, back) = (amplitudes_between(beta, a, b), amplitudes_between(beta, b, a));
+            // t_p compares electric fields; reversal keeps t t′ = 1 − r² because the index ratios cancel.
+            for (r, r_back, t, t_back) in [(there.r_s, back.r_s, there.t_s, back.t_s), (there.r_p, back.r_p, there.t_p, back.t_p)] {
+                prop_assume!(r.norm() < 1e3);
+                prop_assert!(close(r, -r_back, 1e-12), "r {r} {r_back}");
+                prop_assert!(close(t * t_back, 1.0 - r * r, 1e-9), "{} {}", t * t_back, 1.0 - r * r);
+            }
+        }
+
+        #[test]
+        fn batches_agree_with_single_evaluations(theta in angle(), n_i in index(), n in index(), k in extinction()) {
+            let incidence = Incidence::from_cos(theta.cos());
+            let (mut clear, mut absorbing) = ([0.0], [0.0]);
+            natural_reflectance(&[incidence.cos()], n_i, n, &mut clear);
+            natural_reflectance_absorbing(&[incidence.cos()], n_i, Complex64::new(n, k), &mut absorbing);
+            prop_assert_eq!(absorbing[0], powers(incidence, n_i, Complex64::new(n, k)).r_n());
+            let exact = powers(incidence, n_i, Complex64::from(n)).r_n();
+            // Both are within a few ε(1 + κ); κ of R near the critical angle goes as 1/|q_t|².
+            let q2 = normal_squared(incidence, n_i, Complex64::from(n)).re.abs() / (n_i * n_i);
+            let contrast = (n / n_i - 1.0).abs();
+            let tolerance = 16.0 * f64::EPSILON * (1.0 + 10.0 / q2 + 10.0 / contrast.max(1e-300));
+            prop_assert!((clear[0] - exact).abs() <= tolerance * exact.max(f64::MIN_POSITIVE), "{} {exact}", clear[0]);
+        }
+
+        #[test]
+        fn vanishing_absorption_changes_nothing(theta in angle(), n_i in index(), n in index()) {
+            let incidence = Incidence::from_angle(theta);
+            let clear = amplitudes(incidence, n_i, Complex64::from(n));
+            let traced = amplitudes(incidence, n_i, Complex64::new(n, 1e-200));
+            for (a, b) in [(clear.r_s, traced.r_s), (clear.t_s, traced.t_s), (clear.r_p, traced.r_p), (clear.t_p, traced.t_p)] {
+                prop_assert!(close(a, b, 1e-15), "{a} {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_critical_angle_is_crossed_without_a_step() {
+        for (n_i, n_t) in [(1.5, 1.0), (2.4, 1.0), (1.5, 1.33), (1.0, 0.999)] {
+            let critical = critical_angle(n_i, n_t).unwrap();
+            for offset in [1e-15, 1e-12, 1e-9, 1e-6] {
+                let [below, above] = [critical - offset, critical + offset]
+                    .map(|theta| amplitudes(Incidence::from_angle(theta), n_i, Complex64::from(n_t)));
+                // r − r_c goes as the square root of the distance, times 1/cos θ_c and, for p, (n_i/n_t)².
+                let allowed = 12.0 * (offset + 2e-16).sqrt() / critical.cos().powf(1.5) * (n_i / n_t).powi(2);
+                assert!((below.r_s - above.r_s).norm() <= allowed, "{n_i} {n_t} {offset}");
+                assert!((below.r_p - above.r_p).norm() <= allowed, "{n_i} {n_t} {offset}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_vacant_interface_reflects_nothing_even_at_grazing() {
+        let there = powers(Incidence::from_cos(0.0), 1.3, Complex64::from(1.3));
+        assert_eq!((there.r_n(), there.t_n()), (0.0, 1.0));
+        let other = powers(Incidence::from_cos(0.0), 1.0, Complex64::from(1.3));
+        assert_eq!((other.r_n(), other.t_n()), (1.0, 0.0));
+    }
+}

@@ -1,36 +1,53 @@
 //! The direction of an incident wave, without loss at either end of the quarter circle.
 
+use crate::wide::Wide;
 use num_complex::Complex64;
 
-/// An angle of incidence, kept as the pair (sin θ, cos θ), each accurate to rounding: near grazing the
-/// cosine, near the normal the sine is what carries the digits.
+/// How a direction of incidence is given; the number is taken as exact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Direction {
+    /// Angle to the normal [rad], 0 ≤ θ ≤ π/2.
+    Angle(f64),
+    /// Angle to the surface, δ = π/2 − θ [rad], 0 ≤ δ ≤ π/2: exact where θ itself could not tell neighbouring
+    /// directions apart.
+    Grazing(f64),
+    /// cos θ [1], 0 ≤ cos θ ≤ 1.
+    Cos(f64),
+}
+
+/// An angle of incidence as the pair (sin θ, cos θ), each accurate to rounding: near grazing the cosine, near the
+/// normal the sine is what carries the digits. It remembers how it was given, for the few cases that need more.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Incidence {
     sin: f64,
     cos: f64,
+    direction: Direction,
+}
+
+impl From<Direction> for Incidence {
+    fn from(direction: Direction) -> Self {
+        let (sin, cos) = match direction {
+            Direction::Angle(theta) => (theta.sin(), theta.cos()),
+            Direction::Grazing(delta) => (delta.cos(), delta.sin()),
+            Direction::Cos(cos) => (((1.0 - cos) * (1.0 + cos)).sqrt(), cos),
+        };
+        debug_assert!((0.0..=1.0).contains(&sin) && (0.0..=1.0).contains(&cos), "{direction:?}");
+        Self { sin, cos, direction }
+    }
 }
 
 impl Incidence {
     /// Along the normal.
-    pub const NORMAL: Self = Self { sin: 0.0, cos: 1.0 };
+    pub const NORMAL: Self = Self { sin: 0.0, cos: 1.0, direction: Direction::Cos(1.0) };
 
     /// From the angle to the normal [rad], 0 ≤ θ ≤ π/2.
     pub fn from_angle(theta: f64) -> Self {
-        debug_assert!((0.0..=std::f64::consts::FRAC_PI_2).contains(&theta));
-        Self { sin: theta.sin(), cos: theta.cos() }
-    }
-
-    /// From the angle to the surface, δ = π/2 − θ [rad], 0 ≤ δ ≤ π/2: exact where θ itself could not
-    /// tell neighbouring directions apart.
-    pub fn from_grazing(delta: f64) -> Self {
-        debug_assert!((0.0..=std::f64::consts::FRAC_PI_2).contains(&delta));
-        Self { sin: delta.cos(), cos: delta.sin() }
+        Direction::Angle(theta).into()
     }
 
     /// From cos θ [1], 0 ≤ cos θ ≤ 1.
     pub fn from_cos(cos: f64) -> Self {
-        debug_assert!((0.0..=1.0).contains(&cos));
-        Self { sin: ((1.0 - cos) * (1.0 + cos)).sqrt(), cos }
+        Direction::Cos(cos).into()
     }
 
     /// sin θ [1].
@@ -42,22 +59,62 @@ impl Incidence {
     pub fn cos(self) -> f64 {
         self.cos
     }
+
+    /// sin² θ with twice the digits.
+    fn sin_squared(self) -> Wide {
+        match self.direction {
+            Direction::Angle(theta) => {
+                let (sin, _) = Wide::sin_cos(theta);
+                sin * sin
+            }
+            Direction::Grazing(delta) => {
+                let (_, cos) = Wide::sin_cos(delta);
+                cos * cos
+            }
+            Direction::Cos(cos) => Wide::from(1.0) - Wide::from(cos) * Wide::from(cos),
+        }
+    }
 }
 
 /// The square of the normal wave number over the vacuum wave number, (n cos θ_n)² = n² − n_i² sin² θ [1], of a
 /// wave in the medium `n` whose tangential wave number was set in the clear medium `n_i`.
 ///
 /// Near grazing n² − n_i² + (n_i cos θ)² keeps the digits that n² − (n_i sin θ)² would lose in rounding sin θ;
-/// towards the normal it is the other way round (for n ≪ n_i).
+/// towards the normal it is the other way round (for n ≪ n_i). Near a critical angle both would leave only the
+/// rounding of sin θ; there the difference is formed with twice the digits.
 pub fn normal_squared(incidence: Incidence, n_i: f64, n: Complex64) -> Complex64 {
-    let re = if incidence.cos < incidence.sin {
-        let n_i_cos = n_i * incidence.cos;
-        (n.re - n_i) * (n.re + n_i) + n_i_cos * n_i_cos - n.im * n.im
+    let absorbed = n.im * n.im;
+    let (re, size) = if incidence.cos < incidence.sin {
+        let (contrast, n_i_cos) = ((n.re - n_i) * (n.re + n_i), n_i * incidence.cos);
+        (contrast + n_i_cos * n_i_cos - absorbed, contrast.abs())
     } else {
         let n_i_sin = n_i * incidence.sin;
-        (n.re - n_i_sin) * (n.re + n_i_sin) - n.im * n.im
+        ((n.re - n_i_sin) * (n.re + n_i_sin) - absorbed, n.re * n.re)
     };
+    let re = if nearly_cancelled(re, size) { wide_difference(incidence, n_i, n, Wide::from(1.0)) } else { re };
     Complex64::new(re, 2.0 * n.re * n.im)
+}
+
+/// Re(n²) cos² θ − n_i² sin² θ [1], which vanishes at Brewster's angle of a clear medium.
+pub(super) fn brewster_balance(incidence: Incidence, n_i: f64, n: Complex64) -> f64 {
+    let (n_cos, n_sin, k_cos) = (n.re * incidence.cos, n_i * incidence.sin, n.im * incidence.cos);
+    let balance = (n_cos - n_sin) * (n_cos + n_sin) - k_cos * k_cos;
+    if nearly_cancelled(balance, n_sin * n_sin) {
+        return wide_difference(incidence, n_i, n, Wide::from(1.0) - incidence.sin_squared());
+    }
+    balance
+}
+
+/// Whether a difference of terms of a given `size` is worth forming with twice the digits.
+fn nearly_cancelled(difference: f64, size: f64) -> bool {
+    difference.abs() < size / 64.0
+}
+
+/// Re(n²)·`weight` − n_i² sin² θ with twice the digits.
+#[cold]
+fn wide_difference(incidence: Incidence, n_i: f64, n: Complex64, weight: Wide) -> f64 {
+    let [n_i, re, im] = [n_i, n.re, n.im].map(Wide::from);
+    ((re * re - im * im) * weight - n_i * n_i * incidence.sin_squared()).into()
 }
 
 /// The square root with an imaginary part ≥ 0 and a real part ≥ 0 of a `square` with an imaginary part ≥ 0:

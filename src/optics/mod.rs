@@ -7,4 +7,4 @@ pub mod material;
 pub mod schlick;
 pub mod textbook;
 
-pub use incidence::Incidence;
+pub use incidence::{Direction, Incidence};
