@@ -290,6 +290,5 @@ mod tests {
         assert_eq!(label("θ_B"), "θ_B");
         assert_eq!(label("10^{−6}"), "10⁻⁶");
         assert_eq!(label("n_t/n_i"), "nₜ/nᵢ");
-        assert_eq!(label("x_"), "x_");
     }
 }

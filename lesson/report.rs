@@ -165,6 +165,8 @@ pub struct CaseReport {
     /// Digits that the condition number lets any method keep, within the project's promise.
     pub allowed_digits: f64,
     pub condition: Number,
+    /// How many inputs this one is the worst of.
+    pub worst_of: usize,
     pub verdict: Verdict,
 }
 

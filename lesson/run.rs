@@ -220,6 +220,7 @@ fn case(extreme: &Extreme) -> CaseReport {
         our_digits: extreme.digits(extreme.ours),
         allowed_digits: digits(extreme.allowed()),
         condition: Number(extreme.condition),
+        worst_of: extreme.worst_of,
         verdict: extreme.holds().into(),
     }
 }

@@ -96,7 +96,7 @@ fn find_chapter(word: &str) -> Result<&'static Chapter, Stop> {
         return Err(Stop::at(&wanted, format!("this chapter is not written yet; there is: {}", written.join(", "))));
     }
     let names = chapter_names();
-    let hint = did_you_mean(word, names.iter().copied().chain(["all"]));
+    let hint = did_you_mean(word, names.iter().copied().chain(COMMANDS));
     Err(Stop::at(excerpt(word), format!("no such chapter{hint}. There is: {}", names.join(", "))))
 }
 
@@ -201,3 +201,6 @@ fn wavelength(changes: &[(String, String)]) -> f64 {
 fn absorbs(text: &str, wavelength: f64) -> bool {
     parse_medium(text).is_ok_and(|medium| medium.index(wavelength).is_ok_and(|index| index.im > 0.0))
 }
+
+/// Words that stand where a chapter's name may stand.
+const COMMANDS: [&str; 4] = ["all", "coverage", "eval", "completions"];

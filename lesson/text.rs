@@ -36,24 +36,20 @@ fn inventory(step: &Step) -> String {
     if !ids.is_empty() {
         parts.push(format!("checks {}", ids.join(", ")));
     }
-    for (count, what) in [
-        (step.derivations.len(), "derivation"),
-        (step.stress.len(), "stress"),
-        (step.races.len(), "race"),
-        (step.figures.len(), "figure"),
+    for (count, one, many) in [
+        (step.derivations.len(), "derivation", "derivations"),
+        (step.stress.len(), "family of extreme cases", "families of extreme cases"),
+        (step.races.len(), "race", "races"),
+        (step.figures.len(), "figure", "figures"),
     ] {
         match count {
             0 => {}
-            1 => parts.push(format!("1 {what}")),
-            _ => parts.push(format!("{count} {}", plural(what))),
+            1 => parts.push(format!("1 {one}")),
+            _ => parts.push(format!("{count} {many}")),
         }
     }
     parts.retain(|part| !part.is_empty());
     parts.join(" · ")
-}
-
-fn plural(what: &str) -> String {
-    if what.ends_with('s') { format!("{what} families") } else { format!("{what}s") }
 }
 
 fn coming(page: &mut Page, name: &str) {
@@ -254,9 +250,9 @@ fn show_stress(page: &mut Page, stress: &StressReport) {
     verdict(page, stress.verdict, &stress.address, &[(Tone::Plain, stress.claim)]);
     let kept = |digits: fn(&CaseReport) -> f64| stress.cases.iter().map(digits).fold(f64::INFINITY, f64::min);
     let broken = stress.cases.iter().filter(|case| case.verdict == Verdict::Failed).count();
+    let inputs: usize = stress.cases.iter().map(|case| case.worst_of).sum();
     let summary = format!(
-        "{} cases, {broken} broken; fewest digits kept: ours {:.1}, textbook {:.1}",
-        stress.cases.len(),
+        "{inputs} results, {broken} broken; fewest digits kept: ours {:.1}, textbook {:.1}",
         kept(|case| case.our_digits),
         kept(|case| case.textbook_digits),
     );
@@ -284,7 +280,8 @@ fn telling(cases: &[CaseReport]) -> Vec<&CaseReport> {
 
 fn show_case(page: &mut Page, case: &CaseReport) {
     let symbol = label(case.quantity);
-    page.wrap(6, 8, &[(Tone::Equation, &symbol), (Tone::Plain, " at "), (Tone::Plain, &case.input)]);
+    let of = if case.worst_of > 1 { format!(" (worst of {})", case.worst_of) } else { String::new() };
+    page.wrap(6, 8, &[(Tone::Equation, &symbol), (Tone::Plain, " at "), (Tone::Plain, &case.input), (Tone::Dim, &of)]);
     let (good, bad) = (Tone::Good, Tone::Bad);
     let tone = if case.verdict == Verdict::Passed { good } else { bad };
     let textbook_tone = if case.textbook_digits < case.allowed_digits { bad } else { good };
