@@ -7,7 +7,7 @@ use crate::figure::Plot;
 use crate::function::Function;
 use crate::setting::{Parameter, Setting};
 use light::equation::Equation;
-use light::equation::derivation::Chain;
+use light::equation::derivation::{Chain, Hop};
 use light::evidence::order;
 use light::precise::{self, Real};
 use light::sampling::{Stream, stream};
@@ -88,6 +88,14 @@ pub struct Derivation {
     pub spoiled: fn() -> Chain,
     /// What the planted mistake is.
     pub slip: &'static str,
+}
+
+/// At how many points the hops of a derivation are compared.
+pub const POINTS: usize = 16;
+
+/// Every hop of `chain`, judged at points that its derivation's `address` names.
+pub fn verify(chain: &Chain, address: &str) -> Vec<Hop> {
+    chain.verify(POINTS, precise::BITS, &mut stream(SEED, address))
 }
 
 /// A named number shown for the current setting.

@@ -9,6 +9,7 @@ mod out;
 mod page;
 mod plot;
 mod progress;
+mod prove;
 mod race_plot;
 mod report;
 mod run;

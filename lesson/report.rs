@@ -96,17 +96,21 @@ pub struct DerivationReport {
     pub rows: &'static [&'static str],
     pub hypotheses: Vec<LineReport>,
     pub lines: Vec<LineReport>,
+    /// How the units of a line disagree.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mismatch: Option<String>,
     pub verdict: Verdict,
 }
 
-/// A line of a derivation and what became of the hop that leads to it.
+/// A hypothesis or a line of a derivation, and what became of the hop that leads to it.
 #[derive(Debug, Serialize)]
 pub struct LineReport {
     pub latex: String,
     pub unicode: String,
-    /// The rule that justifies it.
-    #[serde(skip_serializing_if = "String::is_empty")]
-    pub by: String,
+    /// The rules that justify it.
+    pub by: Vec<&'static str>,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    pub says: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hop: Option<HopReport>,
 }
@@ -117,6 +121,7 @@ pub struct HopReport {
     pub verdict: Verdict,
     /// `proved`, `agrees to 70 digits at 16 points`, `refuted at …`, or why nothing can be said.
     pub found: String,
+    /// Decimal digits of agreement at the worst point.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub digits: Option<Number>,
 }

@@ -1,12 +1,12 @@
 //! From the curriculum to a [`Report`]. The only place with a clock.
 
 use crate::progress::Progress;
+use crate::prove::{derive, state};
 use crate::report::*;
 use crate::select::{Chosen, Selection};
 use chapters::setting::{Kind, Setting, Value};
 use chapters::vocabulary::{
-    Bench, Bound, Check, Derivation, Expects, Extreme, Heat, Lane, Race, SEED, Statement, Stress, digits, fitted_order,
-    rms, sidak,
+    Bench, Bound, Check, Expects, Extreme, Heat, Lane, Race, SEED, Stress, digits, fitted_order, rms, sidak,
 };
 use rayon::prelude::*;
 use std::hint::black_box;
@@ -131,35 +131,6 @@ fn readout(chosen: &Chosen) -> Vec<QuantityReport> {
         unit: quantity.unit,
     });
     report.collect()
-}
-
-fn state(statement: &Statement, address: String) -> StatementReport {
-    let equation = (statement.equation)();
-    let (dimension, holds) = match equation.dimension() {
-        Ok(dimension) => (format!("{dimension:?}"), true),
-        Err(mismatch) => (format!("{mismatch:?}"), false),
-    };
-    StatementReport {
-        address,
-        says: statement.says,
-        rows: statement.rows,
-        latex: String::new(),
-        unicode: String::new(),
-        dimension,
-        verdict: holds.into(),
-    }
-}
-
-fn derive(derivation: &Derivation, address: String) -> DerivationReport {
-    let _chain = (derivation.chain)();
-    DerivationReport {
-        address,
-        says: derivation.says,
-        rows: derivation.rows,
-        hypotheses: Vec::new(),
-        lines: Vec::new(),
-        verdict: Verdict::Failed,
-    }
 }
 
 fn check(check: &Check, setting: &Setting, address: String) -> CheckReport {

@@ -99,9 +99,12 @@ pub fn findings(page: &mut Page, found: &StepReport, parts: Parts) {
     heading(page, found);
     if parts.checks {
         for statement in &found.statements {
-            let units = format!("units agree: {}", statement.dimension);
-            let text = if statement.verdict == Verdict::Passed { units } else { statement.dimension.clone() };
-            verdict(page, statement.verdict, &statement.address, &[(Tone::Plain, &text)]);
+            let units = match statement.verdict {
+                Verdict::Passed => format!("  both sides in [{}]", statement.dimension),
+                Verdict::Failed => format!("  {}", statement.dimension),
+            };
+            let spans = [(Tone::Equation, statement.unicode.as_str()), (Tone::Plain, &units)];
+            verdict(page, statement.verdict, &statement.address, &spans);
         }
         for derivation in &found.derivations {
             show_derivation_verdict(page, derivation);
@@ -155,22 +158,40 @@ fn show_statement(page: &mut Page, statement: &StatementReport) {
 
 fn show_derivation_verdict(page: &mut Page, derivation: &DerivationReport) {
     verdict(page, derivation.verdict, &derivation.address, &[(Tone::Plain, derivation.says)]);
-    let broken = derivation.lines.iter().filter_map(|line| Some((line, line.hop.as_ref()?)));
-    for (line, hop) in broken.filter(|(_, hop)| hop.verdict == Verdict::Failed) {
+    if let Some(mismatch) = &derivation.mismatch {
+        page.line(6, Tone::Bad, mismatch);
+    }
+    let digits = derivation.lines.iter().filter_map(|line| Some(line.hop.as_ref()?.digits?.0)).min_by(f64::total_cmp);
+    let hops = derivation.lines.iter().filter_map(|line| Some((line, line.hop.as_ref()?)));
+    let fewest = digits.map_or(String::new(), |digits| format!(", {digits:.0} digits agree at the worst"));
+    let count = match hops.clone().count() {
+        1 => "1 hop".to_owned(),
+        count => format!("{count} hops"),
+    };
+    page.line(4, Tone::Plain, &(count + &fewest));
+    for (line, hop) in hops.filter(|(_, hop)| hop.verdict == Verdict::Failed) {
         page.wrap(6, 8, &[(Tone::Equation, &line.unicode), (Tone::Bad, "  "), (Tone::Bad, &hop.found)]);
     }
 }
 
 fn show_derivation(page: &mut Page, derivation: &DerivationReport) {
-    page.wrap(2, 4, &[(Tone::Strong, derivation.says)]);
+    verdict(page, derivation.verdict, &derivation.address, &[(Tone::Strong, derivation.says)]);
+    if let Some(mismatch) = &derivation.mismatch {
+        page.line(6, Tone::Bad, mismatch);
+    }
     for line in &derivation.hypotheses {
-        page.wrap(4, 8, &[(Tone::Plain, "given "), (Tone::Equation, &line.unicode)]);
+        let by = format!("  {}", line.by.join(", "));
+        page.wrap(6, 8, &[(Tone::Plain, "given "), (Tone::Equation, &line.unicode), (Tone::Dim, &by)]);
     }
     for line in &derivation.lines {
-        page.wrap(4, 6, &[(Tone::Equation, &line.unicode)]);
+        page.wrap(6, 8, &[(Tone::Equation, &line.unicode)]);
         if let Some(hop) = &line.hop {
             let tone = if hop.verdict == Verdict::Passed { Tone::Good } else { Tone::Bad };
-            page.wrap(8, 8, &[(Tone::Plain, &line.by), (Tone::Plain, ": "), (tone, &hop.found)]);
+            let by = format!("{}: ", line.by.join(", "));
+            page.wrap(10, 12, &[(Tone::Plain, &by), (tone, &hop.found)]);
+        }
+        if !line.says.is_empty() {
+            page.line(10, Tone::Dim, line.says);
         }
     }
     page.gap();

@@ -2,9 +2,10 @@
 //! hold, and every planted mistake must be caught.
 
 use chapters::setting::Setting;
-use chapters::vocabulary::{Bench, Bound, Check, Lane, Race, SEED, Stress, rms};
+use chapters::vocabulary::{Bench, Bound, Check, Derivation, Lane, Race, SEED, Stress, rms, verify};
 use chapters::{CURRICULUM, Step};
 use libtest_mimic::{Arguments, Failed, Trial};
+use light::equation::derivation::{Chain, Verdict};
 
 fn main() {
     let arguments = Arguments::from_args();
@@ -16,6 +17,12 @@ fn main() {
 fn trials(place: String, step: &'static Step) -> Vec<Trial> {
     let mut trials = Vec::new();
     let setting = || Setting::defaults(step.parameters);
+    for derivation in step.derivations {
+        let address = format!("{place}/{}", derivation.id);
+        let again = address.clone();
+        trials.push(Trial::test(format!("{address} holds"), move || follows(&(derivation.chain)(), &address)));
+        trials.push(Trial::test(format!("{again} can fail"), move || is_refused(derivation, &again)));
+    }
     for check in step.checks {
         let address = format!("{place}/{}", check.id);
         let again = address.clone();
@@ -35,6 +42,24 @@ fn trials(place: String, step: &'static Step) -> Vec<Trial> {
         }
     }
     trials
+}
+
+fn follows(chain: &Chain, address: &str) -> Result<(), Failed> {
+    chain.units().map_err(|mismatch| mismatch.to_string())?;
+    let hops = verify(chain, address);
+    match hops.iter().find(|hop| !hop.verdict.holds()) {
+        Some(hop) => Err(format!("line {} by {:?}: {:?}", hop.line, hop.by, hop.verdict).into()),
+        None if hops.is_empty() => Err("a chain of one line derives nothing".into()),
+        None => Ok(()),
+    }
+}
+
+fn is_refused(derivation: &Derivation, address: &str) -> Result<(), Failed> {
+    let hops = verify(&(derivation.spoiled)(), address);
+    match hops.iter().any(|hop| matches!(hop.verdict, Verdict::Refuted { .. })) {
+        true => Ok(()),
+        false => Err(format!("the planted mistake passed ({}): {hops:?}", derivation.slip).into()),
+    }
 }
 
 fn holds(check: &Check, setting: &Setting, address: &str) -> Result<(), Failed> {

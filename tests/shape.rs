@@ -106,7 +106,7 @@ fn units_of_both_sides_agree() {
     for (chapter, step) in steps() {
         for statement in step.statements {
             if let Err(mismatch) = (statement.equation)().dimension() {
-                panic!("{}/{}/{}: {mismatch:?}", chapter.id, step.id, statement.id);
+                panic!("{}/{}/{}: {mismatch}", chapter.id, step.id, statement.id);
             }
         }
     }
