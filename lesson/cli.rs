@@ -3,7 +3,6 @@
 use crate::plot::Format;
 use crate::run::Parts;
 use crate::stop::Stop;
-use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
 use std::path::PathBuf;
@@ -50,7 +49,7 @@ pub struct Lesson {
 pub fn parse() -> Result<Request, Stop> {
     let cli = Cli::parse();
     match cli.command {
-        None if cli.lesson.words.is_empty() => match cli.lesson.is_bare() {
+        None if cli.lesson.chapter.is_none() => match cli.lesson.is_bare() {
             true => Ok(Request::Contents),
             false => Err(Stop::at("chapter", "missing: these options need one, or `all`")),
         },
@@ -101,7 +100,9 @@ enum Command {
     /// Call a checked function, once or for every line of JSON on standard input.
     #[command(after_help = EVAL_EXAMPLES)]
     Eval(EvalArgs),
-    /// Print a completion script: `lesson completions bash > ~/.local/share/bash-completion/completions/lesson`.
+    /// Print a completion script for a shell.
+    ///
+    /// For bash: lesson completions bash > ~/.local/share/bash-completion/completions/lesson
     Completions {
         /// The shell.
         shell: Shell,
@@ -120,9 +121,11 @@ With --json-lines a bad line gives {\"error\": …} in its place, and the exit s
 
 #[derive(Debug, Args)]
 struct LessonArgs {
-    /// A chapter and a step, an address such as fresnel/energy/r_plus_t, or `all`.
-    #[arg(value_name = "CHAPTER [STEP]", num_args = 0..=2)]
-    words: Vec<String>,
+    /// A chapter, an address such as fresnel/energy/r_plus_t, or `all`; without one, the table of contents.
+    chapter: Option<String>,
+    /// A step of the chapter, and perhaps one item of the step.
+    #[arg(num_args = 0..=3)]
+    step: Vec<String>,
     /// Only the checks: units, derivations, and everything that a number could refute.
     #[arg(long)]
     check: bool,
@@ -158,7 +161,7 @@ impl LessonArgs {
 impl From<LessonArgs> for Lesson {
     fn from(args: LessonArgs) -> Self {
         Self {
-            words: args.words,
+            words: args.chapter.into_iter().chain(args.step).collect(),
             parts: Parts { checks: args.check, stress: args.stress, races: args.race },
             plot: args.plot,
             out: args.out,
@@ -219,18 +222,18 @@ fn assignment(text: &str) -> Result<(String, String), String> {
     Ok((name.to_owned(), value.to_owned()))
 }
 
-/// The script for `shell`, which knows chapters, steps and functions by name.
+/// The script for `shell`. It knows chapters, their steps, and functions by name, as if they were commands.
 fn completions(shell: Shell) -> Vec<u8> {
-    let chapters = chapters::CURRICULUM;
-    let steps = chapters.iter().flat_map(|chapter| chapter.steps).map(|step| step.id);
-    let words: Vec<_> = chapters.iter().map(|chapter| chapter.id).chain(["all"]).chain(steps).collect();
-    let functions: Vec<_> =
-        chapters.iter().flat_map(|chapter| chapter.functions).map(|function| function.name).collect();
+    let options = || LessonArgs::augment_args(clap::Command::new("")).get_opts().cloned().collect::<Vec<_>>();
+    let word = |name, about| clap::Command::new(name).about(about).disable_help_flag(true).args(options());
+    let chapters = chapters::CURRICULUM.iter().map(|chapter| {
+        word(chapter.id, chapter.title).subcommands(chapter.steps.iter().map(|step| word(step.id, step.title)))
+    });
+    let functions = chapters::CURRICULUM.iter().flat_map(|chapter| chapter.functions);
+    let functions = functions.map(|function| clap::Command::new(function.name).disable_help_flag(true));
     let mut command = Cli::command()
-        .mut_arg("words", |arg| arg.value_parser(PossibleValuesParser::new(words)))
-        .mut_subcommand("eval", |eval| {
-            eval.mut_arg("function", |arg| arg.value_parser(PossibleValuesParser::new(functions)))
-        });
+        .subcommands(chapters.chain([word("all", "Every chapter in order")]))
+        .mut_subcommand("eval", |eval| eval.subcommands(functions).disable_help_subcommand(true));
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut command, "lesson", &mut script);
     script

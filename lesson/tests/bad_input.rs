@@ -22,6 +22,8 @@ fn unknown_chapters_steps_and_items() {
     refused("maxwell", &["not written yet", "fresnel"]);
     refused("fresnel brewsterr", &["fresnel/brewsterr", "did you mean `brewster`", "natural"]);
     refused("fresnel brewster/nothing_of_the_kind", &["no such item"]);
+    refused("fresnel brewster nothing_of_the_kind", &["no such item"]);
+    refused("a b c", &["a", "no such chapter"]);
     refused("all brewster", &["brewster"]);
     refused("--check", &["all"]);
 }
@@ -48,9 +50,7 @@ fn values_outside_their_domain() {
 
 #[test]
 fn malformed_flags_are_clap_s_to_refuse() {
-    for arguments in
-        ["fresnel --set theta", "fresnel --format bmp", "fresnel --no-such-flag", "completions tcsh9", "a b c"]
-    {
+    for arguments in ["fresnel --set theta", "fresnel --format bmp", "fresnel --no-such-flag", "completions tcsh9"] {
         let run = lesson(arguments);
         assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments}");
         assert!(!run.err.is_empty(), "{arguments}");
