@@ -1,8 +1,26 @@
-//! What an interface does to a plane wave: rows E33–E44 and C10–C15.
+//! What an interface does to a plane wave: rows E33–E44 and C10–C15. One module a step, in teaching order.
 
-pub mod extremes;
+mod amplitudes;
+mod boundary;
+//TODO mod brewster;
+//TODO mod digits;
+//TODO mod dip;
+//TODO mod energy;
+mod extremes;
+mod fields;
+//TODO mod functions;
+//TODO mod grazing;
+//TODO mod natural;
+//TODO mod powers;
+mod snell;
+mod symbols;
+//TODO mod total_reflection;
 
+use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::Chapter;
+use light::Complex64;
+use light::evidence::fresnel::Input;
+use light::optics::{Direction, Incidence};
 
 /// The chapter.
 pub const CHAPTER: Chapter = Chapter {
@@ -11,6 +29,89 @@ pub const CHAPTER: Chapter = Chapter {
     says: "From the boundary conditions to mirrors, glass, metals and stacks of films, with every digit accounted for.",
     builds_on: &["plane-wave", "poynting"],
     prose: include_str!("prose.md"),
-    steps: &[],
+    steps: &[
+        snell::STEP,
+        boundary::STEP,
+        amplitudes::R_S_STEP,
+        amplitudes::T_S_STEP,
+        amplitudes::R_P_STEP,
+        amplitudes::T_P_STEP,
+        //TODO powers::STEP,
+        //TODO natural::STEP,
+        //TODO energy::STEP,
+        //TODO digits::STEP,
+        //TODO brewster::STEP,
+        //TODO dip::STEP,
+        //TODO grazing::STEP,
+        //TODO total_reflection::STEP,
+    ],
     functions: &[],
 };
+
+/// The medium the light comes from.
+const N_I: Parameter = Parameter {
+    name: "n_i",
+    symbol: "n_1",
+    says: "medium of incidence (clear)",
+    default: "1",
+    kind: Kind::ClearMedium,
+};
+
+/// The medium behind the interface.
+const N_T: Parameter =
+    Parameter { name: "n_t", symbol: "n_2", says: "medium behind the interface", default: "1.5", kind: Kind::Medium };
+
+/// What most steps let the learner change.
+const INTERFACE: &[Parameter] = &[N_I, N_T, THETA, WAVELENGTH];
+
+/// The interface that the setting describes.
+fn interface(setting: &Setting) -> Input {
+    Input {
+        direction: Direction::Angle(setting.number("theta")),
+        n_i: setting.index("n_i").re,
+        n_t: setting.index("n_t"),
+    }
+}
+
+/// The direction of incidence in the setting.
+fn incidence(setting: &Setting) -> Incidence {
+    Incidence::from_angle(setting.number("theta"))
+}
+
+/// Angles of incidence [°] for curves, evenly spaced, both ends included; the last stands a hair before grazing.
+fn curve_degrees() -> impl Iterator<Item = f64> {
+    (0..=360).map(|quarter| (f64::from(quarter) / 4.0).min(89.999))
+}
+
+/// A curve over the angle of incidence [°] at which `value` is defined.
+fn over_angle(value: impl Fn(Incidence) -> f64) -> Vec<[f64; 2]> {
+    curve_degrees().map(|degrees| [degrees, value(Incidence::from_angle(degrees.to_radians()))]).collect()
+}
+
+/// Curve points refined around `centre` [°], where the curve turns sharply: a critical or Brewster's angle.
+fn over_angle_near(centre: f64, value: impl Fn(Incidence) -> f64) -> Vec<[f64; 2]> {
+    let near =
+        (-60..=60).map(|step: i32| centre + f64::from(step.signum()) * 10f64.powf(f64::from(step.abs()) / 12.0 - 5.0));
+    let mut degrees: Vec<f64> =
+        curve_degrees().chain(near).filter(|degrees| (0.0..=89.999).contains(degrees)).collect();
+    degrees.sort_by(f64::total_cmp);
+    degrees.into_iter().map(|degrees| [degrees, value(Incidence::from_angle(degrees.to_radians()))]).collect()
+}
+
+/// Clear and absorbing pairs on which checks are made besides the setting's own.
+fn sample_media() -> Vec<(f64, Complex64)> {
+    let clear = [(1.0, 1.5), (1.0, 2.4), (1.33, 1.52), (1.5, 1.0), (2.4, 1.0), (1.0, 4.0)];
+    let metals = [(1.0, 0.2, 3.4), (1.0, 1.4, 7.6), (1.5, 0.05, 4.0)];
+    let clear = clear.map(|(n_i, n_t)| (n_i, Complex64::new(n_t, 0.0)));
+    clear.into_iter().chain(metals.map(|(n_i, n, k)| (n_i, Complex64::new(n, k)))).collect()
+}
+
+/// The sample media and the setting's own pair, each at every angle of a coarse fan.
+fn sample_inputs(setting: &Setting) -> Vec<Input> {
+    let own = interface(setting);
+    let fan = [0.0, 10.0, 25.0, 41.0, 45.0, 56.0, 70.0, 80.0, 89.0, 89.99]
+        .map(|degrees: f64| Direction::Angle(degrees.to_radians()));
+    let media = sample_media().into_iter().chain([(own.n_i, own.n_t)]);
+    let each = |(n_i, n_t)| fan.map(|direction| Input { direction, n_i, n_t });
+    media.flat_map(each).chain([own]).collect()
+}

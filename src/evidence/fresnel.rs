@@ -55,6 +55,19 @@ impl Exact {
     }
 }
 
+/// cos θ_t [1] between clear media below the critical angle, and its condition number.
+pub fn refracted_cosine(input: &Input) -> (Real, f64) {
+    let cosine = |wide: &Wide| {
+        let sin_t = &wide.n_i * &wide.sin / &wide.n;
+        (precise::real(1.0) - &sin_t * &sin_t).sqrt()
+    };
+    let wide = Wide::new(input);
+    let here = cosine(&wide);
+    let change = |moved: Wide| precise::to_f64(&((cosine(&moved) - &here) / &here)).abs() / STEP;
+    let condition = wide.neighbours(&precise::real(STEP)).map(change).sum();
+    (here, condition)
+}
+
 /// Relative step of the difference quotients: far below f64, far above the rounding of [`precise::BITS`].
 const STEP: f64 = 1e-30;
 

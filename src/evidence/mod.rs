@@ -3,3 +3,4 @@
 
 pub mod fresnel;
 pub mod order;
+pub mod quadrature;

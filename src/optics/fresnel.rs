@@ -226,6 +226,18 @@ pub fn evanescent_depth(incidence: Incidence, n_i: f64, n_t: f64) -> f64 {
     1.0 / (std::f64::consts::TAU * q_t.im)
 }
 
+/// Reflectance [1] of a plane interface under diffuse light from a rarer clear medium, 2∫R_n cos θ d(cos θ), for the
+/// relative index n > 1 in closed form (Walsh 1926, *The reflection factor of a polished glass surface for diffused
+/// light*; Duntley 1942, J. Opt. Soc. Am. 32, 61). A reference: it cancels as n → 1.
+pub fn diffuse_reflectance(n: f64) -> f64 {
+    let n2 = n * n;
+    let (sum, fourth) = (n2 + 1.0, n2 * n2 - 1.0);
+    0.5 + (n - 1.0) * (3.0 * n + 1.0) / (6.0 * (n + 1.0) * (n + 1.0))
+        + n2 * (n2 - 1.0) * (n2 - 1.0) / (sum * sum * sum) * ((n - 1.0) / (n + 1.0)).ln()
+        - 2.0 * n2 * n * (n2 + 2.0 * n - 1.0) / (sum * fourth)
+        + 8.0 * n2 * n2 * (n2 * n2 + 1.0) / (sum * fourth * fourth) * n.ln()
+}
+
 /// R_n [1] of natural light between clear media, for many cosines of incidence (0 … 1) at once:
 /// one square root and one division each, no branch, so that the compiler can work on several at a time.
 ///
@@ -361,6 +373,22 @@ mod tests {
                 assert!((below.r_s - above.r_s).norm() <= allowed, "{n_i} {n_t} {offset}");
                 assert!((below.r_p - above.r_p).norm() <= allowed, "{n_i} {n_t} {offset}");
             }
+        }
+    }
+
+    #[test]
+    fn diffuse_reflectance_has_the_published_values() {
+        // Walsh's factor for n = 1.5 as tabulated by Duntley (1942): 0.092.
+        assert!((diffuse_reflectance(1.5) - 0.0918).abs() < 5e-5);
+        for n in [1.1, 1.33, 1.5, 2.4] {
+            let rule = crate::evidence::quadrature::gauss_legendre(64);
+            let integral: f64 = rule
+                .iter()
+                .map(|&(cos, weight)| {
+                    weight * 2.0 * cos * powers(Incidence::from_cos(cos), 1.0, Complex64::from(n)).r_n()
+                })
+                .sum();
+            assert!((integral - diffuse_reflectance(n)).abs() < 1e-12, "{n}");
         }
     }
 

@@ -19,3 +19,8 @@ pub fn stream(seed: u64, address: &str) -> Stream {
     key[16..24].copy_from_slice(&hash.rotate_left(32).to_le_bytes());
     Pcg64::from_seed(key)
 }
+
+/// A number [1] drawn evenly from `low` to `high`.
+pub fn uniform(stream: &mut Stream, low: f64, high: f64) -> f64 {
+    low + (high - low) * rand::RngExt::random::<f64>(stream)
+}

@@ -43,7 +43,7 @@ pub const MATERIALS: &[Material] = &[
     Material {
         name: "ice",
         aliases: &[],
-        says: "water ice (hexagonal, mean of the rays)",
+        says: "water ice",
         source: "Warren & Brandt 2008, J. Geophys. Res. 113, D14220",
         conditions: "−7 °C",
         range: (350e-9, 1000e-9),
@@ -130,7 +130,7 @@ pub const MATERIALS: &[Material] = &[
         says: "titanium dioxide, a film of 350 nm from atomic layer deposition",
         source: "Siefke et al. 2016, Adv. Opt. Mater. 4, 1780",
         conditions: "room temperature",
-        range: (353e-9, 865e-9),
+        range: (361e-9, 845e-9),
         dispersion: Table(&tables::TITANIA),
     },
     Material {

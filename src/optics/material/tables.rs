@@ -97,7 +97,7 @@ pub(super) static SILICON: [Row; 121] = [
 ];
 
 /// T. Siefke et al., Adv. Opt. Mater. 4, 1780 (2016): the dispersion model they fitted, at every fourth wavelength of
-/// their table; the rows left out lie within 2e-4 (n) and 4e-4 (κ) of the interpolant.
+/// their table; the rows left out lie within 1e-4 (n) and 2e-4 (κ) of the interpolant.
 #[rustfmt::skip]
 pub(super) static TITANIA: [Row; 40] = [
     [0.352644, 2.99808, 0.057471], [0.360858, 2.91581, 0.026907], [0.369263, 2.84475, 0.011449],

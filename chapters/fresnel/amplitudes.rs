@@ -1,0 +1,440 @@
+//! E36, E37, E39, E40: the four amplitude ratios. One measurement serves all: the equation on the page, evaluated in
+//! arbitrary precision, against the program's function.
+
+use super::symbols::{E_1, E_1R, K, N_1, N_2, R_P, R_S, T_P, T_S, THETA_1, THETA_2};
+use super::{INTERFACE, extremes, incidence, interface, over_angle, over_angle_near};
+use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::setting::Setting;
+use crate::vocabulary::{
+    ALLOWED_ULPS, Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, Stress,
+};
+use light::Complex64;
+use light::equation::derivation::{Chain, Claim};
+use light::equation::expr::{asin, cos, sin, tan};
+use light::equation::value::Bindings;
+use light::equation::{Equation, Expr};
+use light::evidence::fresnel::{Exact, Input};
+use light::optics::fresnel::{Amplitudes, amplitudes, brewster_angle, critical_angle};
+use light::optics::{Direction, Incidence};
+use light::precise;
+use light::sampling::uniform;
+use std::f64::consts::FRAC_PI_2;
+
+/// How far the program may be from the equation, in units of ε(1 + κ).
+const AS_PROMISED: Bound = Bound::AtMost {
+    limit: ALLOWED_ULPS,
+    unit: "ε(1+κ)",
+    why: "the project's promise: no more than a few roundings beyond what the inputs' own rounding does",
+};
+
+const ROUTE: &str = "the equation above, as the object on the page, in 256-bit arithmetic";
+
+pub(super) const R_S_STEP: Step = Step {
+    id: "r_s",
+    title: "Reflected, s",
+    says: "Across the plane of incidence the reflected field changes sign at a denser medium.",
+    rows: &["E36"],
+    parameters: INTERFACE,
+    statements: &[Statement {
+        id: "r_s",
+        says: "reflected over incident electric field, s",
+        rows: &["E36"],
+        equation: || Equation::new(R_S, r_s()),
+    }],
+    derivations: &[Derivation {
+        id: "from_boundary",
+        says: "E35 solved for E₁′/E₁, with H = nE/Z₀",
+        rows: &["E36"],
+        chain: || s_chain(r_s()),
+        spoiled: || s_chain(-r_s()),
+        slip: "the sign of r_s",
+    }],
+    readout: Some(|setting| readout(setting, ["r_s_re", "r_s_im"], ["Re r_s", "Im r_s"], |a| a.r_s)),
+    checks: &[Check {
+        id: "as_written",
+        claim: "the program's r_s is the lecture's",
+        rows: &["E36"],
+        route: ROUTE,
+        bound: AS_PROMISED,
+        measure: |bench| against_equation(bench, &r_s(), |a| a.r_s, 0),
+        spoiled: |bench| against_equation(bench, &(sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2)), |a| a.r_s, 0),
+        slip: "the minus sign is dropped",
+    }],
+    stress: &[Stress {
+        id: "small_contrast",
+        claim: "r_s keeps its digits at normal incidence and between nearly equal media",
+        rows: &["E36"],
+        textbook: "−sin(θ₁−θ₂)/sin(θ₁+θ₂)",
+        reference: "(q₁ − q₂)/(q₁ + q₂) in 256 bits",
+        cases: |setting| extremes::cases(&["r_s_re"], &hard_inputs(setting)),
+    }],
+    races: &[],
+    figures: &[Figure {
+        id: "r_s",
+        says: "r_s with its sign against the angle.",
+        rows: &["E36"],
+        plot: |setting| curves(setting, "Reflected amplitude, s", &[("r_s", Hue::S, |a| a.r_s)]),
+    }],
+};
+
+pub(super) const T_S_STEP: Step = Step {
+    id: "t_s",
+    title: "Transmitted, s",
+    says: "The transmitted field is the sum of the incident and the reflected one.",
+    rows: &["E37"],
+    parameters: INTERFACE,
+    statements: &[Statement {
+        id: "t_s",
+        says: "transmitted over incident electric field, s",
+        rows: &["E37"],
+        equation: || Equation::new(T_S, t_s()),
+    }],
+    derivations: &[Derivation {
+        id: "from_boundary",
+        says: "E₂/E₁ = 1 + r_s, by the first line of E35",
+        rows: &["E37"],
+        chain: || t_s_chain(t_s()),
+        spoiled: || t_s_chain(2 * sin(THETA_1) * cos(THETA_2) / sin(THETA_1 + THETA_2)),
+        slip: "the angles are interchanged",
+    }],
+    readout: Some(|setting| readout(setting, ["t_s_re", "t_s_im"], ["Re t_s", "Im t_s"], |a| a.t_s)),
+    checks: &[Check {
+        id: "as_written",
+        claim: "the program's t_s is the lecture's",
+        rows: &["E37"],
+        route: ROUTE,
+        bound: AS_PROMISED,
+        measure: |bench| against_equation(bench, &t_s(), |a| a.t_s, 2),
+        spoiled: |bench| {
+            against_equation(bench, &(2 * sin(THETA_1) * cos(THETA_2) / sin(THETA_1 + THETA_2)), |a| a.t_s, 2)
+        },
+        slip: "the angles are interchanged",
+    }],
+    stress: &[Stress {
+        id: "grazing",
+        claim: "t_s keeps its digits down to the last picoradian above the surface",
+        rows: &["E37"],
+        textbook: "2 sin θ₂ cos θ₁/sin(θ₁+θ₂)",
+        reference: "2 q₁/(q₁ + q₂) in 256 bits",
+        cases: |setting| extremes::cases(&["t_s_re"], &hard_inputs(setting)),
+    }],
+    races: &[],
+    figures: &[Figure {
+        id: "t_s",
+        says: "t_s against the angle, into and out of the medium.",
+        rows: &["E37"],
+        plot: |setting| curves(setting, "Transmitted amplitude, s", &[("t_s", Hue::Transmitted, |a| a.t_s)]),
+    }],
+};
+
+pub(super) const R_P_STEP: Step = Step {
+    id: "r_p",
+    title: "Reflected, p",
+    says: "In the plane of incidence the reflected field passes through zero.",
+    rows: &["E39"],
+    parameters: INTERFACE,
+    statements: &[Statement {
+        id: "r_p",
+        says: "reflected over incident electric field, p",
+        rows: &["E39"],
+        equation: || Equation::new(R_P, r_p()),
+    }],
+    derivations: &[Derivation {
+        id: "from_boundary",
+        says: "E38 solved for E₁′/E₁, with H = nE/Z₀",
+        rows: &["E39"],
+        chain: || p_chain(r_p()),
+        spoiled: || p_chain(sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2)),
+        slip: "sine for tangent",
+    }],
+    readout: Some(|setting| readout(setting, ["r_p_re", "r_p_im"], ["Re r_p", "Im r_p"], |a| a.r_p)),
+    checks: &[Check {
+        id: "as_written",
+        claim: "the program's r_p is the lecture's",
+        rows: &["E39"],
+        route: ROUTE,
+        bound: AS_PROMISED,
+        measure: |bench| against_equation(bench, &r_p(), |a| a.r_p, 4),
+        spoiled: |bench| {
+            against_equation(
+                bench,
+                &(tan(THETA_1 - THETA_2) / tan(THETA_1 - THETA_2 + 2 * THETA_2 * THETA_2)),
+                |a| a.r_p,
+                4,
+            )
+        },
+        slip: "θ₂ is squared in the denominator",
+    }],
+    stress: &[Stress {
+        id: "brewster",
+        claim: "r_p keeps its digits where it vanishes: at Brewster's angle, and between nearly equal media",
+        rows: &["E39"],
+        textbook: "tan(θ₁−θ₂)/tan(θ₁+θ₂)",
+        reference: "(n₂²q₁ − n₁²q₂)/(n₂²q₁ + n₁²q₂) in 256 bits",
+        cases: |setting| {
+            let brewster = brewster_angle(1.0, 1.5);
+            let near = [-1e-6, -1e-9, 1e-9, 1e-6].map(|offset| clear(Direction::Angle(brewster + offset), 1.0, 1.5));
+            extremes::cases(&["r_p_re"], &[hard_inputs(setting), near.to_vec()].concat())
+        },
+    }],
+    races: &[],
+    figures: &[Figure {
+        id: "r_p",
+        says: "r_p with its sign against the angle: the zero is Brewster's.",
+        rows: &["E39"],
+        plot: |setting| {
+            curves(setting, "Reflected amplitudes", &[("r_s", Hue::S, |a| a.r_s), ("r_p", Hue::P, |a| a.r_p)])
+        },
+    }],
+};
+
+pub(super) const T_P_STEP: Step = Step {
+    id: "t_p",
+    title: "Transmitted, p",
+    says: "With r_s, t_s and r_p the fourth ratio completes the interface.",
+    rows: &["E40"],
+    parameters: INTERFACE,
+    statements: &[Statement {
+        id: "t_p",
+        says: "transmitted over incident electric field, p",
+        rows: &["E40"],
+        equation: || Equation::new(T_P, t_p()),
+    }],
+    derivations: &[Derivation {
+        id: "from_boundary",
+        says: "E₂/E₁ = (1 + r_p) n₁/n₂, by the second line of E38",
+        rows: &["E40"],
+        chain: || t_p_chain(t_p()),
+        spoiled: || t_p_chain(t_s()),
+        slip: "the factor 1/cos(θ₁−θ₂) is forgotten",
+    }],
+    readout: Some(|setting| readout(setting, ["t_p_re", "t_p_im"], ["Re t_p", "Im t_p"], |a| a.t_p)),
+    checks: &[Check {
+        id: "as_written",
+        claim: "the program's t_p is the lecture's",
+        rows: &["E40"],
+        route: ROUTE,
+        bound: AS_PROMISED,
+        measure: |bench| against_equation(bench, &t_p(), |a| a.t_p, 6),
+        spoiled: |bench| against_equation(bench, &t_s(), |a| a.t_p, 6),
+        slip: "the factor 1/cos(θ₁−θ₂) is forgotten",
+    }],
+    stress: &[Stress {
+        id: "grazing",
+        claim: "t_p keeps its digits at grazing incidence and out of a dense medium",
+        rows: &["E40"],
+        textbook: "2 sin θ₂ cos θ₁/(sin(θ₁+θ₂) cos(θ₁−θ₂))",
+        reference: "2 n₁n₂q₁/(n₂²q₁ + n₁²q₂) in 256 bits",
+        cases: |setting| extremes::cases(&["t_p_re"], &hard_inputs(setting)),
+    }],
+    races: &[],
+    figures: &[Figure {
+        id: "amplitudes",
+        says: "All four ratios with their signs, into the medium and out of it.",
+        rows: &["E36", "E37", "E39", "E40"],
+        plot: both_ways,
+    }],
+};
+
+fn r_s() -> Expr {
+    -(sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2))
+}
+
+fn t_s() -> Expr {
+    2 * sin(THETA_2) * cos(THETA_1) / sin(THETA_1 + THETA_2)
+}
+
+fn r_p() -> Expr {
+    tan(THETA_1 - THETA_2) / tan(THETA_1 + THETA_2)
+}
+
+fn t_p() -> Expr {
+    2 * sin(THETA_2) * cos(THETA_1) / (sin(THETA_1 + THETA_2) * cos(THETA_1 - THETA_2))
+}
+
+/// `start`, under Snell's law in its symmetric form.
+fn with_snell(start: impl Into<Claim>) -> Chain {
+    Chain::new(start).given(N_1, K * sin(THETA_2), "Snell").given(N_2, K * sin(THETA_1), "Snell")
+}
+
+/// (a − b)/(a + b) in the products that the boundary conditions of s (`near` = n₁, `far` = n₂) and p give.
+fn contrast(near: Expr, far: Expr) -> Expr {
+    (&near - &far) / (near + far)
+}
+
+fn s_chain(last: Expr) -> Chain {
+    let solved = contrast(N_1 * cos(THETA_1), N_2 * cos(THETA_2));
+    with_snell(Equation::new(N_1 * (E_1 - E_1R) * cos(THETA_1), N_2 * (E_1 + E_1R) * cos(THETA_2)))
+        .because("E35 with H = nE/Z₀, and E₂ replaced by E₁ + E₁′")
+        .given(E_1R, E_1 * &solved, "linear solve")
+        .then(Equation::new(E_1R / E_1, solved), ["linear solve"])
+        .then(contrast(sin(THETA_2) * cos(THETA_1), sin(THETA_1) * cos(THETA_2)), ["Snell", "cancel k"])
+        .then(last, ["sines of sum and difference"])
+}
+
+fn t_s_chain(last: Expr) -> Chain {
+    with_snell(1 + R_S)
+        .because("E₁ + E₁′ = E₂, over E₁")
+        .given(R_S, r_s(), "E36")
+        .then((sin(THETA_1 + THETA_2) - sin(THETA_1 - THETA_2)) / sin(THETA_1 + THETA_2), ["E36", "common denominator"])
+        .then(last, ["sines of sum and difference"])
+}
+
+fn p_chain(last: Expr) -> Chain {
+    let solved = contrast(N_2 * cos(THETA_1), N_1 * cos(THETA_2));
+    let (sum, difference) = (THETA_1 + THETA_2, THETA_1 - THETA_2);
+    with_snell(Equation::new((E_1 - E_1R) * cos(THETA_1), N_1 / N_2 * (E_1 + E_1R) * cos(THETA_2)))
+        .because("E38 with H = nE/Z₀, and E₂ replaced by (E₁ + E₁′) n₁/n₂")
+        .given(E_1R, E_1 * &solved, "linear solve")
+        .then(Equation::new(E_1R / E_1, solved), ["linear solve"])
+        .then(contrast(sin(THETA_1) * cos(THETA_1), sin(THETA_2) * cos(THETA_2)), ["Snell", "cancel k"])
+        .then(contrast(sin(2 * THETA_1), sin(2 * THETA_2)), ["double angle"])
+        .then(sin(&difference) * cos(&sum) / (sin(&sum) * cos(&difference)), ["sum to product"])
+        .then(last, ["tan = sin/cos"])
+}
+
+fn t_p_chain(last: Expr) -> Chain {
+    let (sum, difference) = (THETA_1 + THETA_2, THETA_1 - THETA_2);
+    let common = sin(&sum) * cos(&difference);
+    with_snell(N_1 / N_2 * (1 + R_P))
+        .because("H₁ + H₁′ = H₂ with H = nE/Z₀, over n₂E₁")
+        .given(R_P, r_p(), "E39")
+        .then(
+            sin(THETA_2) / sin(THETA_1) * ((&common + sin(difference) * cos(sum)) / &common),
+            ["Snell", "E39", "common denominator"],
+        )
+        .then(sin(THETA_2) / sin(THETA_1) * (sin(2 * THETA_1) / common), ["sine of a sum"])
+        .then(last, ["double angle"])
+}
+
+/// Error of the program's ratio against `equation`, in units of ε(1 + κ); `at` is the place of its real part among
+/// the reference's outputs, for κ. Angles and indices at random, and the setting's own.
+fn against_equation(bench: &mut Bench, equation: &Expr, ratio: fn(&Amplitudes) -> Complex64, at: usize) -> Measured {
+    let own = interface(bench.setting);
+    let mut inputs: Vec<(f64, f64, f64)> = (0..16)
+        .map(|_| {
+            let (n_i, n_t) = (uniform(&mut bench.stream, 1.0, 2.0), uniform(&mut bench.stream, 1.0, 4.0));
+            let most = critical_angle(n_i, n_t).unwrap_or(FRAC_PI_2);
+            (uniform(&mut bench.stream, 0.02, 0.98) * most, n_i, n_t)
+        })
+        .collect();
+    let theta = bench.setting.number("theta");
+    let propagates = critical_angle(own.n_i, own.n_t.re).is_none_or(|critical| theta < critical);
+    // At normal incidence the equation itself is 0/0, and a metal's θ₂ is beyond this route: `digits` covers both.
+    if own.n_t.im == 0.0 && own.n_t.re != own.n_i && theta > 0.0 && propagates {
+        inputs.push((theta, own.n_i, own.n_t.re));
+    }
+    Measured::worst(inputs.into_iter().map(|(theta, n_i, n_t)| {
+        let input = clear(Direction::Angle(theta), n_i, n_t);
+        let mut bindings = Bindings::new();
+        for (symbol, value) in [(N_1, n_i), (N_2, n_t), (THETA_1, theta)] {
+            bindings.bind(symbol.name(), precise::from_real(precise::real(value)));
+        }
+        bindings.define(&THETA_2, asin(N_1 * sin(THETA_1) / N_2));
+        let program = ratio(&amplitudes(Incidence::from_angle(theta), n_i, n_t.into())).re;
+        let exact = equation.evaluate(&bindings);
+        let error = exact.map_or(f64::NAN, |exact| precise::relative_error(program, &exact.into_parts().0));
+        let condition = Exact::new(&input).conditions()[at];
+        (error / (f64::EPSILON * (1.0 + condition)), extremes::describe(&input))
+    }))
+}
+
+fn readout(
+    setting: &Setting,
+    keys: [&'static str; 2],
+    symbols: [&'static str; 2],
+    ratio: fn(&Amplitudes) -> Complex64,
+) -> Vec<Quantity> {
+    let input = interface(setting);
+    let value = ratio(&amplitudes(incidence(setting), input.n_i, input.n_t));
+    let parts = [
+        (keys[0], symbols[0], "in phase with the incident field", value.re),
+        (keys[1], symbols[1], "a quarter period off", value.im),
+    ];
+    parts.into_iter().map(|(key, symbol, says, value)| Quantity { key, symbol, says, value, unit: "1" }).collect()
+}
+
+fn clear(direction: Direction, n_i: f64, n_t: f64) -> Input {
+    Input { direction, n_i, n_t: n_t.into() }
+}
+
+/// The inputs at which the formulas as written fail, after the setting's own.
+fn hard_inputs(setting: &Setting) -> Vec<Input> {
+    let mut inputs = vec![interface(setting)];
+    inputs.extend([
+        clear(Direction::Angle(0.0), 1.0, 1.5),
+        clear(Direction::Angle(1e-12), 1.0, 1.5),
+        clear(Direction::Angle(1e-160), 1.5, 1.0),
+        clear(Direction::Angle(0.7), 1.0, 1.0 + 1e-15),
+        clear(Direction::Angle(0.7), 1.0, 1.0 + 1e-9),
+        clear(Direction::Angle(FRAC_PI_2 - 1e-12), 1.0, 1.5),
+        clear(Direction::Grazing(1e-30), 1.0, 1.5),
+        clear(Direction::Grazing(1e-9), 1.0, 1.0 + 1e-12),
+        clear(Direction::Angle(0.5), 1.0, 1e6),
+        clear(Direction::Angle(1e-7), 1.0, 1e-6),
+    ]);
+    inputs
+}
+
+type Curve = (&'static str, Hue, fn(&Amplitudes) -> Complex64);
+
+fn curves(setting: &Setting, title: &str, ratios: &[Curve]) -> Plot {
+    let input = interface(setting);
+    Plot::of(title, chart(input.n_i, input.n_t, ratios))
+}
+
+/// The ratios as they are where they are real; real part and modulus where they are not.
+fn chart(n_i: f64, n_t: Complex64, ratios: &[Curve]) -> Chart {
+    let title = if n_t.im == 0.0 {
+        format!("n {n_i:.4} → {:.4}", n_t.re)
+    } else {
+        format!("n {n_i:.4} → {:.4} + {:.4}i", n_t.re, n_t.im)
+    };
+    let critical = if n_t.im == 0.0 { critical_angle(n_i, n_t.re) } else { None };
+    let everywhere_real = n_t.im == 0.0 && critical.is_none();
+    let mut chart = Chart::new(
+        title,
+        Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
+        Axis::linear("field over incident field", ""),
+    );
+    for &(name, hue, ratio) in ratios {
+        let curve = |part: fn(Complex64) -> f64| match critical {
+            Some(critical) => {
+                over_angle_near(critical.to_degrees(), |incidence| part(ratio(&amplitudes(incidence, n_i, n_t))))
+            }
+            None => over_angle(|incidence| part(ratio(&amplitudes(incidence, n_i, n_t)))),
+        };
+        if everywhere_real {
+            chart = chart.line(hue, name, curve(|z| z.re));
+        } else {
+            chart = chart.line(hue, format!("Re {name}"), curve(|z| z.re)).dashed(
+                hue,
+                format!("|{name}|"),
+                curve(|z| z.norm()),
+            );
+        }
+    }
+    if n_t.im == 0.0 && ratios.iter().any(|(name, ..)| *name == "r_p") && n_t.re != n_i {
+        chart = chart.at_x(brewster_angle(n_i, n_t.re).to_degrees(), "θ_B");
+    }
+    if let Some(critical) = critical {
+        chart = chart.at_x(critical.to_degrees(), "θ_c");
+    }
+    chart.at_y(0.0, "")
+}
+
+fn both_ways(setting: &Setting) -> Plot {
+    let all: [Curve; 4] = [
+        ("r_s", Hue::S, |a| a.r_s),
+        ("r_p", Hue::P, |a| a.r_p),
+        ("t_s", Hue::Transmitted, |a| a.t_s),
+        ("t_p", Hue::Natural, |a| a.t_p),
+    ];
+    let input = interface(setting);
+    let mut panels = vec![chart(input.n_i, input.n_t, &all).into()];
+    if input.n_t.im == 0.0 {
+        panels.push(chart(input.n_t.re, Complex64::from(input.n_i), &all).into());
+    }
+    let columns = panels.len();
+    Plot::grid("Amplitude ratios with their signs", columns, panels)
+}

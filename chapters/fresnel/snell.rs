@@ -1,0 +1,207 @@
+//! E33: the directions, from phase matching along the interface.
+
+use super::symbols::{C, N_1, N_2, OMEGA, THETA_1, THETA_1R, THETA_2, V_1, V_2};
+use super::{INTERFACE, extremes, incidence};
+use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::setting::Setting;
+use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
+use light::Complex64;
+use light::equation::derivation::Chain;
+use light::equation::expr::sin;
+use light::equation::{Equation, Expr};
+use light::optics::fresnel::refract;
+use light::optics::{Direction, Incidence, fresnel};
+use light::precise;
+
+pub(super) const STEP: Step = Step {
+    id: "snell",
+    title: "Where the waves go",
+    says: "Along the interface all three waves keep step, and that alone fixes their directions.",
+    rows: &["E33"],
+    parameters: INTERFACE,
+    statements: &[
+        Statement {
+            id: "reflection",
+            says: "the reflected wave leaves at the angle of incidence",
+            rows: &["E33"],
+            equation: || Equation::new(THETA_1, THETA_1R),
+        },
+        Statement {
+            id: "velocities",
+            says: "the sines go as the phase velocities",
+            rows: &["E33"],
+            equation: || Equation::new(sin(THETA_1) / V_1, sin(THETA_2) / V_2),
+        },
+        Statement {
+            id: "snell",
+            says: "Snell's law",
+            rows: &["E33"],
+            equation: || Equation::new(N_1 * sin(THETA_1), N_2 * sin(THETA_2)),
+        },
+    ],
+    derivations: &[Derivation {
+        id: "phase_matching",
+        says: "equal phase velocity along the interface gives Snell's law",
+        rows: &["E33"],
+        chain: || phase_matching(N_1 * sin(THETA_1), N_2 * sin(THETA_2)),
+        spoiled: || phase_matching(N_2 * sin(THETA_1), N_1 * sin(THETA_2)),
+        slip: "the indices stand on the wrong sides",
+    }],
+    readout: Some(readout),
+    checks: &[FERMAT],
+    stress: &[Stress {
+        id: "refracted_cosine",
+        claim: "cos θ₂ keeps its digits at grazing incidence, near equal indices and at the critical angle",
+        rows: &["E33"],
+        textbook: "cos(asin(n₁ sin θ₁/n₂))",
+        reference: "√(1 − (n₁ sin θ₁/n₂)²) in 256 bits",
+        cases: refracted_cosines,
+    }],
+    races: &[],
+    figures: &[Figure {
+        id: "refraction",
+        says: "The angle of refraction against the angle of incidence, into and out of the medium.",
+        rows: &["E33"],
+        plot: refraction,
+    }],
+};
+
+/// Phase matching: the wave numbers along the interface are equal, k₁ sin θ₁ = k₂ sin θ₂ with k = ω/v and v = c/n.
+fn phase_matching(left: Expr, right: Expr) -> Chain {
+    Chain::new(Equation::new(OMEGA / V_1 * sin(THETA_1), OMEGA / V_2 * sin(THETA_2)))
+        .given(N_2, N_1 * sin(THETA_1) / sin(THETA_2), "phase matching")
+        .given(V_1, C / N_1, "v = c/n")
+        .given(V_2, C / N_2, "v = c/n")
+        .then(Equation::new(sin(THETA_1) / V_1, sin(THETA_2) / V_2), ["divide by ω"])
+        .then(Equation::new(left, right), ["v = c/n", "times c"])
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let (n_i, n_t) = (setting.index("n_i").re, setting.index("n_t"));
+    let direction = incidence(setting);
+    // In an absorbing medium the planes of constant phase turn by the real angle atan2(n_i sin θ₁, Re q_t).
+    let q_t = light::optics::incidence::outgoing_root(light::optics::incidence::normal_squared(direction, n_i, n_t));
+    let tangential = n_i * direction.sin();
+    vec![
+        Quantity {
+            key: "theta_t",
+            symbol: "θ_2",
+            says: "angle of the refracted planes of phase",
+            value: tangential.atan2(q_t.re),
+            unit: "rad",
+        },
+        Quantity {
+            key: "tangential",
+            symbol: "n_1 sin θ_1",
+            says: "what all three waves share",
+            value: tangential,
+            unit: "1",
+        },
+        Quantity {
+            key: "q_t_re",
+            symbol: "Re n_2 cos θ_2",
+            says: "normal wave number over that of the vacuum",
+            value: q_t.re,
+            unit: "1",
+        },
+        Quantity {
+            key: "q_t_im",
+            symbol: "Im n_2 cos θ_2",
+            says: "decay rate over the vacuum wave number",
+            value: q_t.im,
+            unit: "1",
+        },
+    ]
+}
+
+/// The second route knows no waves: of all points of the interface the ray crosses where the optical path is least.
+const FERMAT: Check = Check {
+    id: "fermat",
+    claim: "the refracted ray takes the least time",
+    rows: &["E33"],
+    route: "Fermat's principle: golden-section search for the crossing point of least optical path",
+    bound: Bound::AtMost {
+        limit: 1e-7,
+        unit: "1",
+        why: "a minimum of a path of length 1 is flat to √ε = 1.5e−8, so its place is known no better",
+    },
+    measure: |_| least_time(|n_i, n_t| (n_i, n_t)),
+    spoiled: |_| least_time(|n_i, n_t| (n_t, n_i)),
+    slip: "Snell's law with the indices interchanged",
+};
+
+fn least_time(order: fn(f64, f64) -> (f64, f64)) -> Measured {
+    let media = [(1.0, 1.5), (1.5, 1.0), (1.33, 2.4), (1.0, 1.0003)];
+    let crossing = [0.1, 0.3, 0.5, 0.9];
+    Measured::worst(media.into_iter().flat_map(|(n_i, n_t)| crossing.map(|span| (n_i, n_t, span))).map(
+        |(n_i, n_t, span)| {
+            // From (0, 1) above the interface to (span, −1) below it, crossing at (x, 0).
+            let path = |x: f64| n_i * x.hypot(1.0) + n_t * (span - x).hypot(1.0);
+            let x = golden_section(path, 0.0, span);
+            let (n_a, n_b) = order(n_i, n_t);
+            let refracted = refract(Incidence::from_angle(x.atan()), n_a, n_b).map_or(f64::NAN, |(sin, _)| sin);
+            (refracted - (span - x).atan().sin(), format!("n {n_i} → {n_t}, crossing {x:.3}"))
+        },
+    ))
+}
+
+/// Place of the least value of a unimodal `f` (Kiefer 1953).
+fn golden_section(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    let ratio = 0.5 * (5f64.sqrt() - 1.0);
+    for _ in 0..90 {
+        let (left, right) = (high - ratio * (high - low), low + ratio * (high - low));
+        if f(left) < f(right) { high = right } else { low = left }
+    }
+    0.5 * (low + high)
+}
+
+fn refracted_cosines(setting: &Setting) -> Vec<Extreme> {
+    let critical = fresnel::critical_angle(1.5, 1.0).expect("into the rarer medium");
+    let cases = [
+        (Direction::Angle(setting.number("theta")), setting.index("n_i").re, setting.index("n_t").re),
+        (Direction::Angle(critical - 1e-15), 1.5, 1.0),
+        (Direction::Angle(critical - 1e-10), 1.5, 1.0),
+        (Direction::Angle(std::f64::consts::FRAC_PI_2 - 1e-9), 1.0, 1.0 + 1e-15),
+        (Direction::Grazing(1e-12), 1.0, 1.0),
+        (Direction::Grazing(1e-9), 1.0, 1.0 + 1e-15),
+    ];
+    let propagating = cases.into_iter().filter_map(|(direction, n_i, n_t)| {
+        let incidence = Incidence::from(direction);
+        let (_, cos_t) = refract(incidence, n_i, n_t)?;
+        let input = light::evidence::fresnel::Input { direction, n_i, n_t: Complex64::from(n_t) };
+        let (exact, condition) = light::evidence::fresnel::refracted_cosine(&input);
+        Some(Extreme {
+            input: extremes::describe(&input),
+            quantity: "cos θ_2",
+            textbook: (n_i * incidence.sin() / n_t).asin().cos(),
+            ours: cos_t,
+            condition,
+            reference: exact,
+            worst_of: 1,
+        })
+    });
+    propagating.filter(|case| precise::to_f64(&case.reference) > 0.0).collect()
+}
+
+fn refraction(setting: &Setting) -> Plot {
+    let (n_i, n_t) = (setting.index("n_i").re, setting.index("n_t").re);
+    let curve = |from: f64, to: f64| {
+        let bend = fresnel::critical_angle(from, to).map_or(90.0, f64::to_degrees);
+        super::over_angle_near(bend, move |incidence| {
+            refract(incidence, from, to).map_or(f64::NAN, |(sin, cos)| sin.atan2(cos).to_degrees())
+        })
+    };
+    let mut chart = Chart::new(
+        "",
+        Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
+        Axis::linear("angle of refraction θ_2", "°").range(0.0, 90.0).tick(15.0),
+    )
+    .line(Hue::Nth(0), format!("n {n_i:.4} → {n_t:.4}"), curve(n_i, n_t));
+    if n_i != n_t {
+        chart = chart.line(Hue::Nth(1), format!("n {n_t:.4} → {n_i:.4}"), curve(n_t, n_i));
+    }
+    if let Some(critical) = fresnel::critical_angle(n_i.max(n_t), n_i.min(n_t)) {
+        chart = chart.at_x(critical.to_degrees(), "θ_c");
+    }
+    Plot::of("Snell's law", chart)
+}

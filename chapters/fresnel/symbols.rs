@@ -1,0 +1,51 @@
+//! The quantities of the chapter as symbols. Side 1 is where the light comes from, side 2 the other.
+//! Indices and angles are sampled off the real axis too: what is derived here holds for metals as well.
+
+use light::equation::{Dimension, Symbol};
+
+/// Refractive index of the incident side.
+pub const N_1: Symbol = Symbol::scalar("n_1", Dimension::ONE).within(1.0, 2.0);
+/// Refractive index of the other side.
+pub const N_2: Symbol = Symbol::scalar("n_2", Dimension::ONE).within(1.0, 2.5);
+/// Angle of incidence.
+pub const THETA_1: Symbol = Symbol::scalar("theta_1", Dimension::ONE).within(0.2, 1.2);
+/// Angle of reflection.
+pub const THETA_1R: Symbol = Symbol::scalar("theta_1'", Dimension::ONE).within(0.2, 1.2);
+/// Angle of refraction.
+pub const THETA_2: Symbol = Symbol::scalar("theta_2", Dimension::ONE).within(0.2, 1.2);
+/// n₁ sin θ₁ = n₂ sin θ₂ as one number times sin θ₁ sin θ₂: the symmetric parameter of Snell's law.
+pub const K: Symbol = Symbol::scalar("k", Dimension::ONE).within(1.0, 2.0);
+/// Vacuum wave number.
+pub const K_0: Symbol = Symbol::scalar("k_0", Dimension::RADIAN_PER_METRE).within(1.0, 2.0);
+/// Angular frequency.
+pub const OMEGA: Symbol = Symbol::scalar("omega", Dimension::HERTZ).real(1.0, 2.0);
+/// Speed of light.
+pub const C: Symbol = Symbol::scalar("c", Dimension::METRE_PER_SECOND).real(1.0, 2.0);
+/// Phase velocity on the incident side.
+pub const V_1: Symbol = Symbol::scalar("v_1", Dimension::METRE_PER_SECOND).within(0.5, 1.0);
+/// Phase velocity on the other side.
+pub const V_2: Symbol = Symbol::scalar("v_2", Dimension::METRE_PER_SECOND).within(0.5, 1.0);
+
+/// Incident electric field.
+pub const E_1: Symbol = Symbol::scalar("E_1", Dimension::VOLT_PER_METRE).within(1.0, 2.0);
+/// Reflected electric field.
+pub const E_1R: Symbol = Symbol::scalar("E_1'", Dimension::VOLT_PER_METRE).within(1.0, 2.0);
+/// Transmitted electric field.
+pub const E_2: Symbol = Symbol::scalar("E_2", Dimension::VOLT_PER_METRE).within(1.0, 2.0);
+/// Incident magnetic field.
+pub const H_1: Symbol = Symbol::scalar("H_1", Dimension::AMPERE_PER_METRE).within(1.0, 2.0);
+/// Reflected magnetic field.
+pub const H_1R: Symbol = Symbol::scalar("H_1'", Dimension::AMPERE_PER_METRE).within(1.0, 2.0);
+/// Transmitted magnetic field.
+pub const H_2: Symbol = Symbol::scalar("H_2", Dimension::AMPERE_PER_METRE).within(1.0, 2.0);
+/// Impedance of the vacuum.
+pub const Z_0: Symbol = Symbol::scalar("Z_0", Dimension::OHM).real(1.0, 2.0);
+
+/// Reflected over incident electric field, s.
+pub const R_S: Symbol = Symbol::scalar("r_s", Dimension::ONE);
+/// Transmitted over incident electric field, s.
+pub const T_S: Symbol = Symbol::scalar("t_s", Dimension::ONE);
+/// Reflected over incident electric field, p.
+pub const R_P: Symbol = Symbol::scalar("r_p", Dimension::ONE);
+/// Transmitted over incident electric field, p.
+pub const T_P: Symbol = Symbol::scalar("t_p", Dimension::ONE);
