@@ -1,2 +1,5 @@
 //! `lesson`: how it is shown.
+#[allow(dead_code)]
+mod plot;
+
 fn main() {}
