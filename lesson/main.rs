@@ -1,5 +1,4 @@
 //! `lesson`: how it is shown. Everything here is a view of `chapters::CURRICULUM`.
-#![allow(missing_docs, reason = "a binary has no readers of its items but those of its source")]
 
 mod cli;
 mod coverage;
