@@ -1,6 +1,6 @@
 //! The command line: the only place that knows clap.
 
-use crate::plot::Format;
+use crate::figures::Format;
 use crate::run::Parts;
 use crate::stop::Stop;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum, ValueHint};

@@ -1,7 +1,7 @@
 //! The figures of a run, drawn in parallel and written where the reader asked for them.
 
 use crate::out::Folder;
-use crate::plot::{self, Format};
+use crate::plot;
 use crate::progress::Progress;
 use crate::race_plot;
 use crate::report::{FigureReport, RaceReport, Report};
@@ -9,6 +9,31 @@ use crate::select::{Chosen, Selection};
 use crate::stop::Stop;
 use chapters::figure::Plot;
 use rayon::prelude::*;
+
+/// What a figure is written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Pixels.
+    Png,
+    /// Vectors.
+    Svg,
+}
+
+impl Format {
+    fn extension(self) -> &'static str {
+        match self {
+            Self::Png => "png",
+            Self::Svg => "svg",
+        }
+    }
+
+    fn draw(self, plot: &Plot) -> Vec<u8> {
+        match self {
+            Self::Png => plot::png(plot),
+            Self::Svg => plot::svg(plot).into_bytes(),
+        }
+    }
+}
 
 /// A figure still to be drawn.
 struct Draft<'a> {
@@ -57,11 +82,7 @@ fn drafts<'a>(chosen: &'a Chosen, races: &'a [RaceReport]) -> Vec<Draft<'a>> {
 }
 
 fn draw(draft: &Draft, address: String, folder: &Folder, format: Format) -> Result<FigureReport, Stop> {
-    let extension = match format {
-        Format::Png => "png",
-        Format::Svg => "svg",
-    };
-    let name = format!("{}.{extension}", address.replace('/', "-"));
-    let path = folder.write(&name, &plot::render(&(draft.plot)(), format))?;
+    let name = format!("{}.{}", address.replace('/', "-"), format.extension());
+    let path = folder.write(&name, &format.draw(&(draft.plot)()))?;
     Ok(FigureReport { address, says: draft.says, rows: draft.rows, path })
 }
