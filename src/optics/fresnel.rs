@@ -53,7 +53,7 @@ impl Powers {
 pub fn amplitudes(incidence: Incidence, n_i: f64, n_t: Complex64) -> Amplitudes {
     let Some(side) = Solution::new(incidence, n_i, n_t) else { return NOTHING_THERE };
     let Solution { q_i, q_t, cos_i, s_norm, p_norm, .. } = side;
-    let t_s = Complex64::new(q_i + q_t.re, -q_t.im) * (2.0 * q_i / s_norm);
+    let t_s = Complex64::new(q_i + q_t.re, 0.0 - q_t.im) * (2.0 * q_i / s_norm);
     let t_p = side.along * (2.0 * cos_i * n_i / (n_t.norm_sqr() * p_norm));
     Amplitudes { r_s: side.r_s(), t_s, r_p: side.r_p(), t_p }
 }
@@ -121,7 +121,7 @@ impl Solution {
         let g =
             Complex64::new(scale * (forward * n_t.re + aside * n_t.im), scale * (aside * n_t.re - forward * n_t.im));
         let lift = n_i / modulus;
-        let along = Complex64::new(n_t.re * cos_i + lift * forward, -(n_t.im * cos_i + lift * aside));
+        let along = Complex64::new(n_t.re * cos_i + lift * forward, 0.0 - (n_t.im * cos_i + lift * aside));
         let s_sum = q_i + q_t.re;
         let p_sum = cos_i + g.re;
         let s_norm = s_sum * s_sum + q_t.im * q_t.im;
@@ -143,7 +143,8 @@ impl Solution {
         let q2_i = q_i * q_i;
         let excess = contrast.re * (q2_i + q2_t.re) + contrast.im * contrast.im;
         let re = -excess / ((q2_i + q_t.norm_sqr()) * s_norm);
-        Complex64::new(re, -2.0 * q_i * q_t.im / s_norm)
+        // 0 − x, not −x: nothing absorbed is +0.
+        Complex64::new(re, 0.0 - 2.0 * q_i * q_t.im / s_norm)
     }
 
     /// (cos_i − g)(cos_i + g*)/|cos_i + g|².
@@ -151,7 +152,7 @@ impl Solution {
         let Self { cos_i, g, p_norm, .. } = *self;
         let (cos2, g2) = (cos_i * cos_i, g.norm_sqr());
         let difference = if (cos2 - g2).abs() > 0.5 * cos2 { cos2 - g2 } else { self.brewster_difference(g2) };
-        Complex64::new(difference / p_norm, -2.0 * cos_i * g.im / p_norm)
+        Complex64::new(difference / p_norm, 0.0 - 2.0 * cos_i * g.im / p_norm)
     }
 
     /// cos² θ_i − |g|² near its zero, from cos⁴ θ_i |n_t|⁸ − n_i⁴ |q_t|⁴ in factors that do not cancel:
