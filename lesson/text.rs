@@ -187,7 +187,7 @@ fn show_derivation(page: &mut Page, derivation: &DerivationReport) {
         page.wrap(6, 8, &[(Tone::Equation, &line.unicode)]);
         if let Some(hop) = &line.hop {
             let tone = if hop.verdict == Verdict::Passed { Tone::Good } else { Tone::Bad };
-            let by = format!("{}: ", line.by.join(", "));
+            let by = if line.by.is_empty() { String::new() } else { format!("{}: ", line.by.join(", ")) };
             page.wrap(10, 12, &[(Tone::Plain, &by), (tone, &hop.found)]);
         }
         if !line.says.is_empty() {
@@ -231,9 +231,11 @@ fn value(value: f64, unit: &str) -> String {
 
 /// Up to six significant digits.
 pub fn short(x: f64) -> String {
-    if !x.is_finite() {
-        return Number(x).non_finite().unwrap_or_default().to_owned();
+    if let Some(name) = Number(x).non_finite() {
+        return name.to_owned();
     }
+    // Adding zero takes the sign off a negative one.
+    let x = x + 0.0;
     let magnitude = x.abs();
     if magnitude != 0.0 && !(1e-4..1e6).contains(&magnitude) {
         return trimmed(&format!("{x:.5e}"));
@@ -411,7 +413,7 @@ mod tests {
 
     #[test]
     fn short_numbers_keep_six_digits() {
-        let texts: Vec<_> = [0.0, 1.0, 56.309_932_474, 0.04, 1e-12, 123_456.789, -2.5e7, f64::NAN].map(short).into();
+        let texts: Vec<_> = [-0.0, 1.0, 56.309_932_474, 0.04, 1e-12, 123_456.789, -2.5e7, f64::NAN].map(short).into();
         assert_eq!(texts, ["0", "1", "56.3099", "0.04", "1e-12", "123457", "-2.5e7", "nan"]);
     }
 }
