@@ -1,4 +1,5 @@
 //! Yardsticks for chapters and tests alike: references in arbitrary precision, condition numbers,
 //! observed orders, quadrature, statistics.
 
+pub mod film;
 pub mod order;
