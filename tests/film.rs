@@ -80,9 +80,6 @@ fn judge(case: &Case, polarisation: Polarisation, worst: &mut Worst) {
         let error = relative_error(ours, exact);
         let units = if error == 0.0 { 0.0 } else { error / (EPSILON * (1.0 + kappa)) };
         assert!(units <= LIMIT, "{name}: {ours:e}, {units} ε(1 + κ) off: {}", describe());
-        if units > 8.0 {
-            println!("{name} {units} {}", describe());
-        }
         *worst = worst.max(units);
     };
     // Below, the reference has no digits.
@@ -116,8 +113,7 @@ fn judge(case: &Case, polarisation: Polarisation, worst: &mut Worst) {
     }
     if media().all(|index| index.im == 0.0) {
         let units = ((ours.reflectance + ours.transmittance) - 1.0).abs() / EPSILON;
-        let scale = 1.0 + kappa.reflectance.min(kappa.transmittance);
-        assert!(units <= 8.0 * scale, "R + T is {units} ε off: {}", describe());
+        assert!(units <= 8.0, "R + T is {units} ε off: {}", describe());
         worst.energy = worst.energy.max(units);
     }
     worst.count += 1;
@@ -410,7 +406,24 @@ fn amplitudes_agree_with_powers_and_with_the_reference() {
             let (r, t) = (light::precise::to_complex64(&exact.r), light::precise::to_complex64(&exact.t));
             assert!((ours.r - r).norm() <= 1e-10 * r.norm(), "{case:?} {ours:?} {r}");
             assert!((ours.t - t).norm() <= 1e-10 * t.norm(), "{case:?} {ours:?} {t}");
-            assert!((ours.r.norm_sqr() - ours.reflectance).abs() <= 4.0 * EPSILON);
+        }
+    }
+}
+
+#[test]
+fn amplitudes_conserve_energy() {
+    // r and t are worked out without a thought of each other; R and T are not.
+    let mut random = stream(9, "film/energy");
+    for i in 0..400 {
+        let mut case = random_case(&mut random, 3 * (i % 8));
+        case.substrate.im = 0.0;
+        let incidence = case.angle.incidence();
+        let q_s = normal_squared(incidence, case.n_i, case.substrate).re.max(0.0).sqrt();
+        for polarisation in BOTH {
+            let ours = case.stack().response(case.wavelength, incidence, polarisation);
+            let through = q_s / (case.n_i * incidence.cos()) * ours.t.norm_sqr();
+            let imbalance = (ours.r.norm_sqr() + through - 1.0).abs();
+            assert!(imbalance <= 1e-12, "{case:?} {ours:?}: {imbalance:e}");
         }
     }
 }

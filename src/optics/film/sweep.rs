@@ -229,18 +229,26 @@ impl<const L: usize> Sweep<L> {
         let unit = incident.map(|b| 4.0 * waves.y_i / b);
         let absorptance = unit * self.absorbed;
         for (i, powers) in powers.iter_mut().enumerate() {
-            let (reflectance, absorptance) = (reflectance.0[i], absorptance.0[i]);
-            let kept_back = reflectance + absorptance;
-            // Of T and 1 − T the smaller one is worked out from the fields; the other has all its digits by 1 − x.
-            let transmittance = if kept_back < 0.5 {
-                1.0 - kept_back
+            *powers = if incident.0[i] == 0.0 {
+                UNHINDERED
             } else {
-                faded(unit.0[i] * waves.y_s.re, 2.0 * self.decay.0.0[i], 2 * self.exponent[i])
+                let transmittance = faded(unit.0[i] * waves.y_s.re, 2.0 * self.decay.0.0[i], 2 * self.exponent[i]);
+                Powers { reflectance: reflectance.0[i], transmittance, absorptance: absorptance.0[i] }.balanced()
             };
-            *powers = Powers { reflectance, transmittance, absorptance };
-            if incident.0[i] == 0.0 {
-                *powers = UNHINDERED;
-            }
+        }
+    }
+}
+
+impl Powers {
+    /// R + T + A = 1: where R or T is the larger part, the others, each with all its digits, know it best.
+    fn balanced(self) -> Self {
+        let Self { reflectance, transmittance, absorptance } = self;
+        if reflectance + absorptance <= transmittance {
+            Self { transmittance: 1.0 - (reflectance + absorptance), ..self }
+        } else if transmittance + absorptance <= reflectance {
+            Self { reflectance: 1.0 - (transmittance + absorptance), ..self }
+        } else {
+            self
         }
     }
 }
@@ -264,7 +272,7 @@ impl Sweep<1> {
         let size = sign * faded(2.0 * waves.y_i, decay, exponent);
         let t = waves.t_unit * Complex64::from_polar(1.0, self.phase.0[0]) * size / incident;
         let kept_back = reflectance + absorptance;
-        let ln_transmittance = if kept_back < 0.5 {
+        let ln_transmittance = if kept_back <= transmittance {
             (-kept_back).ln_1p()
         } else {
             (4.0 * waves.y_i / incident.norm_sqr()).ln() + waves.y_s.re.ln()

@@ -1,21 +1,17 @@
 //! The forms that textbooks and packages use, in plain `f64`, to contrast with [`Stack`]: each is right on
 //! paper, and each has stacks on which it loses every digit. Not for use.
 
-use super::{Polarisation, Stack};
+use super::{Polarisation, Powers, Stack};
 use crate::optics::incidence::{Incidence, normal_squared, outgoing_root};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Reflectance and transmittance [1], as far as the form carries them.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Powers {
-    /// R [1].
-    pub reflectance: f64,
-    /// T [1].
-    pub transmittance: f64,
-}
-
 const I: Complex64 = Complex64::I;
+
+/// The absorptance as what is missing.
+fn powers(reflectance: f64, transmittance: f64) -> Powers {
+    Powers { reflectance, transmittance, absorptance: 1.0 - reflectance - transmittance }
+}
 
 /// The normal wave numbers q = n cos θ [1] and tilted admittances Y (q for s, q/n² for p) of every medium of the
 /// stack, the incident one first.
@@ -49,7 +45,7 @@ pub fn characteristic_matrix(
     }
     let r = (y_i * psi - phi) / (y_i * psi + phi);
     let t = 2.0 * y_i / (y_i * psi + phi);
-    Powers { reflectance: r.norm_sqr(), transmittance: y_s.re / y_i.re * t.norm_sqr() }
+    powers(r.norm_sqr(), y_s.re / y_i.re * t.norm_sqr())
 }
 
 /// The transfer matrix of interfaces and propagations, as in the Python package `tmm` (Byrnes, arXiv:1603.02720),
@@ -70,7 +66,7 @@ pub fn transfer_matrix(stack: &Stack, wavelength: f64, incidence: Incidence, pol
             backward *= (I * delta).exp();
         }
     }
-    Powers { reflectance: (backward / forward).norm_sqr(), transmittance: y_s.re / y_i.re / forward.norm_sqr() }
+    powers((backward / forward).norm_sqr(), y_s.re / y_i.re / forward.norm_sqr())
 }
 
 /// Rouard's (Parratt's) recursion r ← (ρ + r e^(2iδ))/(1 + ρ r e^(2iδ)) of Fresnel's coefficients (Born & Wolf, 7th ed., §1.6.4):
@@ -91,5 +87,5 @@ pub fn recursion(stack: &Stack, wavelength: f64, incidence: Incidence, polarisat
         t = (1.0 + rho) * t * step / (1.0 + rho * round);
         r = (rho + round) / (1.0 + rho * round);
     }
-    Powers { reflectance: r.norm_sqr(), transmittance: y_s.re / y_i.re * t.norm_sqr() }
+    powers(r.norm_sqr(), y_s.re / y_i.re * t.norm_sqr())
 }
