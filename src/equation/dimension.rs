@@ -82,12 +82,13 @@ const NAMED: [(Dimension, &str); 16] = [
     (Dimension::HENRY, "H"),
     (Dimension::JOULE, "J"),
 ];
-const PER: [(Dimension, &str); 5] = [
+const PER: [(Dimension, &str); 6] = [
     (Dimension::ONE, ""),
     (Dimension::METRE, "/m"),
     (Dimension::SQUARE_METRE, "/m²"),
     (Dimension::CUBIC_METRE, "/m³"),
     (Dimension::SECOND, "/s"),
+    (Dimension::METRE.times(Dimension::SECOND), "/(m s)"),
 ];
 
 impl Dimension {

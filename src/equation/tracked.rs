@@ -2,7 +2,7 @@
 
 use super::expr::Function;
 use super::rational::Rational;
-use super::value::Field;
+use super::value::{Field, is_zero};
 use crate::precise::{self, Complex};
 
 /// A number of arbitrary precision with a first-order bound of its rounding error (Higham, *Accuracy and Stability of
@@ -32,14 +32,15 @@ impl Tracked {
         self.size <= self.error * (-(self.bits as f64) / 2.0).exp2()
     }
 
-    /// |`self` − `other`| over the size of the terms they were made of [1]; `None` if that is out of range.
+    /// |`self` − `other`| over the size of the terms they were made of [1]; `None` where that leaves the range of `f64`.
     pub fn difference(&self, other: &Self) -> Option<f64> {
-        let gap = precise::to_complex64(&(&self.value - &other.value)).norm();
+        let gap = &self.value - &other.value;
         let scale = self.error + other.error;
-        match (gap == 0.0, gap / scale) {
-            (true, _) if scale.is_finite() => Some(0.0),
-            (false, ratio) if ratio.is_finite() && scale.is_finite() => Some(ratio),
-            _ => None,
+        let resolved = scale.is_finite() && scale * (-(self.bits as f64)).exp2() > f64::MIN_POSITIVE;
+        match (is_zero(&gap), resolved) {
+            (true, _) => Some(0.0),
+            (false, true) => Some(precise::to_complex64(&gap).norm() / scale).filter(|ratio| ratio.is_finite()),
+            (false, false) => None,
         }
     }
 }
