@@ -20,7 +20,7 @@ impl Angle {
     pub fn incidence(self) -> Incidence {
         match self {
             Self::Normal(theta) => Incidence::from_angle(theta),
-            Self::Surface(delta) => Incidence::from_grazing(delta),
+            Self::Surface(delta) => crate::optics::Direction::Grazing(delta).into(),
         }
     }
 
