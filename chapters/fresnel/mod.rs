@@ -3,14 +3,14 @@
 mod amplitudes;
 mod boundary;
 mod brewster;
-//TODO mod digits;
+mod digits;
 //TODO mod dip;
 mod energy;
 mod extremes;
 mod fields;
 //TODO mod functions;
 //TODO mod grazing;
-//TODO mod natural;
+mod natural;
 mod powers;
 mod snell;
 mod symbols;
@@ -37,9 +37,9 @@ pub const CHAPTER: Chapter = Chapter {
         amplitudes::R_P_STEP,
         amplitudes::T_P_STEP,
         powers::STEP,
-        //TODO natural::STEP,
+        natural::STEP,
         energy::STEP,
-        //TODO digits::STEP,
+        digits::STEP,
         brewster::STEP,
         //TODO dip::STEP,
         //TODO grazing::STEP,
