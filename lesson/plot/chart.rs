@@ -5,10 +5,11 @@ use super::canvas::{Anchor, Canvas, Frame, Place};
 use super::ink::{Ink, Survey};
 use super::key::{Key, Side};
 use super::marks::{self, Plane};
-use super::palette::AID;
+use super::palette::{AID, PAPER};
 use super::ticks::Extent;
 use super::{TEXT, text};
 use chapters::figure::{Axis, Chart, Mark};
+use plotters::style::RGBColor;
 use plotters::style::text_anchor::{HPos, VPos};
 
 /// Free space around a key or a name.
@@ -26,7 +27,7 @@ pub fn draw(canvas: &Canvas, chart: &Chart, room: &Frame) {
     axes.draw(canvas);
     marks::draw(canvas, &axes.frame, &axes.plane, &chart.marks, false);
     for (label, place) in names {
-        canvas.text(label, place, Anchor(HPos::Left, VPos::Bottom), TEXT, AID);
+        draw_name(canvas, label, place, AID);
     }
     if let Some((key, place)) = key {
         key.draw(canvas, place);
@@ -34,11 +35,11 @@ pub fn draw(canvas: &Canvas, chart: &Chart, room: &Frame) {
 }
 
 /// Where everything goes.
-struct Arrangement<'a> {
-    axes: Axes<'a>,
+pub struct Arrangement<'a> {
+    pub axes: Axes<'a>,
     /// Names of horizontal reference lines and the starts of their baselines.
-    names: Vec<(&'a str, Place)>,
-    key: Option<(Key<'a>, Place)>,
+    pub names: Vec<(&'a str, Place)>,
+    pub key: Option<(Key<'a>, Place)>,
 }
 
 /// What the frame makes room for.
@@ -50,7 +51,7 @@ struct Outside<'a> {
 
 /// Tries to fit names and key among the curves, and moves out of the frame what does not fit, one at a time, since
 /// the frame shrinks with each.
-fn arrange<'a>(chart: &'a Chart, room: &Frame) -> Arrangement<'a> {
+pub fn arrange<'a>(chart: &'a Chart, room: &Frame) -> Arrangement<'a> {
     let plane = plane(&chart.x, &chart.y, &chart.marks);
     let key = Key::new(&chart.marks);
     let mut outside = Outside { names: Vec::new(), key: None };
@@ -111,14 +112,25 @@ pub fn at_y<'a>(plane: &Plane, mark: &'a Mark) -> Option<(f64, &'a str)> {
     ((0.0..=1.0).contains(&fraction) && !label.is_empty()).then_some((fraction, label.as_str()))
 }
 
-fn name_box((left, bottom): Place, width: f64) -> Frame {
+/// What a name covers that starts at a place.
+pub fn name_box((left, bottom): Place, width: f64) -> Frame {
     Frame { left, right: left + width, top: bottom - text::CAPITAL * TEXT, bottom: bottom + text::DESCENT * TEXT }
+}
+
+/// Baselines of a name just over and just under a line at a height.
+pub fn beside_line(height: f64) -> [f64; 2] {
+    [height - CLEARANCE - text::DESCENT * TEXT, height + CLEARANCE + text::CAPITAL * TEXT]
+}
+
+/// Writes a name on a white plate, which keeps it readable over grid lines and maps.
+pub fn draw_name(canvas: &Canvas, label: &str, place: Place, colour: RGBColor) {
+    canvas.fill(&name_box(place, text::width(label, TEXT)).grown(2.0), PAPER, 0.85);
+    canvas.text(label, place, Anchor(HPos::Left, VPos::Bottom), TEXT, colour);
 }
 
 /// A place for a name just over or under its line, as far to the right as can be; none if all are taken.
 fn name_place(survey: &Survey, frame: &Frame, height: f64, width: f64) -> Option<Place> {
-    let over = height - CLEARANCE - text::DESCENT * TEXT;
-    let under = height + CLEARANCE + text::CAPITAL * TEXT;
+    let [over, under] = beside_line(height);
     let steps = ((frame.width() - width - 2.0 * CLEARANCE) / 6.0).max(-1.0) as i64;
     let along = (0..=steps).map(|k| frame.right - CLEARANCE - width - 6.0 * k as f64);
     let places = along.flat_map(|left| [(left, over), (left, under)]);

@@ -45,10 +45,10 @@ pub fn draw(canvas: &Canvas, map: &Map, room: &Frame) {
 fn name_lines(canvas: &Canvas, frame: &Frame, plane: &Plane, marks: &[Mark]) {
     for (y, label) in marks.iter().filter_map(|mark| chart::at_y(plane, mark)) {
         let (right, height) = frame.place(1.0, y);
-        let over = height - 6.0 - text::DESCENT * TEXT;
-        let under = height + 6.0 + text::CAPITAL * TEXT;
-        let place = (right - 8.0, if over - TEXT > frame.top { over } else { under });
-        canvas.text(label, place, Anchor(HPos::Right, VPos::Bottom), TEXT, INK);
+        let width = text::width(label, TEXT);
+        let [over, under] = chart::beside_line(height).map(|baseline| (right - 8.0 - width, baseline));
+        let place = if chart::name_box(over, width).top > frame.top { over } else { under };
+        chart::draw_name(canvas, label, place, INK);
     }
 }
 
@@ -131,7 +131,7 @@ struct Bar<'a> {
 impl<'a> Bar<'a> {
     fn new(map: &'a Map, height: f64) -> Self {
         let extent = Extent::new(&map.colour, map.values.iter().copied(), 0.0);
-        let ticks = axes::ticks(&extent, &map.colour, 0.7 * height, Direction::Up);
+        let ticks = axes::ticks(&extent, &map.colour, 0.85 * height, Direction::Up);
         let is_broken = map.values.iter().any(|value| extent.position(*value).is_nan());
         Self { map, extent, ticks, is_broken }
     }

@@ -159,9 +159,9 @@ fn radius(count: usize) -> f64 {
     (POINT.0 * (FEW / count as f64).sqrt()).clamp(POINT.1, POINT.0)
 }
 
-/// A point with a thin white rim, so that neighbours stay apart.
+/// A point, with a thin white rim unless it is one of a crowd, so that neighbours stay apart.
 fn draw_point(canvas: &Canvas, (x, y): Place, radius: f64, shape: Shape, colour: RGBColor) {
-    let rim = 0.2 * radius;
+    let rim = if radius > 0.6 * POINT.0 { 0.2 * radius } else { 0.0 };
     let polygon = |grow: f64, colour: RGBColor| {
         let r = radius + grow;
         let corners: &[Place] = match shape {
@@ -178,7 +178,9 @@ fn draw_point(canvas: &Canvas, (x, y): Place, radius: f64, shape: Shape, colour:
             polygon(0.0, colour);
         }
         Shape::Disc | Shape::Ring => {
-            canvas.disc((x, y), radius + rim, PAPER);
+            if rim > 0.0 {
+                canvas.disc((x, y), radius + rim, PAPER);
+            }
             canvas.disc((x, y), radius, colour);
             if shape == Shape::Ring {
                 canvas.disc((x, y), 0.6 * radius, PAPER);

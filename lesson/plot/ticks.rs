@@ -105,11 +105,18 @@ impl Extent {
     /// Labelled ticks at even steps of the value.
     fn even_ticks(&self, count: usize, step: Option<f64>) -> Vec<Tick> {
         let given = step.and_then(Decimal::exactly).filter(|step| self.multiples(*step).is_some());
-        let step = given.unwrap_or_else(|| Decimal::nice(self.high() / count as f64 - self.low() / count as f64));
+        let step = given.unwrap_or_else(|| self.nice_step(count));
         let Some(multiples) = self.multiples(step) else { return Vec::new() };
         let numbers: Vec<Decimal> = multiples.map(|k| Decimal { digits: k * step.digits, power: step.power }).collect();
         let top = numbers.iter().filter_map(|number| number.magnitude()).max().unwrap_or(0);
         numbers.iter().map(|n| Tick { at: self.fraction(n.value()), label: Some(n.label(top)) }).collect()
+    }
+
+    /// A round step for about `count` ticks: 1, 2 or 5 times a power of ten, or 2.5 times one where 5 leaves too few.
+    fn nice_step(&self, count: usize) -> Decimal {
+        let nice = Decimal::nice(self.high() / count as f64 - self.low() / count as f64);
+        let few = self.multiples(nice).is_some_and(|multiples| multiples.count() < 3);
+        if few && nice.digits == 5 { Decimal { digits: 25, power: nice.power - 1 } } else { nice }
     }
 
     /// The multiples of a step within the extent, unless they are too many to show.
