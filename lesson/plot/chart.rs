@@ -53,44 +53,71 @@ struct Outside<'a> {
 /// the frame shrinks with each.
 pub fn arrange<'a>(chart: &'a Chart, room: &Frame) -> Arrangement<'a> {
     let plane = plane(&chart.x, &chart.y, &chart.marks);
-    let key = Key::new(&chart.marks);
     let mut outside = Outside { names: Vec::new(), key: None };
-    'again: loop {
+    loop {
         let axes = Axes::new(&chart.x, &chart.y, plane, &chart.marks, room, spare(chart, &outside));
         let mut ink = Ink::none(axes.frame);
         marks::ink(&mut ink, &axes.frame, &plane, &chart.marks);
-        let mut names = Vec::new();
-        for (index, mark) in chart.marks.iter().enumerate() {
-            let Some((y, label)) = at_y(&plane, mark) else { continue };
-            let height = axes.frame.place(0.0, y).1;
-            let width = text::width(label, TEXT);
-            let place = if outside.names.contains(&index) {
-                (axes.frame.right + CLEARANCE, height + text::CAPITAL / 2.0 * TEXT)
-            } else if let Some(place) = name_place(&ink.survey(), &axes.frame, height, width) {
-                place
-            } else if width < NAMES_BESIDE * room.width() {
+        let names = match place_names(chart, &axes, &mut ink, &outside, room) {
+            Ok(names) => names,
+            Err(index) => {
                 outside.names.push(index);
-                continue 'again;
-            } else {
-                (axes.frame.right - width - CLEARANCE, height - CLEARANCE)
-            };
-            ink.rectangle(&name_box(place, width));
-            names.push((label, place));
-        }
-        spread(&mut names, axes.frame.right);
-        let key = if key.is_empty() {
-            None
-        } else if let Some(key) = &outside.key {
-            let place = outside_place(key, &axes.frame, room, names_width(chart, &outside.names));
-            Some((key.clone(), place))
-        } else if let Some(found) = key_place(&key, &ink, &axes.frame) {
-            Some(found)
-        } else {
-            outside.key = Some(key.outside(room, KEY_BESIDE));
-            continue;
+                continue;
+            }
         };
-        return Arrangement { axes, names, key };
+        match place_key(chart, &axes, &ink, &outside, room) {
+            Ok(key) => return Arrangement { axes, names, key },
+            Err(key) => outside.key = Some(key),
+        }
     }
+}
+
+/// The names of horizontal reference lines and where they start, inked; or the mark whose name must go outside.
+fn place_names<'a>(
+    chart: &'a Chart,
+    axes: &Axes,
+    ink: &mut Ink,
+    outside: &Outside,
+    room: &Frame,
+) -> Result<Vec<(&'a str, Place)>, usize> {
+    let frame = &axes.frame;
+    let mut names = Vec::new();
+    for (index, mark) in chart.marks.iter().enumerate() {
+        let Some((y, label)) = at_y(&axes.plane, mark) else { continue };
+        let (height, width) = (frame.place(0.0, y).1, text::width(label, TEXT));
+        let place = if outside.names.contains(&index) {
+            (frame.right + CLEARANCE, height + text::CAPITAL / 2.0 * TEXT)
+        } else if let Some(place) = name_place(&ink.survey(), frame, height, width) {
+            place
+        } else if width < NAMES_BESIDE * room.width() {
+            return Err(index);
+        } else {
+            (frame.right - width - CLEARANCE, height - CLEARANCE)
+        };
+        ink.rectangle(&name_box(place, width));
+        names.push((label, place));
+    }
+    spread(&mut names, frame.right);
+    Ok(names)
+}
+
+/// The key and its place, if there is anything to explain; or the key that must go outside.
+fn place_key<'a>(
+    chart: &'a Chart,
+    axes: &Axes,
+    ink: &Ink,
+    outside: &Outside<'a>,
+    room: &Frame,
+) -> Result<Option<(Key<'a>, Place)>, Key<'a>> {
+    let key = Key::new(&chart.marks);
+    if key.is_empty() {
+        return Ok(None);
+    }
+    if let Some(key) = &outside.key {
+        let place = outside_place(key, &axes.frame, room, names_width(chart, &outside.names));
+        return Ok(Some((key.clone(), place)));
+    }
+    key_place(&key, ink, &axes.frame).map(Some).ok_or_else(|| key.outside(room, KEY_BESIDE))
 }
 
 /// The axes in numbers: as given, or else as the marks need them.
@@ -99,7 +126,7 @@ pub fn plane(x: &Axis, y: &Axis, marks: &[Mark]) -> Plane {
     let xs = marks::points(marks).filter(|[_, y]| y.is_finite()).map(|[x, _]| x);
     let at_x = marks.iter().filter_map(|mark| if let Mark::AtX { x, .. } = mark { Some(*x) } else { None });
     let x = Extent::new(x, xs.chain(at_x), if dots { 0.04 } else { 0.0 });
-    let shown = |[along, _]: &[f64; 2]| (-1e-9..=1.0 + 1e-9).contains(&x.fraction(*along));
+    let shown = |[along, _]: &[f64; 2]| (0.0..=1.0).contains(&x.fraction(*along));
     let at_y = marks.iter().filter_map(|mark| if let Mark::AtY { y, .. } = mark { Some(*y) } else { None });
     let ys = marks::points(marks).filter(shown).map(|[_, y]| y).chain(at_y);
     Plane { x, y: Extent::new(y, ys, 0.05) }

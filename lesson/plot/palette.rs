@@ -24,12 +24,12 @@ const fn rgb(code: u32) -> RGBColor {
 /// protan, deutan and tritan eyes (G. Machado et al., IEEE TVCG 15, 2009), and each has a contrast of 3 to white.
 pub fn colour(hue: Hue) -> RGBColor {
     match hue {
-        Hue::S => rgb(0x214874),
+        Hue::S => rgb(0x3F4CCD),
         Hue::P => rgb(0xAD2312),
         Hue::Natural => rgb(0x1A1A1A),
         Hue::Transmitted => rgb(0x059AD8),
-        Hue::Ours => rgb(0x8211D8),
-        Hue::Textbook => rgb(0xC18616),
+        Hue::Ours => rgb(0x68076F),
+        Hue::Textbook => rgb(0xCC8400),
         Hue::Reference => rgb(0x808080),
         Hue::Nth(k) => {
             let equals = [Hue::S, Hue::Textbook, Hue::Transmitted, Hue::P, Hue::Ours, Hue::Natural];

@@ -6,6 +6,8 @@ use chapters::figure::{Axis, Scale};
 const NARROWEST: f64 = 1e-12;
 /// Ranges narrower than this are a single value: their ticks would be denormal numbers.
 const SMALLEST: f64 = 1e-300;
+/// Fractions of an axis this close to an end are on it.
+const BESIDE: f64 = 1e-9;
 /// No axis has room for more labelled ticks.
 const MOST: f64 = 60.0;
 
@@ -57,7 +59,8 @@ impl Extent {
         Self { scale, first, last }
     }
 
-    /// Where a value lies, from 0 (first) to 1 (last), beyond if outside; NaN if it cannot be shown.
+    /// Where a value lies, from 0 (first) to 1 (last), beyond if outside; NaN if it cannot be shown. What rounding put
+    /// beside an end is on it, and what is far out of sight stays within reach of arithmetic.
     pub fn fraction(&self, value: f64) -> f64 {
         let (first, last, value) = match self.scale {
             Scale::Log if value > 0.0 => (self.first.log10(), self.last.log10(), value.log10()),
@@ -69,7 +72,8 @@ impl Extent {
         }
         // Divided first, so that neither the ends of the f64 range overflow nor small values vanish.
         let unit = first.abs().max(last.abs());
-        (value / unit - first / unit) / (last / unit - first / unit)
+        let at = (value / unit - first / unit) / (last / unit - first / unit);
+        if (at - at.round()).abs() < BESIDE { at.round() } else { at.clamp(-1e100, 1e100) }
     }
 
     /// The same with infinities and, on a logarithmic axis, zero at the ends; NaN for what has no place even so.
@@ -89,7 +93,7 @@ impl Extent {
             Scale::Linear => self.even_ticks(count, step),
             Scale::Log => self.log_ticks(count),
         };
-        ticks.retain(|tick| (-1e-9..=1.0 + 1e-9).contains(&tick.at));
+        ticks.retain(|tick| (0.0..=1.0).contains(&tick.at));
         ticks.sort_by(|a, b| a.at.total_cmp(&b.at));
         ticks
     }
