@@ -78,14 +78,17 @@ fn judge(case: &Case, polarisation: Polarisation, worst: &mut Worst) {
     let check = |name: &str, worst: &mut f64, ours: f64, exact: &Real, kappa: f64| {
         assert!(kappa >= 0.0, "{name}: condition {kappa} of {}", describe());
         let error = relative_error(ours, exact);
-        let units = if error == 0.0 { 0.0 } else { error / (EPSILON * (1.0 + kappa)) };
-        assert!(units <= LIMIT, "{name}: {ours:e}, {units} ε(1 + κ) off: {}", describe());
+        let bound = EPSILON * (1.0 + kappa);
+        let units = if error == 0.0 { 0.0 } else { error / bound };
+        // A relative error x of an amplitude makes 2x + x² of a power: the square counts where no digit is left.
+        let limit = LIMIT * (1.0 + LIMIT * bound / 4.0);
+        assert!(units <= limit, "{name}: {ours:e}, {units} ε(1 + κ) off: {}", describe());
         *worst = worst.max(units);
     };
     // Below, the reference has no digits.
     const FLOOR: f64 = 1e-60;
     if to_f64(&exact.reflectance) < FLOOR {
-        assert!(ours.reflectance <= (LIMIT * EPSILON).powi(2), "R of {}", describe());
+        assert!(ours.reflectance <= 1e-24, "R of {}", describe());
     } else {
         check("R", &mut worst.reflectance, ours.reflectance, &exact.reflectance, kappa.reflectance);
     }
@@ -93,9 +96,11 @@ fn judge(case: &Case, polarisation: Polarisation, worst: &mut Worst) {
     let incidence = case.angle.incidence();
     let substrate = normal_squared(incidence, case.n_i, case.substrate).norm() / case.substrate.norm_sqr();
     match &exact.ln_transmittance {
-        _ if substrate < LIMIT * EPSILON => assert!(ours.transmittance < 1e-6, "T of {}", describe()),
+        _ if substrate < LIMIT * EPSILON && (to_f64(&exact.transmittance) == 0.0 || ours.transmittance == 0.0) => {
+            assert!(ours.transmittance.max(to_f64(&exact.transmittance)) < 1e-6, "T of {}", describe());
+        }
         None => assert_eq!((ours.transmittance, ours.ln_transmittance), (0.0, f64::NEG_INFINITY), "{}", describe()),
-        Some(ln) if to_f64(ln).abs() < FLOOR => assert!(ours.ln_transmittance.abs() <= (LIMIT * EPSILON).powi(2)),
+        Some(ln) if to_f64(ln).abs() < FLOOR => assert!(ours.ln_transmittance.abs() <= 1e-24),
         Some(ln) => {
             check("ln T", &mut worst.ln_transmittance, ours.ln_transmittance, ln, kappa.ln_transmittance);
             if to_f64(ln) > f64::MIN_POSITIVE.ln() {
@@ -142,7 +147,7 @@ fn angles() -> Vec<Angle> {
 
 /// A few ulp and a few powers of ten to both sides of an angle.
 fn around(theta: f64) -> impl Iterator<Item = Angle> {
-    [0.0, 2e-16, 1e-15, 1e-14, 1e-12, 1e-9, 1e-6, 1e-3]
+    [0.0, 2e-16, 1e-15, 1e-12, 1e-9, 1e-5]
         .into_iter()
         .flat_map(move |x| [Angle::Normal(theta * (1.0 + x)), Angle::Normal(theta * (1.0 - x))])
 }
@@ -193,15 +198,14 @@ fn one_clear_layer_of_any_thickness() {
 fn quarter_wave_mirrors() {
     let few = [0.0, 0.4, 1.3].map(Angle::Normal).into_iter().chain([Angle::Surface(1e-8)]);
     let cases = few.flat_map(|angle| {
-        [2, 5, 21, 101, 1000].into_iter().flat_map(move |count| {
-            [GREEN, 431e-9, 700e-9].map(|wavelength| Case {
+        [(2, GREEN), (5, GREEN), (21, GREEN), (21, 431e-9), (101, GREEN), (101, 700e-9), (1000, GREEN), (1000, 431e-9)]
+            .map(|(count, wavelength)| Case {
                 n_i: 1.0,
                 layers: quarter_waves(count, 2.35, 1.38),
                 substrate: clear(1.52),
                 wavelength,
                 angle,
             })
-        })
     });
     judge_all("quarter-wave mirrors", cases);
 }
@@ -306,7 +310,7 @@ fn frustrated_gaps() {
 fn layers_and_substrates_at_their_critical_angle() {
     let critical = (1.0_f64 / 1.5).asin();
     let cases = around(critical).flat_map(|angle| {
-        [1e-9, 1e-7, 1e-5, 1e-3].into_iter().flat_map(move |d| {
+        [1e-9, 1e-7, 1e-4].into_iter().flat_map(move |d| {
             let case = |layers, substrate| Case { n_i: 1.5, layers, substrate, wavelength: GREEN, angle };
             [
                 case(vec![layer(1.0, 0.0, d)], clear(1.5)),
@@ -373,6 +377,52 @@ fn random_stacks() {
     let counts = (0..120).map(|i| 1 + i % 8).chain([20, 21, 22, 60, 61, 62]);
     let cases: Vec<_> = counts.map(|count| random_case(&mut random, count)).collect();
     judge_all("random stacks", cases);
+}
+
+/// A stack of `count` layers whose values are those that break formulas: equal and nearly equal indices, huge and tiny
+/// ones, quarter and half waves, directions along, across and just at the critical angle.
+fn awkward_case(random: &mut Stream, count: usize) -> Case {
+    const INDICES: [f64; 10] = [1.0, 1.38, 1.5, 1.5000000001, 2.35, 0.05, 4.0, 1e-3, 100.0, 1.0 + 1e-12];
+    const EXTINCTIONS: [f64; 8] = [0.0, 0.0, 1e-15, 1e-9, 1e-4, 0.1, 3.0, 300.0];
+    let mut uniform = || random.random::<f64>();
+    let pick = |x: f64, values: &[f64]| values[(x * values.len() as f64) as usize];
+    let (n_i, clear_stack) = (pick(uniform(), &INDICES), uniform() < 0.4);
+    let index = |[choice, n, k, scale]: [f64; 4]| {
+        let n = if choice < 0.6 { pick(n, &INDICES) } else { 10f64.powf(3.0 * n - 1.5) };
+        Complex64::new(n, if clear_stack { 0.0 } else { pick(k, &EXTINCTIONS) * (0.5 + scale) })
+    };
+    let layers: Vec<Layer> = (0..count)
+        .map(|_| {
+            let index = index([uniform(), uniform(), uniform(), uniform()]);
+            let thickness = match uniform() {
+                x if x < 0.25 => 10f64.powf(14.0 * uniform() - 14.0),
+                x if x < 0.5 => GREEN / 4.0 / index.re,
+                x if x < 0.75 => GREEN / 2.0 / index.re,
+                _ => 10f64.powf(4.0 * uniform() - 9.0),
+            };
+            Layer { index, thickness }
+        })
+        .collect();
+    let substrate = if uniform() < 0.3 { clear(n_i) } else { index([uniform(), uniform(), uniform(), uniform()]) };
+    let tiny = 10f64.powf(-16.0 * uniform());
+    let angle = match uniform() {
+        x if x < 0.2 => Angle::Normal(0.0),
+        x if x < 0.4 => Angle::Surface(tiny),
+        x if x < 0.6 => Angle::Normal(tiny),
+        x if x < 0.7 => Angle::Normal(1.57 * uniform()),
+        _ => {
+            let rarer = layers.iter().map(|layer| layer.index.re).find(|n| *n < n_i).unwrap_or(0.5 * n_i);
+            Angle::Normal(((rarer / n_i).asin() * (1.0 + tiny * (uniform() - 0.5))).min(1.57))
+        }
+    };
+    Case { n_i, layers, substrate, wavelength: GREEN * pick(uniform(), &[1.0, 1.0, 0.7, 1.3]), angle }
+}
+
+#[test]
+fn awkward_stacks() {
+    let mut random = stream(10, "film/awkward");
+    let cases: Vec<_> = (0..150).map(|i| awkward_case(&mut random, i % 7)).collect();
+    judge_all("awkward stacks", cases);
 }
 
 #[test]

@@ -3,7 +3,6 @@
 use super::lanes::{Complexes, Decay, HalfTurn, Lanes, decay, half_turn};
 use super::{Admittance, Layer, Powers, Response, Waves};
 use num_complex::Complex64;
-use std::array::from_fn;
 use std::f64::consts::{LN_2, TAU};
 
 /// A layer reduced to what its kind needs. `path` is 2π d q [m]: over the wavelength it is the phase δ.
@@ -135,12 +134,6 @@ impl<const L: usize> Sweep<L> {
     }
 
     #[inline(always)]
-    fn turn(&mut self, half: &HalfTurn<L>) {
-        self.phase = self.phase + half.remainder;
-        self.turns = self.turns + half.turns;
-    }
-
-    #[inline(always)]
     fn fade(&mut self, delta: Lanes<L>, decay: &Decay<L>) {
         let (sum, carry) = two_sum(self.decay.0, delta + self.decay.1);
         self.decay = (sum, carry);
@@ -150,13 +143,11 @@ impl<const L: usize> Sweep<L> {
     #[inline(always)]
     fn pass_clear(&mut self, delta: Lanes<L>, y: f64, inverse: f64) {
         let half = half_turn(delta);
-        self.turn(&half);
-        // u = (e^(2iδ) − 1)/2 = i sin δ e^(iδ)
-        let u = Complexes { re: -half.sin.squared(), im: half.sin * half.cos };
+        self.turns = self.turns + half.turns;
+        let (across, along) = (half.sin * inverse, half.sin * y);
         let (psi, phi) = (self.psi.sum, self.phi.sum);
-        let change = u * Complexes { re: psi.re - phi.re * inverse, im: psi.im - phi.im * inverse };
-        self.psi.add(change);
-        self.phi.add(Complexes { re: change.re * -y, im: change.im * -y });
+        self.psi.add(phi.times_minus_i().scaled(across) - psi.scaled(half.versine));
+        self.phi.add(psi.times_minus_i().scaled(along) - phi.scaled(half.versine));
     }
 
     #[inline(always)]
@@ -181,7 +172,8 @@ impl<const L: usize> Sweep<L> {
     ) {
         let half = half_turn(delta.re);
         let decay = decay(delta.im * 2.0);
-        self.turn(&half);
+        self.phase = self.phase + half.remainder;
+        self.turns = self.turns + half.turns;
         self.fade(delta.im, &decay);
         let (psi, phi) = (self.psi.sum, self.phi.sum);
         let squares = MeanSquares::new(delta, &half, &decay);
@@ -311,22 +303,16 @@ impl<const L: usize> MeanSquares<L> {
     fn new(delta: Complexes<L>, half: &HalfTurn<L>, decay: &Decay<L>) -> Self {
         let alpha = delta.re.map(|x| x.max(f64::MIN_POSITIVE));
         let beta = delta.im.map(|x| x.max(f64::MIN_POSITIVE));
+        let (sinc, turn) = (half.sin.zip(alpha, |sin, a| sin / a), alpha * 2.0);
+        let (slope, fall) = (decay.exp_m1.zip(beta, |m, b| m / b), beta * 2.0);
         // 1 − sin(2α)/(2α) and (sinh(2β)/(2β) − 1) e^(−2β): both ≥ 0, by series where they are small.
-        let sinc_gap = Lanes(from_fn(|i| {
-            let x = 2.0 * alpha.0[i];
-            if x < 1.0 { cubic_gap(-x * x) } else { 1.0 - half.sin.0[i] * half.cos.0[i] / alpha.0[i] }
-        })) * decay.exp;
-        let sinhc_gap = Lanes(from_fn(|i| {
-            let (x, exp, exp_m1) = (2.0 * beta.0[i], decay.exp.0[i], decay.exp_m1.0[i]);
-            if x < 1.0 { -cubic_gap(x * x) * exp } else { -exp_m1 * (1.0 + exp) / (2.0 * x) - exp }
-        }));
+        let sinc_gap = cubic_gap(-turn.squared()).where_below_one(turn, -(sinc * half.cos) + 1.0) * decay.exp;
+        let sinhc_gap = (-cubic_gap(fall.squared()) * decay.exp)
+            .where_below_one(fall, -(slope * (decay.exp + 1.0) * 0.25) - decay.exp);
         Self {
             cos_cos: decay.exp + (sinhc_gap - sinc_gap) * 0.5,
             sin_sin: (sinhc_gap + sinc_gap) * 0.5,
-            cos_sin: Complexes {
-                re: half.sin * half.sin.zip(alpha, |sin, a| sin / a) * decay.exp * 0.5,
-                im: decay.exp_m1 * decay.exp_m1.zip(beta, |m, b| m / b) * 0.125,
-            },
+            cos_sin: Complexes { re: half.sin * sinc * decay.exp * 0.5, im: decay.exp_m1 * slope * 0.125 },
         }
     }
 
@@ -339,7 +325,8 @@ impl<const L: usize> MeanSquares<L> {
 }
 
 /// −Σ xᵏ/(2k+1)! from k = 1: 1 − sin(y)/y at x = −y², 1 − sinh(y)/y at x = y², for |x| ≤ 1.
-fn cubic_gap(x: f64) -> f64 {
+#[inline(always)]
+fn cubic_gap<const L: usize>(x: Lanes<L>) -> Lanes<L> {
     const TERMS: [f64; 8] = [
         1.0 / 6.0,
         1.0 / 120.0,
@@ -350,5 +337,5 @@ fn cubic_gap(x: f64) -> f64 {
         1.0 / 1307674368000.0,
         1.0 / 355687428096000.0,
     ];
-    -x * Lanes([x]).polynomial(&TERMS).0[0]
+    -x * x.polynomial(&TERMS)
 }
