@@ -8,10 +8,12 @@ mod boundary;
 //TODO mod energy;
 mod extremes;
 mod fields;
-//TODO mod functions;
+mod functions;
 //TODO mod grazing;
+mod metals;
 //TODO mod natural;
 //TODO mod powers;
+mod schlick;
 mod snell;
 mod symbols;
 //TODO mod total_reflection;
@@ -44,8 +46,10 @@ pub const CHAPTER: Chapter = Chapter {
         //TODO dip::STEP,
         //TODO grazing::STEP,
         //TODO total_reflection::STEP,
+        metals::STEP,
+        schlick::STEP,
     ],
-    functions: &[],
+    functions: functions::FUNCTIONS,
 };
 
 /// The medium the light comes from.

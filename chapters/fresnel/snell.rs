@@ -146,7 +146,7 @@ fn least_time(order: fn(f64, f64) -> (f64, f64)) -> Measured {
 }
 
 /// Place of the least value of a unimodal `f` (Kiefer 1953).
-fn golden_section(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+pub(super) fn golden_section(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let ratio = 0.5 * (5f64.sqrt() - 1.0);
     for _ in 0..90 {
         let (left, right) = (high - ratio * (high - low), low + ratio * (high - low));
