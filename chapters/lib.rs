@@ -12,3 +12,9 @@ pub use vocabulary::{Chapter, Step};
 
 /// The chapters in teaching order: the only list of them.
 pub const CURRICULUM: &[&Chapter] = &[&fresnel::CHAPTER];
+
+/// How many checks of the curriculum rest on random numbers: what their significance is shared among.
+pub fn statistical_checks() -> usize {
+    let steps = CURRICULUM.iter().flat_map(|chapter| chapter.steps);
+    steps.flat_map(|step| step.checks).filter(|check| check.bound.is_statistical()).count()
+}

@@ -7,7 +7,8 @@ use crate::figure::Plot;
 use crate::function::Function;
 use crate::setting::{Parameter, Setting};
 use light::equation::Equation;
-use light::equation::derivation::Chain;
+use light::equation::derivation::{Chain, Hop};
+use light::evidence::order;
 use light::precise::{self, Real};
 use light::sampling::{Stream, stream};
 
@@ -89,6 +90,14 @@ pub struct Derivation {
     pub slip: &'static str,
 }
 
+/// At how many points the hops of a derivation are compared.
+pub const POINTS: usize = 16;
+
+/// Every hop of `chain`, judged at points that its derivation's `address` names.
+pub fn verify(chain: &Chain, address: &str) -> Vec<Hop> {
+    chain.verify(POINTS, precise::BITS, &mut stream(SEED, address))
+}
+
 /// A named number shown for the current setting.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
@@ -112,6 +121,9 @@ pub struct Bench<'a> {
     /// The stream named by the item's address.
     pub stream: Stream,
 }
+
+/// The seed of every random stream of the lecture.
+pub const SEED: u64 = 0;
 
 impl<'a> Bench<'a> {
     /// The bench of the item at `address`.
@@ -280,11 +292,9 @@ impl Extreme {
         self.error(self.ours) <= self.allowed()
     }
 
-    /// Whether the textbook form loses more than the condition number excuses.
+    /// Whether the textbook form keeps at least three digits fewer than the program.
     pub fn textbook_breaks(&self) -> bool {
-        // Written so that NaN counts as broken.
-        let kept = self.error(self.textbook) <= self.allowed();
-        !kept
+        self.digits(self.textbook) + 3.0 <= self.digits(self.ours)
     }
 }
 
@@ -330,6 +340,27 @@ pub struct Lane {
     pub prepare: fn(&mut Bench, u64) -> Heat,
 }
 
+impl Lane {
+    /// The independent runs whose errors make one RMS error at `work`, each on a stream of its own, set up one by one.
+    /// `address` is the lane's.
+    pub fn heats(&self, setting: &Setting, address: &str, work: u64) -> impl Iterator<Item = Heat> {
+        (0..self.repeats.max(1)).map(move |repeat| {
+            (self.prepare)(&mut Bench::new(setting, SEED, &format!("{address}/{work}/{repeat}")), work)
+        })
+    }
+}
+
+/// The root of the mean square [1]; NaN if any error is, or if there is none.
+pub fn rms(errors: &[f64]) -> f64 {
+    let largest = errors.iter().map(|error| error.abs()).max_by(f64::total_cmp).unwrap_or(f64::NAN);
+    if largest == 0.0 || !largest.is_finite() {
+        return largest;
+    }
+    // Scaled, so that errors near the end of the range do not underflow when squared.
+    let sum: f64 = errors.iter().map(|error| (error / largest).powi(2)).sum();
+    largest * (sum / errors.len() as f64).sqrt()
+}
+
 /// A prepared run: what is timed, and the error of what it leaves behind.
 pub struct Heat {
     /// The timed part; it may be run many times and leaves the same result each time.
@@ -362,6 +393,26 @@ pub enum Expects {
         /// What breaks it.
         why: &'static str,
     },
+}
+
+impl Expects {
+    /// Whether a lane's (work, error) points do what is expected of them. NaN is larger than every limit and
+    /// has no order.
+    pub fn admits(&self, points: &[(f64, f64)]) -> bool {
+        let within = |limit: f64| points.iter().all(|(_, error)| *error <= limit);
+        match *self {
+            Self::Order { order, tolerance } => {
+                within(f64::MAX) && fitted_order(points).is_some_and(|fitted| (fitted - order).abs() <= tolerance)
+            }
+            Self::Within { limit, .. } => within(limit),
+            Self::Breaks { limit, .. } => !within(limit),
+        }
+    }
+}
+
+/// The order p of a method whose (work, error) points fall as work^(−p) [1]; `None` if fewer than two can be used.
+pub fn fitted_order(points: &[(f64, f64)]) -> Option<f64> {
+    order::slope(points).map(|slope| -slope)
 }
 
 /// A picture of the step at a setting.
@@ -401,8 +452,29 @@ mod tests {
     }
 
     #[test]
+    fn rms_neither_underflows_nor_hides_nan() {
+        assert_eq!(rms(&[3e-200, -3e-200]), 3e-200);
+        assert!((rms(&[1.0, 7.0]) - 5.0).abs() < 1e-15);
+        assert_eq!(rms(&[0.0]), 0.0);
+        assert!(rms(&[]).is_nan() && rms(&[1.0, f64::NAN]).is_nan());
+    }
+
+    #[test]
+    fn lanes_are_judged_by_their_errors() {
+        let falling: Vec<_> = (1..6).map(|k| (f64::from(1 << k), 0.25_f64.powi(k))).collect();
+        assert!(Expects::Order { order: 2.0, tolerance: 0.01 }.admits(&falling));
+        assert!(!Expects::Order { order: 1.0, tolerance: 0.5 }.admits(&falling));
+        assert!(Expects::Within { limit: 0.25, why: "" }.admits(&falling));
+        assert!(Expects::Breaks { limit: 0.2, why: "" }.admits(&falling));
+        let broken = [&falling[..], &[(128.0, f64::NAN)]].concat();
+        assert!(!Expects::Order { order: 2.0, tolerance: 0.01 }.admits(&broken));
+        assert!(!Expects::Within { limit: f64::INFINITY, why: "" }.admits(&broken));
+        assert!(Expects::Breaks { limit: f64::INFINITY, why: "" }.admits(&broken));
+    }
+
+    #[test]
     fn sidak_splits_a_significance() {
         let one = sidak(1e-3, 40);
-        assert!((1.0 - (1.0 - one).powi(40) - 1e-3).abs() < 1e-15);
+        assert!((1.0 - (1.0 - one).powi(40) - 1e-3).abs() < 1e-14);
     }
 }

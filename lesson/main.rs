@@ -1,2 +1,61 @@
-//! `lesson`: how it is shown.
-fn main() {}
+//! `lesson`: how it is shown. Everything here is a view of `chapters::CURRICULUM`.
+
+mod cli;
+mod coverage;
+mod eval;
+mod figures;
+mod out;
+mod page;
+mod plot;
+mod progress;
+mod prove;
+mod race_plot;
+mod report;
+mod run;
+mod select;
+mod stop;
+mod text;
+mod walk;
+
+use cli::Request;
+use page::Page;
+use std::process::ExitCode;
+use stop::Stop;
+
+fn main() -> ExitCode {
+    match cli::parse().and_then(serve) {
+        Ok(code) => code,
+        Err(Stop::ClosedPipe) => ExitCode::SUCCESS,
+        Err(Stop::Refused(message)) => {
+            out::say(&format!("lesson: {message}"));
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn serve(request: Request) -> Result<ExitCode, Stop> {
+    match request {
+        Request::Contents => {
+            let mut page = Page::for_stdout();
+            text::contents(&mut page);
+            out::print(page.into_text().as_bytes())?;
+        }
+        Request::Lesson(lesson) => return walk::serve(&lesson),
+        Request::Coverage { json: true } => out::print(coverage::json().as_bytes())?,
+        Request::Coverage { json: false } => {
+            let mut page = Page::for_stdout();
+            coverage::table(&mut page);
+            out::print(page.into_text().as_bytes())?;
+        }
+        Request::Eval { function, arguments } => out::print(eval::once(&function, &arguments)?.as_bytes())?,
+        Request::EvalLines { function } => return eval::lines(&function),
+        Request::Functions { json: true } => out::print(eval::list_json().as_bytes())?,
+        Request::Functions { json: false } => {
+            let mut page = Page::for_stdout();
+            eval::list(&mut page);
+            out::print(page.into_text().as_bytes())?;
+        }
+        Request::Completions(script) => out::print(&script)?,
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -35,7 +35,7 @@ pub fn families() -> Vec<Family> {
 }
 
 /// The program's outputs at `input`, in the order of [`NAMES`].
-fn ours(input: &Input) -> [f64; NAMES.len()] {
+pub fn ours(input: &Input) -> [f64; NAMES.len()] {
     let incidence = Incidence::from(input.direction);
     flat(fresnel::amplitudes(incidence, input.n_i, input.n_t), fresnel::powers(incidence, input.n_i, input.n_t))
 }
@@ -56,17 +56,26 @@ fn flat(a: fresnel::Amplitudes, p: fresnel::Powers) -> [f64; NAMES.len()] {
     [r_s[0], r_s[1], t_s[0], t_s[1], r_p[0], r_p[1], t_p[0], t_p[1], p.r_s, p.t_s, p.r_p, p.t_p, p.r_n(), p.t_n()]
 }
 
-/// The outputs called `quantities`, each at every one of `inputs`.
+/// The outputs called `quantities`, each at every one of `inputs`, beside the lecture's formulas as written.
 pub fn cases(quantities: &[&str], inputs: &[Input]) -> Vec<Extreme> {
+    cases_against(quantities, inputs, as_written)
+}
+
+/// As [`cases`], beside the outputs of another `textbook` form.
+pub fn cases_against(
+    quantities: &[&str],
+    inputs: &[Input],
+    textbook: impl Fn(&Input) -> [f64; NAMES.len()],
+) -> Vec<Extreme> {
     let of_input = |input: &Input| {
         let exact = Exact::new(input);
-        let (ours, as_written, conditions) = (ours(input), as_written(input), exact.conditions());
+        let (ours, textbook, conditions) = (ours(input), textbook(input), exact.conditions());
         let wanted = (0..NAMES.len()).filter(|&at| quantities.contains(&NAMES[at]));
         let extreme = |at: usize| Extreme {
             input: describe(input),
             quantity: NAMES[at],
             reference: exact.outputs[at].clone(),
-            textbook: as_written[at],
+            textbook: textbook[at],
             ours: ours[at],
             condition: conditions[at],
             worst_of: 1,

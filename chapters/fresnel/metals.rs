@@ -170,7 +170,7 @@ fn pseudo_brewster(n_i: f64, n_t: Complex64) -> f64 {
         return brewster_angle(n_i, n_t.re);
     }
     let reflectance = |theta: f64| powers(Incidence::from_angle(theta), n_i, n_t).r_p;
-    super::snell::golden_section(reflectance, 0.0, FRAC_PI_2)
+    super::golden_section(reflectance, 0.0, FRAC_PI_2)
 }
 
 const ENERGY: Check = Check {
@@ -381,9 +381,8 @@ fn approach(amend: fn(Complex64) -> Complex64) -> Measured {
             trace.map(|k| (k, (amend(r(&at(k))) - r(&clear)).norm())).collect()
         };
         let ratios: [fn(&Amplitudes) -> Complex64; 4] = [|a| a.r_s, |a| a.t_s, |a| a.r_p, |a| a.t_p];
-        ratios.map(|ratio| {
-            (slope(&points(ratio)).unwrap_or(f64::NAN) - 1.0, format!("n {n_i} → {n} + iκ, θ = {theta}"))
-        })
+        ratios
+            .map(|ratio| (slope(&points(ratio)).unwrap_or(f64::NAN) - 1.0, format!("n {n_i} → {n} + iκ, θ = {theta}")))
     }))
 }
 
@@ -442,9 +441,7 @@ fn over_the_visible(setting: &Setting) -> Plot {
 
 fn against_angle(setting: &Setting) -> Plot {
     let Input { n_i, n_t, .. } = interface(setting);
-    let curve = |power: fn(&Powers) -> f64| {
-        over_angle(|incidence| power(&powers(incidence, n_i, n_t)))
-    };
+    let curve = |power: fn(&Powers) -> f64| over_angle(|incidence| power(&powers(incidence, n_i, n_t)));
     let chart = Chart::new(
         format!("n {n_i:.4} → {:.4} + {:.4}i", n_t.re, n_t.im),
         Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),

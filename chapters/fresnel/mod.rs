@@ -2,17 +2,17 @@
 
 mod amplitudes;
 mod boundary;
-//TODO mod brewster;
-//TODO mod digits;
+mod brewster;
+mod digits;
 //TODO mod dip;
-//TODO mod energy;
+mod energy;
 mod extremes;
 mod fields;
 mod functions;
 //TODO mod grazing;
 mod metals;
-//TODO mod natural;
-//TODO mod powers;
+mod natural;
+mod powers;
 mod schlick;
 mod snell;
 mod symbols;
@@ -38,11 +38,11 @@ pub const CHAPTER: Chapter = Chapter {
         amplitudes::T_S_STEP,
         amplitudes::R_P_STEP,
         amplitudes::T_P_STEP,
-        //TODO powers::STEP,
-        //TODO natural::STEP,
-        //TODO energy::STEP,
-        //TODO digits::STEP,
-        //TODO brewster::STEP,
+        powers::STEP,
+        natural::STEP,
+        energy::STEP,
+        digits::STEP,
+        brewster::STEP,
         //TODO dip::STEP,
         //TODO grazing::STEP,
         //TODO total_reflection::STEP,
@@ -118,4 +118,14 @@ fn sample_inputs(setting: &Setting) -> Vec<Input> {
     let media = sample_media().into_iter().chain([(own.n_i, own.n_t)]);
     let each = |(n_i, n_t)| fan.map(|direction| Input { direction, n_i, n_t });
     media.flat_map(each).chain([own]).collect()
+}
+
+/// Place of the least value of a unimodal `f` (Kiefer 1953).
+fn golden_section(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    let ratio = 0.5 * (5f64.sqrt() - 1.0);
+    for _ in 0..90 {
+        let (left, right) = (high - ratio * (high - low), low + ratio * (high - low));
+        if f(left) < f(right) { high = right } else { low = left }
+    }
+    0.5 * (low + high)
 }

@@ -137,22 +137,12 @@ fn least_time(order: fn(f64, f64) -> (f64, f64)) -> Measured {
         |(n_i, n_t, span)| {
             // From (0, 1) above the interface to (span, −1) below it, crossing at (x, 0).
             let path = |x: f64| n_i * x.hypot(1.0) + n_t * (span - x).hypot(1.0);
-            let x = golden_section(path, 0.0, span);
+            let x = super::golden_section(path, 0.0, span);
             let (n_a, n_b) = order(n_i, n_t);
             let refracted = refract(Incidence::from_angle(x.atan()), n_a, n_b).map_or(f64::NAN, |(sin, _)| sin);
             (refracted - (span - x).atan().sin(), format!("n {n_i} → {n_t}, crossing {x:.3}"))
         },
     ))
-}
-
-/// Place of the least value of a unimodal `f` (Kiefer 1953).
-pub(super) fn golden_section(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    let ratio = 0.5 * (5f64.sqrt() - 1.0);
-    for _ in 0..90 {
-        let (left, right) = (high - ratio * (high - low), low + ratio * (high - low));
-        if f(left) < f(right) { high = right } else { low = left }
-    }
-    0.5 * (low + high)
 }
 
 fn refracted_cosines(setting: &Setting) -> Vec<Extreme> {

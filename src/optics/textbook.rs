@@ -14,9 +14,14 @@ pub fn amplitudes(theta_i: f64, n_i: f64, n_t: Complex64) -> Amplitudes {
     Amplitudes {
         r_s: -difference.sin() / sum.sin(),
         t_s: through,
-        r_p: difference.tan() / sum.tan(),
+        r_p: tan(difference) / tan(sum),
         t_p: through / difference.cos(),
     }
+}
+
+/// sin/cos: the library's complex tangent is 0/0 within 1e−8 of a right angle, which is not the formula's fault.
+fn tan(z: Complex64) -> Complex64 {
+    z.sin() / z.cos()
 }
 
 /// E41: R = |r|², T = Re(n₂ cos θ₂)/(n₁ cos θ₁) |t|² for s, with n₂* in place of n₂ for p.

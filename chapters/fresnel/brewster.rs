@@ -1,0 +1,170 @@
+//! C11, first half: p alone is not reflected at Brewster's angle.
+
+use super::extremes::cases;
+use super::symbols::{N_1, N_2, THETA_1, THETA_2};
+use super::{INTERFACE, interface};
+use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::setting::Setting;
+use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, Stress};
+use light::equation::derivation::Chain;
+use light::equation::expr::{cos, pi, sin, tan};
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::evidence::fresnel::Input;
+use light::optics::fresnel::{brewster_angle, powers, refract};
+use light::optics::{Direction, Incidence};
+use std::f64::consts::FRAC_PI_2;
+
+const THETA_B: Symbol = Symbol::scalar("theta_B", Dimension::ONE).within(0.3, 1.2);
+
+pub(super) const STEP: Step = Step {
+    id: "brewster",
+    title: "The angle at which p does not reflect",
+    says: "At Brewster's angle reflected and refracted ray are at right angles, and r_p changes sign.",
+    rows: &["C11"],
+    parameters: INTERFACE,
+    statements: &[
+        Statement {
+            id: "angle",
+            says: "Brewster's angle",
+            rows: &["C11"],
+            equation: || Equation::new(tan(THETA_B), N_2 / N_1),
+        },
+        Statement {
+            id: "right_angle",
+            says: "reflected and refracted ray stand at right angles",
+            rows: &["C11"],
+            equation: || Equation::new(THETA_B + THETA_2, pi() / 2),
+        },
+    ],
+    derivations: &[Derivation {
+        id: "right_angle",
+        says: "where θ₁ + θ₂ is a right angle, Snell's law is tan θ_B = n₂/n₁",
+        rows: &["C11"],
+        chain: || at_right_angle(tan(THETA_1)),
+        spoiled: || at_right_angle(sin(THETA_1)),
+        slip: "sine for tangent",
+    }],
+    readout: Some(readout),
+    checks: &[NOTHING_REFLECTED, RIGHT_ANGLE],
+    stress: &[Stress {
+        id: "zero",
+        claim: "R_p keeps its digits however close to its zero",
+        rows: &["C11"],
+        textbook: "tan²(θ₁−θ₂)/tan²(θ₁+θ₂)",
+        reference: "256 bits",
+        cases: |setting| {
+            let offsets = [-1e-3, -1e-6, -1e-9, -1e-12, 0.0, 1e-12, 1e-9, 1e-6];
+            let media = [(1.0, 1.5), (1.5, 1.0), (1.0, 2.4)];
+            let near = media.iter().flat_map(|&(n_i, n_t)| {
+                let angle = brewster_angle(n_i, n_t);
+                offsets.map(|offset| Input { direction: Direction::Angle(angle + offset), n_i, n_t: n_t.into() })
+            });
+            cases(&["R_p"], &[interface(setting)].into_iter().chain(near).collect::<Vec<_>>())
+        },
+    }],
+    races: &[],
+    figures: &[Figure {
+        id: "zero_of_r_p",
+        says: "R_p on a logarithmic scale for media from water to diamond: each zero stands at its own angle.",
+        rows: &["C11"],
+        plot: zeros,
+    }],
+};
+
+fn at_right_angle(left: Expr) -> Chain {
+    Chain::new(Equation::new(N_1 * sin(THETA_1), N_2 * sin(THETA_2)))
+        .because("Snell's law")
+        .given(THETA_2, pi() / 2 - THETA_1, "right angle")
+        .given(N_2, N_1 * tan(THETA_1), "Snell")
+        .then(Equation::new(N_1 * sin(THETA_1), N_2 * cos(THETA_1)), ["right angle: sin θ₂ = cos θ₁"])
+        .then(Equation::new(left, N_2 / N_1), ["divide by n₁ cos θ₁"])
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let input = interface(setting);
+    let angle = brewster_angle(input.n_i, input.n_t.re);
+    let there = powers(Incidence::from_angle(angle), input.n_i, input.n_t);
+    vec![
+        Quantity {
+            key: "theta_B",
+            symbol: "θ_B",
+            says: "Brewster's angle (of the real part of the index)",
+            value: angle,
+            unit: "rad",
+        },
+        Quantity { key: "R_p_at_B", symbol: "R_p(θ_B)", says: "what is left of p there", value: there.r_p, unit: "1" },
+        Quantity {
+            key: "R_s_at_B",
+            symbol: "R_s(θ_B)",
+            says: "what is left of s there: all reflected light is s",
+            value: there.r_s,
+            unit: "1",
+        },
+    ]
+}
+
+const NOTHING_REFLECTED: Check = Check {
+    id: "minimum",
+    claim: "the least R_p over all angles is at arctan(n₂/n₁)",
+    rows: &["C11"],
+    route: "golden-section search for the zero of R_p, by values alone",
+    bound: Bound::AtMost {
+        limit: 1e-8,
+        unit: "rad",
+        why: "√R_p falls linearly to its zero, so the search finds it to rounding; 1e−8 leaves room for the slope",
+    },
+    measure: |bench| distance_of_minimum(bench, brewster_angle),
+    spoiled: |bench| distance_of_minimum(bench, |n_i, n_t| brewster_angle(n_t, n_i)),
+    slip: "the angle of the way back",
+};
+
+fn distance_of_minimum(bench: &mut Bench, angle: fn(f64, f64) -> f64) -> Measured {
+    let own = interface(bench.setting);
+    let media = [(1.0, 1.33), (1.0, 1.5), (1.0, 2.4), (1.5, 1.0), (1.0, 4.0), (own.n_i, own.n_t.re)];
+    Measured::worst(media.into_iter().filter(|(n_i, n_t)| n_i != n_t).map(|(n_i, n_t)| {
+        // Below the critical angle there is one minimum; beyond it R = 1.
+        let last = light::optics::fresnel::critical_angle(n_i, n_t).unwrap_or(FRAC_PI_2);
+        let root = |theta: f64| powers(Incidence::from_angle(theta), n_i, n_t.into()).r_p.sqrt();
+        let found = super::golden_section(root, 0.0, last);
+        (found - angle(n_i, n_t), format!("n {n_i} → {n_t}"))
+    }))
+}
+
+const RIGHT_ANGLE: Check = Check {
+    id: "right_angle",
+    claim: "there the reflected and the refracted ray stand at right angles",
+    rows: &["C11"],
+    route: "Snell's law at the angle that the arctangent gives",
+    bound: Bound::AtMost { limit: 8.0, unit: "ε", why: "a handful of roundings of angles below π/2" },
+    measure: |_| out_of_square(brewster_angle),
+    spoiled: |_| out_of_square(|n_i, n_t| (n_t / n_i).atan2(1.0) + 1e-9),
+    slip: "an angle off by a nanoradian",
+};
+
+fn out_of_square(angle: fn(f64, f64) -> f64) -> Measured {
+    let media = [(1.0, 1.33), (1.0, 1.5), (1.0, 2.4), (1.5, 1.0), (1.0, 4.0), (1.33, 1.5)];
+    Measured::worst(media.map(|(n_i, n_t)| {
+        let theta = angle(n_i, n_t);
+        let refracted = refract(Incidence::from_angle(theta), n_i, n_t).map_or(f64::NAN, |(sin, cos)| sin.atan2(cos));
+        ((theta + refracted - FRAC_PI_2) / f64::EPSILON, format!("n {n_i} → {n_t}"))
+    }))
+}
+
+fn zeros(setting: &Setting) -> Plot {
+    let own = interface(setting);
+    let media = [("water", 1.334), ("glass", 1.519), ("sapphire", 1.770), ("diamond", 2.423)];
+    let reflectance = |n_i: f64, n_t: light::Complex64| {
+        let brewster = brewster_angle(n_i, n_t.re).to_degrees();
+        super::over_angle_near(brewster, move |incidence| powers(incidence, n_i, n_t).r_p)
+    };
+    let mut chart = Chart::new(
+        "",
+        Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
+        Axis::log("R_p", "").range(1e-10, 1.0),
+    );
+    for (at, (name, n)) in media.into_iter().enumerate() {
+        chart = chart.line(Hue::Nth(at as u8), format!("{name}, n = {n}"), reflectance(1.0, n.into()));
+    }
+    chart = chart.dashed(Hue::Natural, "the setting", reflectance(own.n_i, own.n_t));
+    Plot::of("Where p is not reflected", chart)
+}

@@ -1,0 +1,279 @@
+//! C10: where the formulas as written lose their digits, and the form that does not.
+
+use super::extremes::{describe, families, ours, worst_cases};
+use super::{INTERFACE, interface};
+use crate::figure::{Axis, Map, Panel, Plot, Ramp};
+use crate::setting::Setting;
+use crate::vocabulary::{Expects, Extreme, Figure, Heat, Lane, Quantity, Race, Step, Stress, digits};
+use light::Complex64;
+use light::evidence::fresnel::{Exact, Input, NAMES};
+use light::optics::fresnel::{natural_reflectance, natural_reflectance_absorbing, powers};
+use light::optics::textbook::{self, natural_reflectance_by_cosines};
+use light::optics::{Direction, Incidence};
+use light::precise;
+use light::sampling::uniform;
+
+pub(super) const STEP: Step = Step {
+    id: "digits",
+    title: "Digits lost, digits kept",
+    says: "As written the formulas are 0/0 at normal incidence and cancel between similar media; one identity cures both.",
+    rows: &["C10"],
+    parameters: INTERFACE,
+    statements: &[],
+    derivations: &[],
+    readout: Some(readout),
+    checks: &[],
+    stress: &[Stress {
+        id: "promise",
+        claim: "over more than ten thousand inputs chosen to break it, every output stays within 16 ε(1+κ)",
+        rows: &["C10", "C13", "C14"],
+        textbook: "E36–E42 as written",
+        reference: "256-bit arithmetic; κ from difference quotients with a relative step of 1e−30",
+        cases: |_| families().iter().flat_map(worst_cases).collect(),
+    }],
+    races: &[FORMS, FORMS_ABSORBING],
+    figures: &[Figure {
+        id: "digits_lost",
+        says: "Digits of R_n kept by the formula as written, by the cosines most renderers use, and by the program.",
+        rows: &["C10"],
+        plot: digits_lost,
+    }],
+};
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let input = interface(setting);
+    let exact = Exact::new(&input);
+    let at = NAMES.iter().position(|name| *name == "R_n").expect("an output");
+    let condition = exact.conditions()[at];
+    let written = textbook::powers(setting.number("theta"), input.n_i, input.n_t).r_n();
+    let kept = |value: f64| digits(precise::relative_error(value, &exact.outputs[at]));
+    let all = [
+        ("digits_written", "as written", "decimal digits of R_n that E42 keeps here", kept(written)),
+        ("digits_kept", "the program", "decimal digits of R_n that the program keeps here", kept(ours(&input)[at])),
+        ("condition", "κ", "condition number of R_n: what the inputs' own rounding is multiplied by", condition),
+    ];
+    all.map(|(key, symbol, says, value)| Quantity { key, symbol, says, value, unit: "1" }).into()
+}
+
+/// How many evaluations make a heat, and how many of them are held against arbitrary precision.
+const BATCH: u64 = 4096;
+const JUDGED: usize = 48;
+
+const FORMS: Race = Race {
+    id: "forms",
+    claim: "the form that keeps its digits is also the fastest: R_n between clear media",
+    rows: &["C10", "E42"],
+    work: "evaluations of R_n",
+    reference: "worst relative error against 256-bit arithmetic over angles down to 1e−9 and contrasts down to 1e−9",
+    lanes: &[
+        Lane {
+            id: "written",
+            label: "E42 as written",
+            works: &[BATCH],
+            expects: BREAKS,
+            repeats: 1,
+            prepare: |bench, work| {
+                clear(bench, work, |cosines, n_t, out| {
+                    for (out, cos) in out.iter_mut().zip(cosines) {
+                        *out = by_angles(cos.acos(), n_t);
+                    }
+                })
+            },
+        },
+        Lane {
+            id: "cosines",
+            label: "cosines",
+            works: &[BATCH],
+            expects: BREAKS,
+            repeats: 1,
+            prepare: |bench, work| {
+                clear(bench, work, |cosines, n_t, out| {
+                    for (out, cos) in out.iter_mut().zip(cosines) {
+                        *out = natural_reflectance_by_cosines(*cos, 1.0, n_t);
+                    }
+                })
+            },
+        },
+        Lane {
+            id: "single",
+            label: "the program, one by one",
+            works: &[BATCH],
+            expects: KEEPS,
+            repeats: 1,
+            prepare: |bench, work| {
+                clear(bench, work, |cosines, n_t, out| {
+                    for (out, cos) in out.iter_mut().zip(cosines) {
+                        *out = powers(Incidence::from_cos(*cos), 1.0, n_t.into()).r_n();
+                    }
+                })
+            },
+        },
+        Lane {
+            id: "batch",
+            label: "the program, in a batch",
+            works: &[BATCH],
+            expects: KEEPS,
+            repeats: 1,
+            prepare: |bench, work| clear(bench, work, |cosines, n_t, out| natural_reflectance(cosines, 1.0, n_t, out)),
+        },
+    ],
+};
+
+const FORMS_ABSORBING: Race = Race {
+    id: "forms_absorbing",
+    claim: "the same into metals",
+    rows: &["C10"],
+    work: "evaluations of R_n",
+    reference: "worst relative error against 256-bit arithmetic over gold, a trace of absorption and k = 100",
+    lanes: &[
+        Lane {
+            id: "written",
+            label: "complex angles",
+            works: &[BATCH],
+            expects: BREAKS,
+            repeats: 1,
+            prepare: |bench, work| {
+                absorbing(bench, work, |cosines, n_t, out| {
+                    for (out, cos) in out.iter_mut().zip(cosines) {
+                        *out = textbook::powers(cos.acos(), 1.0, n_t).r_n();
+                    }
+                })
+            },
+        },
+        Lane {
+            id: "batch",
+            label: "the program, in a batch",
+            works: &[BATCH],
+            expects: KEEPS,
+            repeats: 1,
+            prepare: |bench, work| {
+                absorbing(bench, work, |cosines, n_t, out| natural_reflectance_absorbing(cosines, 1.0, n_t, out))
+            },
+        },
+    ],
+};
+
+const BREAKS: Expects =
+    Expects::Breaks { limit: 1e-10, why: "differences of nearly equal numbers, and 0/0 at normal incidence" };
+const KEEPS: Expects =
+    Expects::Within { limit: 64.0 * f64::EPSILON, why: "a dozen roundings, times a few where p nearly vanishes" };
+
+/// E42 with real angles, the fastest way to write it down.
+fn by_angles(theta: f64, n_t: f64) -> f64 {
+    let theta_t = (theta.sin() / n_t).asin();
+    let (difference, sum) = (theta - theta_t, theta + theta_t);
+    let (s, p) = (difference.sin() / sum.sin(), difference.tan() / sum.tan());
+    0.5 * (s * s + p * p)
+}
+
+fn clear(bench: &mut crate::vocabulary::Bench, work: u64, fill: fn(&[f64], f64, &mut [f64])) -> Heat {
+    let media = [1.5, 2.4, 1.0 + 1e-9, 4.0].map(|n_t| (n_t, 0.0));
+    heat(bench, work, &media, move |cosines, n_t, out| fill(cosines, n_t.re, out))
+}
+
+fn absorbing(bench: &mut crate::vocabulary::Bench, work: u64, fill: fn(&[f64], Complex64, &mut [f64])) -> Heat {
+    heat(bench, work, &[(0.42, 2.47), (1.0 + 1e-9, 1e-12), (2.0, 100.0), (1.5, 1e-6)], fill)
+}
+
+/// A batch of evenly and of logarithmically spread angles for each medium in turn; the error is the worst over a
+/// sample of them.
+fn heat(
+    bench: &mut crate::vocabulary::Bench,
+    work: u64,
+    media: &[(f64, f64)],
+    mut fill: impl FnMut(&[f64], Complex64, &mut [f64]) + 'static,
+) -> Heat {
+    let media: Vec<Complex64> = media.iter().map(|&(n, k)| Complex64::new(n, k)).collect();
+    let share = work as usize / media.len();
+    let mut cosines: Vec<f64> = (0..share)
+        .map(|at| match at % 2 {
+            0 => uniform(&mut bench.stream, 0.01, 1.0),
+            _ => 10f64.powf(uniform(&mut bench.stream, -9.0, 0.0)).cos(),
+        })
+        .collect();
+    cosines[0] = 1.0;
+    let judged: Vec<usize> = (0..JUDGED / media.len()).map(|at| at * share * media.len() / JUDGED).collect();
+    let (inputs, indices) = (cosines.clone(), media.clone());
+    let mut out = vec![0.0; share * media.len()];
+    Heat {
+        run: Box::new(move || {
+            for (n_t, part) in media.iter().zip(out.chunks_exact_mut(share)) {
+                fill(&cosines, *n_t, part);
+            }
+            out.clone()
+        }),
+        error: Box::new(move |results| {
+            let at = NAMES.iter().position(|name| *name == "R_n").expect("an output");
+            let errors = indices
+                .iter()
+                .enumerate()
+                .flat_map(|(medium, n_t)| judged.iter().map(move |case| (medium, n_t, *case)));
+            let worst = errors.map(|(medium, n_t, case)| {
+                let exact = Exact::new(&Input { direction: Direction::Cos(inputs[case]), n_i: 1.0, n_t: *n_t });
+                precise::relative_error(results[medium * share + case], &exact.outputs[at])
+            });
+            worst.fold(0.0, |worst: f64, error| if error.total_cmp(&worst).is_gt() { error } else { worst })
+        }),
+    }
+}
+
+const COLUMNS: usize = 72;
+const ROWS: usize = 54;
+
+fn digits_lost(_: &Setting) -> Plot {
+    let forms: [(&str, fn(f64, f64) -> f64); 3] = [
+        ("as written (E42)", |cos, n_t| by_angles(cos.acos(), n_t)),
+        ("by the cosines", |cos, n_t| natural_reflectance_by_cosines(cos, 1.0, n_t)),
+        ("the program", |cos, n_t| powers(Incidence::from_cos(cos), 1.0, n_t.into()).r_n()),
+    ];
+    let at = NAMES.iter().position(|name| *name == "R_n").expect("an output");
+    let cell = |column: usize, row: usize| {
+        let angle = 10f64.powf(-10.0 + 10.0 * (column as f64 + 0.5) / COLUMNS as f64);
+        let contrast = 10f64.powf(-12.0 + 12.0 * (row as f64 + 0.5) / ROWS as f64);
+        (angle.cos(), 1.0 + contrast)
+    };
+    let cells: Vec<(f64, f64)> = (0..ROWS)
+        .flat_map(|row| (0..COLUMNS).map(move |column| (column, row)))
+        .map(|(column, row)| cell(column, row))
+        .collect();
+    let exact: Vec<_> = cells
+        .iter()
+        .map(|&(cos, n_t)| Exact::new(&Input { direction: Direction::Cos(cos), n_i: 1.0, n_t: n_t.into() }))
+        .collect();
+    let panels = forms.map(|(title, form)| {
+        let kept = |(&(cos, n_t), exact): (&(f64, f64), &Exact)| {
+            let value = form(cos, n_t);
+            if value.is_finite() { digits(precise::relative_error(value, &exact.outputs[at])) } else { f64::NAN }
+        };
+        Panel::Map(Map {
+            title: title.into(),
+            x: Axis::log("angle of incidence θ_1", "rad").range(1e-10, 1.0),
+            y: Axis::log("contrast n_2/n_1 − 1", "").range(1e-12, 1.0),
+            colour: Axis::linear("decimal digits kept", "").range(0.0, 16.0).tick(4.0),
+            ramp: Ramp::Sequential,
+            columns: COLUMNS,
+            values: cells.iter().zip(&exact).map(kept).collect(),
+            marks: Vec::new(),
+        })
+    });
+    Plot::grid("Digits of R_n kept, of the sixteen there are", 3, panels.into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_grid_is_as_large_as_it_claims() {
+        let inputs: Vec<Input> = families().into_iter().flat_map(|family| family.inputs).collect();
+        assert!(inputs.len() >= 10_000, "{}", inputs.len());
+        let nan: Vec<_> = inputs.iter().filter(|input| ours(input).iter().any(|x| x.is_nan())).map(describe).collect();
+        assert!(nan.is_empty(), "{nan:?}");
+    }
+
+    #[test]
+    fn the_promise_is_kept() {
+        let broken: Vec<Extreme> = families().iter().flat_map(worst_cases).filter(|case| !case.holds()).collect();
+        assert!(broken.is_empty(), "{broken:?}");
+    }
+}

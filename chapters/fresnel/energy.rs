@@ -1,0 +1,163 @@
+//! E43: nothing is lost at a clear interface.
+
+use super::extremes::{self, cases_against, describe};
+use super::symbols::{K, N_1, N_2, THETA_1, THETA_2};
+use super::{INTERFACE, incidence, interface};
+use crate::setting::Setting;
+use crate::vocabulary::{Bench, Bound, Check, Derivation, Extreme, Measured, Quantity, Statement, Step, Stress};
+use light::Complex64;
+use light::equation::derivation::Chain;
+use light::equation::expr::{cos, sin, tan};
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::evidence::fresnel::{Input, NAMES};
+use light::optics::fresnel::{Powers, amplitudes, powers};
+use light::optics::{Direction, Incidence};
+use std::f64::consts::FRAC_PI_2;
+
+const R_N: Symbol = Symbol::scalar("R_n", Dimension::ONE);
+const T_N: Symbol = Symbol::scalar("T_n", Dimension::ONE);
+
+pub(super) const STEP: Step = Step {
+    id: "energy",
+    title: "What is not reflected is transmitted",
+    says: "At a clear interface the two shares make one, for s, for p and for natural light.",
+    rows: &["E43"],
+    parameters: INTERFACE,
+    statements: &[Statement {
+        id: "balance",
+        says: "energy is conserved",
+        rows: &["E43"],
+        equation: || Equation::new(R_N + T_N, Expr::from(1)),
+    }],
+    derivations: &[
+        Derivation {
+            id: "s",
+            says: "R_s + T_s from E36, E37 and E41",
+            rows: &["E43"],
+            chain: || s_balance(N_2 * cos(THETA_2) / (N_1 * cos(THETA_1))),
+            spoiled: || s_balance(Expr::from(1)),
+            slip: "T taken as t²",
+        },
+        Derivation {
+            id: "p",
+            says: "R_p + T_p from E39, E40 and E41",
+            rows: &["E43"],
+            chain: || p_balance(N_2 * cos(THETA_2) / (N_1 * cos(THETA_1))),
+            spoiled: || p_balance(Expr::from(1)),
+            slip: "T taken as t²",
+        },
+    ],
+    readout: Some(readout),
+    checks: &[R_PLUS_T],
+    stress: &[Stress {
+        id: "small_transmittance",
+        claim: "T keeps its digits where it is small, because it is computed by itself",
+        rows: &["E43"],
+        textbook: "T = 1 − R, as most programs have it",
+        reference: "E41 in 256 bits",
+        cases: small_transmittances,
+    }],
+    races: &[],
+    figures: &[],
+};
+
+fn snell(start: Expr) -> Chain {
+    Chain::new(start).given(N_1, K * sin(THETA_2), "Snell").given(N_2, K * sin(THETA_1), "Snell")
+}
+
+fn s_balance(weight: Expr) -> Chain {
+    let (sum, difference) = (sin(THETA_1 + THETA_2).pow(2), sin(THETA_1 - THETA_2).pow(2));
+    let through = (2 * sin(THETA_2) * cos(THETA_1) / sin(THETA_1 + THETA_2)).pow(2);
+    snell(&difference / &sum + weight * through)
+        .because("r_s² + (n₂cosθ₂/n₁cosθ₁) t_s²")
+        .then(
+            (&difference + sin(2 * THETA_1) * sin(2 * THETA_2)) / &sum,
+            ["Snell", "double angle", "common denominator"],
+        )
+        .then(&sum / &sum, ["square of a sum"])
+        .then(Expr::from(1), ["cancel"])
+}
+
+fn p_balance(weight: Expr) -> Chain {
+    let (sum, difference) = (THETA_1 + THETA_2, THETA_1 - THETA_2);
+    let whole = (sin(&sum) * cos(&difference)).pow(2);
+    let through = (2 * sin(THETA_2) * cos(THETA_1) / (sin(&sum) * cos(&difference))).pow(2);
+    snell((tan(&difference) / tan(&sum)).pow(2) + weight * through)
+        .because("r_p² + (n₂cosθ₂/n₁cosθ₁) t_p²")
+        .then(
+            ((sin(&difference) * cos(&sum)).pow(2) + sin(2 * THETA_1) * sin(2 * THETA_2)) / &whole,
+            ["Snell", "tan = sin/cos", "common denominator"],
+        )
+        .then(
+            ((sin(2 * THETA_1) - sin(2 * THETA_2)).pow(2) + 4 * sin(2 * THETA_1) * sin(2 * THETA_2))
+                / (sin(2 * THETA_1) + sin(2 * THETA_2)).pow(2),
+            ["product to sum"],
+        )
+        .then(Expr::from(1), ["square of a sum"])
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let input = interface(setting);
+    let powers = powers(incidence(setting), input.n_i, input.n_t);
+    let all = [
+        ("R_n", "R_n", "reflected share of natural light", powers.r_n()),
+        ("T_n", "T_n", "transmitted share of natural light", powers.t_n()),
+        ("sum", "R_n + T_n", "their sum", powers.r_n() + powers.t_n()),
+    ];
+    all.map(|(key, symbol, says, value)| Quantity { key, symbol, says, value, unit: "1" }).into()
+}
+
+const R_PLUS_T: Check = Check {
+    id: "r_plus_t",
+    claim: "R + T = 1 at every angle, into the glass and out of it, for s, p and natural light",
+    rows: &["E43"],
+    route: "R from the reflected, T from the transmitted wave alone; conservation joins them",
+    bound: Bound::AtMost { limit: 8.0, unit: "ε", why: "about ten roundings of numbers near 1" },
+    measure: |bench| imbalance(bench, powers),
+    spoiled: |bench| {
+        imbalance(bench, |incidence, n_i, n_t| {
+            let a = amplitudes(incidence, n_i, n_t);
+            Powers { t_s: a.t_s.norm_sqr(), t_p: a.t_p.norm_sqr(), ..powers(incidence, n_i, n_t) }
+        })
+    },
+    slip: "T taken as |t|²",
+};
+
+fn imbalance(bench: &mut Bench, powers: fn(Incidence, f64, Complex64) -> Powers) -> Measured {
+    let own = interface(bench.setting);
+    let indices = [0.01, 0.3, 0.75, 1.0 - 1e-12, 1.0 + 1e-12, 1.33, 1.5, 2.4, 4.0, 100.0];
+    let pairs = indices.map(|n_t| (1.0, Complex64::from(n_t))).into_iter().chain([(own.n_i, own.n_t)]);
+    let angles = (0..=200).map(|step| f64::from(step) / 200.0 * FRAC_PI_2).map(Direction::Angle);
+    let grazing = (0..20).map(|power| Direction::Grazing(10f64.powi(-power)));
+    let directions: Vec<_> = angles.chain(grazing).collect();
+    Measured::worst(
+        pairs.flat_map(|(n_i, n_t)| directions.iter().map(move |&direction| Input { direction, n_i, n_t })).flat_map(
+            |input| {
+                let p = powers(input.direction.into(), input.n_i, input.n_t);
+                let sums = [("s", p.r_s + p.t_s), ("p", p.r_p + p.t_p), ("natural", p.r_n() + p.t_n())];
+                sums.map(|(name, sum)| ((sum - 1.0) / f64::EPSILON, format!("{name}, {}", describe(&input))))
+            },
+        ),
+    )
+}
+
+fn small_transmittances(setting: &Setting) -> Vec<Extreme> {
+    let clear = |direction, n_i: f64, n_t: f64| Input { direction, n_i, n_t: n_t.into() };
+    let inputs = [
+        interface(setting),
+        clear(Direction::Grazing(1e-6), 1.0, 1.5),
+        clear(Direction::Grazing(1e-18), 1.0, 1.5),
+        clear(Direction::Angle(0.2), 1.0, 1e6),
+        clear(Direction::Angle(0.0), 1.0, 1e-6),
+        clear(Direction::Grazing(1e-40), 2.0, 3.0),
+    ];
+    let by_difference = |input: &Input| {
+        let mut outputs = extremes::ours(input);
+        for at in [9, 11, 13] {
+            outputs[at] = 1.0 - outputs[at - 1];
+        }
+        outputs
+    };
+    debug_assert_eq!([NAMES[9], NAMES[11], NAMES[13]], ["T_s", "T_p", "T_n"]);
+    cases_against(&["T_s", "T_p", "T_n"], &inputs, by_difference)
+}

@@ -1,0 +1,290 @@
+//! E42: natural light.
+
+use super::extremes::cases;
+use super::symbols::{THETA_1, THETA_2};
+use super::{INTERFACE, incidence, interface, over_angle, over_angle_near, sample_inputs};
+use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::setting::Setting;
+use crate::vocabulary::{
+    Bench, Bound, Check, Derivation, Expects, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step, Stress,
+};
+use light::equation::derivation::Chain;
+use light::equation::expr::{ratio, sin, tan};
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::evidence::fresnel::Input;
+use light::evidence::quadrature::gauss_legendre;
+use light::optics::fresnel::{
+    Amplitudes, amplitudes, brewster_angle, critical_angle, diffuse_reflectance, natural_reflectance, powers,
+};
+use light::optics::{Direction, Incidence};
+use light::sampling::uniform;
+use std::f64::consts::TAU;
+
+const R_N: Symbol = Symbol::scalar("R_n", Dimension::ONE);
+const R_S: Symbol = Symbol::scalar("R_s", Dimension::ONE);
+const R_P: Symbol = Symbol::scalar("R_p", Dimension::ONE);
+
+pub(super) const STEP: Step = Step {
+    id: "natural",
+    title: "Natural light",
+    says: "Light of every polarisation at once reflects as the mean of s and p: powers are averaged, not fields.",
+    rows: &["E42"],
+    parameters: INTERFACE,
+    statements: &[Statement {
+        id: "reflectance",
+        says: "reflected share of natural light",
+        rows: &["E42"],
+        equation: || Equation::new(R_N, natural()),
+    }],
+    derivations: &[Derivation {
+        id: "mean",
+        says: "the mean of R_s and R_p, with E36 and E39",
+        rows: &["E42"],
+        chain: || mean(natural()),
+        spoiled: || {
+            mean(
+                ((tan(THETA_1 - THETA_2) / tan(THETA_1 + THETA_2) - sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2))
+                    / 2)
+                .pow(2),
+            )
+        },
+        slip: "the mean of the fields, squared",
+    }],
+    readout: Some(|setting| {
+        let input = interface(setting);
+        let powers = powers(incidence(setting), input.n_i, input.n_t);
+        vec![
+            Quantity {
+                key: "R_n",
+                symbol: "R_n",
+                says: "reflected share of natural light",
+                value: powers.r_n(),
+                unit: "1",
+            },
+            Quantity { key: "T_n", symbol: "T_n", says: "transmitted share", value: powers.t_n(), unit: "1" },
+            Quantity {
+                key: "polarisation",
+                symbol: "(R_s−R_p)/(R_s+R_p)",
+                says: "degree of polarisation of the reflected light",
+                value: (powers.r_s - powers.r_p) / (powers.r_s + powers.r_p),
+                unit: "1",
+            },
+        ]
+    }),
+    checks: &[EVERY_AZIMUTH, WALSH],
+    stress: &[Stress {
+        id: "normal_and_alike",
+        claim: "R_n keeps its digits at normal incidence and between nearly equal media",
+        rows: &["E42"],
+        textbook: "½[sin²(θ₁−θ₂)/sin²(θ₁+θ₂) + tan²(θ₁−θ₂)/tan²(θ₁+θ₂)]",
+        reference: "256 bits",
+        cases: |setting| {
+            let clear = |direction, n_i: f64, n_t: f64| Input { direction, n_i, n_t: n_t.into() };
+            let inputs = [
+                interface(setting),
+                clear(Direction::Angle(0.0), 1.0, 1.5),
+                clear(Direction::Cos(1.0 - 1e-16), 1.0, 1.5),
+                clear(Direction::Angle(0.5), 1.0, 1.0 + 1e-9),
+                clear(Direction::Angle(0.5), 1.0, 1.0 + 1e-15),
+                clear(Direction::Grazing(1e-6), 1.0, 1.0 + 1e-12),
+                clear(Direction::Angle(0.5), 1.5, 1.5 - 1e-12),
+            ];
+            cases(&["R_n"], &inputs)
+        },
+    }],
+    races: &[HEMISPHERE],
+    figures: &[Figure {
+        id: "reflectance",
+        says: "R_s, R_p, R_n and T_n against the angle, into the medium and out of it.",
+        rows: &["E42"],
+        plot: reflectance,
+    }],
+};
+
+fn natural() -> Expr {
+    let (sum, difference) = (THETA_1 + THETA_2, THETA_1 - THETA_2);
+    ratio(1, 2) * (sin(&difference).pow(2) / sin(&sum).pow(2) + tan(&difference).pow(2) / tan(&sum).pow(2))
+}
+
+fn mean(last: Expr) -> Chain {
+    let (sum, difference) = (THETA_1 + THETA_2, THETA_1 - THETA_2);
+    Chain::new(ratio(1, 2) * (R_S + R_P))
+        .because("equal power in s and p, and no fixed phase between them")
+        .given(R_S, (-(sin(&difference) / sin(&sum))).pow(2), "E36")
+        .given(R_P, (tan(&difference) / tan(&sum)).pow(2), "E39")
+        .then(last, ["E41: R = r²", "E36", "E39"])
+}
+
+const EVERY_AZIMUTH: Check = Check {
+    id: "every_azimuth",
+    claim: "R_n is the mean over all directions of polarisation",
+    rows: &["E42"],
+    route: "fields polarised at 16 azimuths, each split into s and p, reflected, and its power summed",
+    bound: Bound::AtMost {
+        limit: 16.0,
+        unit: "ε",
+        why: "the trapezoid rule is exact for cos², so only rounding is left",
+    },
+    measure: |bench| over_azimuths(bench, |a, cos, sin| (a.r_s * cos).norm_sqr() + (a.r_p * sin).norm_sqr()),
+    spoiled: |bench| over_azimuths(bench, |a, cos, sin| (a.r_s * cos + a.r_p * sin).norm_sqr()),
+    slip: "the fields of s and p are added although they stand at right angles",
+};
+
+fn over_azimuths(bench: &mut Bench, power: fn(&Amplitudes, f64, f64) -> f64) -> Measured {
+    const AZIMUTHS: u32 = 16;
+    Measured::worst(sample_inputs(bench.setting).into_iter().map(|input| {
+        let incidence = Incidence::from(input.direction);
+        let a = amplitudes(incidence, input.n_i, input.n_t);
+        // A quarter turn: the mean of cos² over it is that over the whole.
+        let azimuths = (0..AZIMUTHS).map(|at| (f64::from(at) + 0.5) / f64::from(AZIMUTHS) * TAU / 4.0);
+        let mean = azimuths.map(|azimuth| power(&a, azimuth.cos(), azimuth.sin())).sum::<f64>() / f64::from(AZIMUTHS);
+        let difference = mean - powers(incidence, input.n_i, input.n_t).r_n();
+        (difference / f64::EPSILON, super::extremes::describe(&input))
+    }))
+}
+
+const WALSH: Check = Check {
+    id: "diffuse",
+    claim: "under an even sky the interface reflects what Walsh's closed form says",
+    rows: &["E42"],
+    route: "64-point Gauss–Legendre quadrature of R_n over the hemisphere against Walsh's closed form of 1926",
+    bound: Bound::AtMost {
+        limit: 1e-12,
+        unit: "1",
+        why: "the quadrature converges geometrically; the closed form's terms reach 100 and cancel",
+    },
+    measure: |_| against_walsh(|cos| 2.0 * cos),
+    spoiled: |_| against_walsh(|_| 1.0),
+    slip: "the cosine of the even sky is forgotten",
+};
+
+fn against_walsh(weight: fn(f64) -> f64) -> Measured {
+    let rule = gauss_legendre(64);
+    Measured::worst([1.2, 1.33, 1.5, 1.8, 2.4, 4.0].map(|n| {
+        let mean: f64 = rule.iter().map(|&(cos, w)| w * weight(cos) * single(cos, n)).sum();
+        (mean - diffuse_reflectance(n), format!("n = {n}"))
+    }))
+}
+
+fn single(cos: f64, n: f64) -> f64 {
+    let mut out = [0.0];
+    natural_reflectance(&[cos], 1.0, n, &mut out);
+    out[0]
+}
+
+/// The relative index of the race.
+const GLASS: f64 = 1.5;
+
+const HEMISPHERE: Race = Race {
+    id: "hemisphere",
+    claim: "the mean reflectance under an even sky: what a smooth rule gains over dice",
+    rows: &["E42"],
+    work: "evaluations of R_n",
+    reference: "relative error against Walsh's closed form, n = 1.5",
+    lanes: &[
+        Lane {
+            id: "monte_carlo",
+            label: "Monte Carlo",
+            works: &[16, 64, 256, 1024, 4096, 16384],
+            expects: Expects::Order { order: 0.5, tolerance: 0.15 },
+            repeats: 32,
+            prepare: |bench, work| {
+                let cosines: Vec<f64> = (0..work).map(|_| uniform(&mut bench.stream, 0.0, 1.0)).collect();
+                even(cosines)
+            },
+        },
+        Lane {
+            id: "golden_ratio",
+            label: "golden-ratio sequence",
+            works: &[16, 64, 256, 1024, 4096, 16384],
+            expects: Expects::Order { order: 1.0, tolerance: 0.35 },
+            repeats: 32,
+            prepare: |bench, work| {
+                // Weyl's sequence of the golden ratio from a random start (Cranley–Patterson rotation).
+                let start = uniform(&mut bench.stream, 0.0, 1.0);
+                let golden = 0.5 * (5f64.sqrt() - 1.0);
+                even((0..work).map(|at| (start + at as f64 * golden).fract()).collect())
+            },
+        },
+        Lane {
+            id: "midpoint",
+            label: "midpoint rule",
+            works: &[8, 32, 128, 512, 2048, 8192],
+            expects: Expects::Order { order: 2.0, tolerance: 0.2 },
+            repeats: 1,
+            prepare: |_, work| even((0..work).map(|at| (at as f64 + 0.5) / work as f64).collect()),
+        },
+        Lane {
+            id: "gauss",
+            label: "Gauss–Legendre",
+            works: &[4, 8, 16, 32, 64],
+            expects: Expects::Within { limit: 1e-3, why: "four points already do what a thousand dice do" },
+            repeats: 1,
+            prepare: |_, work| mean_of(gauss_legendre(work as usize)),
+        },
+    ],
+};
+
+fn even(cosines: Vec<f64>) -> Heat {
+    let weight = 1.0 / cosines.len() as f64;
+    mean_of(cosines.into_iter().map(|cos| (cos, weight)).collect())
+}
+
+/// Σ w 2 cos θ R_n(cos θ), timed; its relative error against Walsh, not timed.
+fn mean_of(rule: Vec<(f64, f64)>) -> Heat {
+    let (cosines, weights): (Vec<f64>, Vec<f64>) = rule.into_iter().unzip();
+    let mut values = vec![0.0; cosines.len()];
+    Heat {
+        run: Box::new(move || {
+            natural_reflectance(&cosines, 1.0, GLASS, &mut values);
+            vec![
+                cosines
+                    .iter()
+                    .zip(&weights)
+                    .zip(&values)
+                    .map(|((cos, weight), value)| weight * 2.0 * cos * value)
+                    .sum(),
+            ]
+        }),
+        error: Box::new(|mean| (mean[0] / diffuse_reflectance(GLASS) - 1.0).abs()),
+    }
+}
+
+fn reflectance(setting: &Setting) -> Plot {
+    let input = interface(setting);
+    let panel = |n_i: f64, n_t: light::Complex64| {
+        let clear = n_t.im == 0.0;
+        let critical = if clear { critical_angle(n_i, n_t.re) } else { None };
+        let curve = |share: fn(&light::optics::fresnel::Powers) -> f64| {
+            let value = |incidence| share(&powers(incidence, n_i, n_t));
+            critical.map_or_else(|| over_angle(value), |angle| over_angle_near(angle.to_degrees(), value))
+        };
+        let title = if clear {
+            format!("n {n_i:.4} → {:.4}", n_t.re)
+        } else {
+            format!("n {n_i:.4} → {:.4} + {:.4}i", n_t.re, n_t.im)
+        };
+        let mut chart = Chart::new(
+            title,
+            Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
+            Axis::linear("share of the power", "").range(0.0, 1.0),
+        )
+        .line(Hue::S, "R_s", curve(|p| p.r_s))
+        .line(Hue::P, "R_p", curve(|p| p.r_p))
+        .line(Hue::Natural, "R_n", curve(|p| p.r_n()))
+        .dashed(Hue::Transmitted, "T_n", curve(|p| p.t_n()));
+        if clear && n_t.re != n_i {
+            chart = chart.at_x(brewster_angle(n_i, n_t.re).to_degrees(), "θ_B");
+        }
+        if let Some(angle) = critical {
+            chart = chart.at_x(angle.to_degrees(), "θ_c");
+        }
+        chart
+    };
+    let mut panels = vec![panel(input.n_i, input.n_t).into()];
+    if input.n_t.im == 0.0 && input.n_t.re != input.n_i {
+        panels.push(panel(input.n_t.re, input.n_i.into()).into());
+    }
+    let columns = panels.len();
+    Plot::grid("Reflectance and transmittance", columns, panels)
+}

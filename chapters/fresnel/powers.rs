@@ -1,0 +1,129 @@
+//! E41: what share of the power goes each way.
+
+use super::extremes::{cases, describe};
+use super::fields::{Polarisation, flow, waves};
+use super::symbols::{E_1, E_2, N_1, N_2, T_S, THETA_1, THETA_2, Z_0};
+use super::{INTERFACE, incidence, interface, sample_inputs};
+use crate::setting::Setting;
+use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step, Stress};
+use light::equation::derivation::Chain;
+use light::equation::expr::{abs, cos, dot};
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::evidence::fresnel::Input;
+use light::optics::fresnel::{Amplitudes, Powers, amplitudes, powers};
+use light::optics::{Direction, Incidence};
+
+const REFLECTANCE: Symbol = Symbol::scalar("R", Dimension::ONE);
+const TRANSMITTANCE: Symbol = Symbol::scalar("T", Dimension::ONE);
+const NORMAL: Symbol = Symbol::vector("n", Dimension::ONE);
+const S_I: Symbol = Symbol::vector("S_i", Dimension::WATT_PER_SQUARE_METRE);
+const S_R: Symbol = Symbol::vector("S_r", Dimension::WATT_PER_SQUARE_METRE);
+const S_T: Symbol = Symbol::vector("S_t", Dimension::WATT_PER_SQUARE_METRE);
+
+pub(super) const STEP: Step = Step {
+    id: "powers",
+    title: "Shares of the power",
+    says: "Power through the interface counts the normal component of the energy flow: T is not |t|².",
+    rows: &["E41"],
+    parameters: INTERFACE,
+    statements: &[
+        Statement {
+            id: "reflectance",
+            says: "reflected share, as magnitudes: the reflected flow runs backwards",
+            rows: &["E41"],
+            equation: || Equation::new(REFLECTANCE, abs(dot(NORMAL, S_R)) / abs(dot(NORMAL, S_I))),
+        },
+        Statement {
+            id: "transmittance",
+            says: "transmitted share",
+            rows: &["E41"],
+            equation: || Equation::new(TRANSMITTANCE, abs(dot(NORMAL, S_T)) / abs(dot(NORMAL, S_I))),
+        },
+        Statement {
+            id: "from_amplitudes",
+            says: "between clear media: slower light carries more power per field, in a narrower or wider beam",
+            rows: &["E41"],
+            equation: || Equation::new(TRANSMITTANCE, N_2 * cos(THETA_2) / (N_1 * cos(THETA_1)) * T_S.pow(2)),
+        },
+    ],
+    derivations: &[Derivation {
+        id: "from_poynting",
+        says: "mean flow ½ n E²/Z₀ times the cosine, transmitted over incident",
+        rows: &["E41"],
+        chain: || poynting_ratio(N_2 * cos(THETA_2) / (N_1 * cos(THETA_1)) * T_S.pow(2)),
+        spoiled: || poynting_ratio(T_S.pow(2)),
+        slip: "T taken as t²",
+    }],
+    readout: Some(readout),
+    checks: &[FLOW],
+    stress: &[Stress {
+        id: "grazing",
+        claim: "R and T keep their digits at grazing incidence, normal incidence and near equal indices",
+        rows: &["E41"],
+        textbook: "|r|² and (n₂cosθ₂/n₁cosθ₁)|t|² from the angles",
+        reference: "the amplitudes in 256 bits",
+        cases: |setting| cases(&["R_s", "T_s", "R_p", "T_p"], &hard_inputs(setting)),
+    }],
+    races: &[],
+    figures: &[],
+};
+
+fn poynting_ratio(last: Expr) -> Chain {
+    let flow = |n: Symbol, field: Symbol, angle: Symbol| n * field.pow(2) / (2 * Z_0) * cos(angle);
+    Chain::new(flow(N_2, E_2, THETA_2) / flow(N_1, E_1, THETA_1))
+        .because("n·S_t over n·S_i, with mean flows n E²/(2 Z₀)")
+        .given(E_2, T_S * E_1, "definition of t")
+        .then(last, ["definition of t", "cancel E₁² and 2 Z₀"])
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let input = interface(setting);
+    let Powers { r_s, t_s, r_p, t_p } = powers(incidence(setting), input.n_i, input.n_t);
+    let all = [
+        ("R_s", "R_s", "reflected, s", r_s),
+        ("T_s", "T_s", "transmitted, s", t_s),
+        ("R_p", "R_p", "reflected, p", r_p),
+        ("T_p", "T_p", "transmitted, p", t_p),
+    ];
+    all.map(|(key, symbol, says, value)| Quantity { key, symbol, says, value, unit: "1" }).into()
+}
+
+const FLOW: Check = Check {
+    id: "flow",
+    claim: "R and T are the normal flows of energy, reflected and transmitted over incident",
+    rows: &["E41"],
+    route: "Re(E×H*) of the three waves' field vectors, normal component",
+    bound: Bound::AtMost { limit: 32.0, unit: "ε", why: "two dozen roundings in the fields and their products" },
+    measure: |bench| against_flow(bench, |_, powers| powers),
+    spoiled: |bench| against_flow(bench, |a, powers| Powers { t_s: a.t_s.norm_sqr(), t_p: a.t_p.norm_sqr(), ..powers }),
+    slip: "T taken as |t|²",
+};
+
+fn against_flow(bench: &mut Bench, amend: fn(&Amplitudes, Powers) -> Powers) -> Measured {
+    Measured::worst(sample_inputs(bench.setting).iter().flat_map(|input| {
+        let incidence = Incidence::from(input.direction);
+        let a = amplitudes(incidence, input.n_i, input.n_t);
+        let powers = amend(&a, powers(incidence, input.n_i, input.n_t));
+        let shares = [(Polarisation::S, powers.r_s, powers.t_s), (Polarisation::P, powers.r_p, powers.t_p)];
+        shares.into_iter().flat_map(move |(polarisation, r, t)| {
+            let [incident, reflected, transmitted] =
+                waves(polarisation, incidence, input.n_i, input.n_t, &a).map(|wave| flow(&wave));
+            [("R", r + reflected / incident), ("T", t - transmitted / incident)].map(|(name, difference)| {
+                (difference / f64::EPSILON, format!("{name}, {polarisation:?}, {}", describe(input)))
+            })
+        })
+    }))
+}
+
+fn hard_inputs(setting: &Setting) -> Vec<Input> {
+    let clear = |direction, n_i: f64, n_t: f64| Input { direction, n_i, n_t: n_t.into() };
+    vec![
+        interface(setting),
+        clear(Direction::Angle(0.0), 1.0, 1.5),
+        clear(Direction::Angle(0.7), 1.0, 1.0 + 1e-12),
+        clear(Direction::Grazing(1e-20), 1.0, 1.5),
+        clear(Direction::Grazing(1e-9), 1.5, 1.5 + 1e-12),
+        clear(Direction::Angle(0.3), 1.0, 1e6),
+        Input { direction: Direction::Grazing(1e-12), n_i: 1.0, n_t: light::Complex64::new(0.2, 3.4) },
+    ]
+}

@@ -1,0 +1,258 @@
+//! The command line: the only place that knows clap.
+
+use crate::figures::Format;
+use crate::run::Parts;
+use crate::stop::Stop;
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum, ValueHint};
+use clap_complete::Shell;
+use std::path::PathBuf;
+
+/// What was asked for.
+#[derive(Debug)]
+pub enum Request {
+    /// The table of contents.
+    Contents,
+    /// A chapter, a step, an item, or everything.
+    Lesson(Lesson),
+    /// The lecture's rows.
+    Coverage { json: bool },
+    /// One call of a checked function.
+    Eval { function: String, arguments: Vec<(String, String)> },
+    /// A stream of calls.
+    EvalLines { function: String },
+    /// What can be called.
+    Functions { json: bool },
+    /// A script for the shell.
+    Completions(Vec<u8>),
+}
+
+/// What to do with which part of the curriculum.
+#[derive(Debug)]
+pub struct Lesson {
+    /// Chapter, step, or address.
+    pub words: Vec<String>,
+    /// Parts asked for by flags.
+    pub parts: Parts,
+    /// Whether figures are written.
+    pub plot: bool,
+    /// Where to.
+    pub out: PathBuf,
+    /// As what.
+    pub format: Format,
+    /// `--set`, in order.
+    pub changes: Vec<(String, String)>,
+    /// One JSON document instead of text.
+    pub json: bool,
+}
+
+/// Reads the command line; ends the process for `--help`, `--version` and what clap refuses.
+pub fn parse() -> Result<Request, Stop> {
+    let cli = Cli::parse();
+    match cli.command {
+        None if cli.lesson.chapter.is_none() => match cli.lesson.is_bare() {
+            true => Ok(Request::Contents),
+            false => Err(Stop::at("chapter", "missing: these options need one, or `all`")),
+        },
+        None => Ok(Request::Lesson(cli.lesson.into())),
+        Some(Command::Coverage { json }) => Ok(Request::Coverage { json }),
+        Some(Command::Eval(eval)) => eval.into_request(),
+        Some(Command::Completions { shell }) => Ok(Request::Completions(completions(shell))),
+    }
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  lesson                                   what there is
+  lesson fresnel                           walk through a chapter
+  lesson fresnel brewster                  one step
+  lesson fresnel/energy/r_plus_t           one check, by its address
+  lesson fresnel --plot                    check everything and write every figure
+  lesson fresnel --plot --set n_t=gold --set wavelength=550nm --out figures
+  lesson fresnel --check --stress --race --json > report.json
+  lesson all --check                       does it all still hold?
+  lesson eval fresnel n1=1 n2=1.5 theta1=56.3deg
+  lesson eval fresnel --json-lines < inputs.jsonl > outputs.jsonl
+  lesson coverage                          which rows of the lecture have what evidence
+
+On a terminal the walk is read with Enter (or n, space) for the next step, b for back,
+p to plot the step's figures, and q to leave.
+
+Exit status: 0 if everything holds, 1 if a check broke, 2 if it could not run.";
+
+/// A lecture on the physics of rendering that proves itself.
+#[derive(Debug, Parser)]
+#[command(name = "lesson", version, after_help = EXAMPLES, args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    lesson: LessonArgs,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// The lecture's rows: chapter, steps, and which evidence each has or still lacks.
+    Coverage {
+        /// As one JSON document.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Call a checked function, once or for every line of JSON on standard input.
+    #[command(after_help = EVAL_EXAMPLES)]
+    Eval(EvalArgs),
+    /// Print a completion script for a shell.
+    ///
+    /// For bash: lesson completions bash > ~/.local/share/bash-completion/completions/lesson
+    Completions {
+        /// The shell.
+        shell: Shell,
+    },
+}
+
+const EVAL_EXAMPLES: &str = "\
+Examples:
+  lesson eval --list
+  lesson eval fresnel n1=1 n2=1.5 theta1=56.3deg
+  lesson eval thin-film lambda_nm=550 n0=1 theta0=0 pol=s 'layers=[{\"n\":1.38,\"k\":0,\"d_nm\":99.6}]' 'substrate={\"n\":1.52,\"k\":0}'
+  echo '{\"n1\":1,\"n2\":1.5,\"theta1\":\"56.3deg\"}' | lesson eval fresnel --json-lines
+
+Every output is printed as `name value` with 17 significant digits, so that the double survives.
+With --json-lines a bad line gives {\"error\": …} in its place, and the exit status is 2 at the end.";
+
+#[derive(Debug, Args)]
+struct LessonArgs {
+    /// A chapter, an address such as fresnel/energy/r_plus_t, or `all`; without one, the table of contents.
+    chapter: Option<String>,
+    /// A step of the chapter, and perhaps one item of the step.
+    #[arg(num_args = 0..=3)]
+    step: Vec<String>,
+    /// Only the checks: units, derivations, and everything that a number could refute.
+    #[arg(long)]
+    check: bool,
+    /// Only the extreme cases: reference, textbook form and ours, with the digits each keeps.
+    #[arg(long)]
+    stress: bool,
+    /// Only the races: error against run time.
+    #[arg(long)]
+    race: bool,
+    /// Write the figures and print their paths; alone it also runs the checks and the races, and draws those too.
+    #[arg(long)]
+    plot: bool,
+    /// Folder for the figures.
+    #[arg(long, value_name = "DIR", default_value = "lesson-out", value_hint = ValueHint::DirPath)]
+    out: PathBuf,
+    /// Format of the figures.
+    #[arg(long, value_enum, default_value = "png")]
+    format: FormatArg,
+    /// Change a parameter of the selected steps: n_t=2.4, n_t=gold, theta=56.3deg, wavelength=550nm.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+    set: Vec<(String, String)>,
+    /// The report as one JSON document on standard output.
+    #[arg(long)]
+    json: bool,
+}
+
+impl LessonArgs {
+    fn is_bare(&self) -> bool {
+        !(self.check || self.stress || self.race || self.plot || self.json) && self.set.is_empty()
+    }
+}
+
+impl From<LessonArgs> for Lesson {
+    fn from(args: LessonArgs) -> Self {
+        Self {
+            words: args.chapter.into_iter().chain(args.step).collect(),
+            parts: Parts { checks: args.check, stress: args.stress, races: args.race },
+            plot: args.plot,
+            out: args.out,
+            format: match args.format {
+                FormatArg::Png => Format::Png,
+                FormatArg::Svg => Format::Svg,
+            },
+            changes: args.set,
+            json: args.json,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum FormatArg {
+    /// Pixels.
+    Png,
+    /// Vectors.
+    Svg,
+}
+
+#[derive(Debug, Args)]
+struct EvalArgs {
+    /// The function; `--list` names them all.
+    #[arg(required_unless_present = "list")]
+    function: Option<String>,
+    /// Its inputs: a number, a text with a unit such as 56.3deg, or JSON for structured fields.
+    #[arg(value_name = "NAME=VALUE", value_parser = assignment, conflicts_with_all = ["json_lines", "list"])]
+    arguments: Vec<(String, String)>,
+    /// Read one JSON object a line from standard input and write one a line, in order.
+    #[arg(long, conflicts_with = "list")]
+    json_lines: bool,
+    /// Document every function: inputs, units, domains, outputs.
+    #[arg(long)]
+    list: bool,
+    /// With --list: as one JSON document.
+    #[arg(long, requires = "list")]
+    json: bool,
+}
+
+impl EvalArgs {
+    fn into_request(self) -> Result<Request, Stop> {
+        Ok(match self.function {
+            _ if self.list => Request::Functions { json: self.json },
+            Some(function) if self.json_lines => Request::EvalLines { function },
+            Some(function) => Request::Eval { function, arguments: self.arguments },
+            None => return Err(Stop::at("function", "missing; `lesson eval --list` names them")),
+        })
+    }
+}
+
+/// Reads `NAME=VALUE`.
+fn assignment(text: &str) -> Result<(String, String), String> {
+    let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
+    if name.is_empty() || value.is_empty() {
+        return Err("expected NAME=VALUE with both sides filled".to_owned());
+    }
+    Ok((name.to_owned(), value.to_owned()))
+}
+
+/// The script for `shell`. It knows chapters, their steps, and functions by name, as if they were commands.
+fn completions(shell: Shell) -> Vec<u8> {
+    let options = || LessonArgs::augment_args(clap::Command::new("")).get_opts().cloned().collect::<Vec<_>>();
+    let word = |name, about| clap::Command::new(name).about(about).disable_help_flag(true).args(options());
+    let chapters = chapters::CURRICULUM.iter().map(|chapter| {
+        word(chapter.id, chapter.title).subcommands(chapter.steps.iter().map(|step| word(step.id, step.title)))
+    });
+    let functions = chapters::CURRICULUM.iter().flat_map(|chapter| chapter.functions);
+    let functions = functions.map(|function| clap::Command::new(function.name).disable_help_flag(true));
+    let mut command = Cli::command()
+        .subcommands(chapters.chain([word("all", "Every chapter in order")]))
+        .mut_subcommand("eval", |eval| eval.subcommands(functions).disable_help_subcommand(true));
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut command, "lesson", &mut script);
+    script
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn assignments_need_both_sides() {
+        assert_eq!(assignment("layers=[{\"n\":1}]=x"), Ok(("layers".into(), "[{\"n\":1}]=x".into())));
+        for bad in ["theta", "=1", "theta="] {
+            assert!(assignment(bad).is_err(), "{bad}");
+        }
+    }
+}

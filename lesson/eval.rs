@@ -1,0 +1,272 @@
+//! `lesson eval`: the checked functions for scripts.
+
+use crate::page::{Page, Tone};
+use crate::report::Number;
+use crate::stop::{Stop, did_you_mean, plain};
+use crate::text::full;
+use chapters::CURRICULUM;
+use chapters::function::{Argument, Arguments, Function, Input};
+use chapters::setting::excerpt;
+use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
+use serde_json::json;
+use std::fmt;
+use std::io::{self, BufRead, BufReader, BufWriter, Write, stdin, stdout};
+use std::process::ExitCode;
+
+fn functions() -> impl Iterator<Item = &'static Function> {
+    CURRICULUM.iter().flat_map(|chapter| chapter.functions)
+}
+
+fn find(name: &str) -> Result<&'static Function, Stop> {
+    let wanted = plain(name);
+    functions().find(|function| plain(function.name) == wanted).ok_or_else(|| {
+        let names: Vec<_> = functions().map(|function| function.name).collect();
+        let hint = did_you_mean(name, names.iter().copied());
+        Stop::at(excerpt(name), format!("no such function{hint}. There is: {}", names.join(", ")))
+    })
+}
+
+/// One call: a line `name value` for each output.
+pub fn once(name: &str, given: &[(String, String)]) -> Result<String, Stop> {
+    let function = find(name)?;
+    let given: Result<Vec<_>, Stop> =
+        given.iter().map(|(name, text)| Ok((name.clone(), argument(name, text)?))).collect();
+    let outputs = call(function, &given?)?;
+    Ok(outputs.iter().map(|(name, value)| format!("{name} {}\n", full(Number(*value)))).collect())
+}
+
+fn call(function: &Function, given: &[(String, Argument)]) -> Result<Vec<(&'static str, f64)>, Stop> {
+    Ok((function.call)(&Arguments::new(function, given)?)?)
+}
+
+/// A value as the command line gives it: JSON if it looks structured, a number, or text.
+fn argument(name: &str, text: &str) -> Result<Argument, Stop> {
+    if text.starts_with(['[', '{', '"']) {
+        return serde_json::from_str(text)
+            .map(|Json(argument)| argument)
+            .map_err(|error| Stop::at(excerpt(name), reason(&error)));
+    }
+    Ok(match text.parse() {
+        Ok(number) if f64::is_finite(number) => Argument::Number(number),
+        _ => Argument::Text(text.to_owned()),
+    })
+}
+
+/// The longest line that is read [byte].
+const LONGEST: usize = 16 << 20;
+
+/// One call for every line of standard input, in order; a bad line leaves a record of its error.
+pub fn lines(name: &str) -> Result<ExitCode, Stop> {
+    let function = find(name)?;
+    let mut input = BufReader::with_capacity(1 << 16, stdin().lock());
+    let mut output = BufWriter::with_capacity(1 << 16, stdout().lock());
+    let all_good = answer(function, &mut input, &mut output)?;
+    output.flush().map_err(Stop::writing)?;
+    Ok(if all_good { ExitCode::SUCCESS } else { ExitCode::from(2) })
+}
+
+/// Answers `input` line by line; whether every line was good.
+fn answer<R: io::Read>(function: &Function, input: &mut BufReader<R>, output: &mut impl Write) -> Result<bool, Stop> {
+    let (mut line, mut number, mut all_good) = (Vec::new(), 0_u64, true);
+    loop {
+        // Whoever waits for an answer before the next question gets it.
+        if !input.buffer().contains(&b'\n') {
+            output.flush().map_err(Stop::writing)?;
+        }
+        let read = read_line(input, &mut line).map_err(|error| Stop::at("standard input", error))?;
+        let Some(whole) = read else { return Ok(all_good) };
+        number += 1;
+        if line.iter().all(u8::is_ascii_whitespace) {
+            continue;
+        }
+        let answer = if whole { parse(&line) } else { Err(format!("longer than {} MiB", LONGEST >> 20)) };
+        let answer = answer.and_then(|given| {
+            call(function, &given).map_err(|stop| match stop {
+                Stop::Refused(message) => message,
+                Stop::ClosedPipe => unreachable!("a function writes nothing"),
+            })
+        });
+        all_good &= answer.is_ok();
+        write_answer(output, number, answer).map_err(Stop::writing)?;
+    }
+}
+
+fn write_answer(
+    output: &mut impl Write,
+    number: u64,
+    answer: Result<Vec<(&'static str, f64)>, String>,
+) -> io::Result<()> {
+    match answer {
+        Ok(outputs) => {
+            for (at, (name, value)) in outputs.iter().enumerate() {
+                output.write_all(if at == 0 { b"{\"" } else { b",\"" })?;
+                output.write_all(name.as_bytes())?;
+                output.write_all(b"\":")?;
+                serde_json::to_writer(&mut *output, &Number(*value))?;
+            }
+            output.write_all(b"}\n")
+        }
+        Err(message) => writeln!(output, "{}", json!({ "error": format!("line {number}: {message}") })),
+    }
+}
+
+/// Reads a line without its end into `line`: `Some(false)` if it was too long to keep, `None` at the end of input.
+fn read_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<Option<bool>> {
+    line.clear();
+    let (mut whole, mut any) = (true, false);
+    loop {
+        let chunk = match input.fill_buf() {
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            other => other?,
+        };
+        if chunk.is_empty() {
+            return Ok(any.then_some(whole));
+        }
+        any = true;
+        let end = chunk.iter().position(|byte| *byte == b'\n');
+        let part = &chunk[..end.unwrap_or(chunk.len())];
+        if line.len() + part.len() > LONGEST {
+            // The rest is skipped, not held; a byte remains, so that the line does not count as empty.
+            whole = false;
+            line.clear();
+            line.push(b'.');
+        }
+        if whole {
+            line.extend_from_slice(part);
+        }
+        let used = part.len() + usize::from(end.is_some());
+        input.consume(used);
+        if end.is_some() {
+            return Ok(Some(whole));
+        }
+    }
+}
+
+fn parse(line: &[u8]) -> Result<Vec<(String, Argument)>, String> {
+    match serde_json::from_slice(line) {
+        Ok(Json(Argument::Record(fields))) => Ok(fields),
+        Ok(_) => Err("must be a JSON object such as {\"n1\": 1}".to_owned()),
+        Err(error) => Err(reason(&error)),
+    }
+}
+
+/// serde_json's message, with the place inside the line only.
+fn reason(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    let message = text.split(" at line ").next().unwrap_or(&text);
+    format!("{message} (column {})", error.column())
+}
+
+/// JSON as the functions take it: numbers, texts, lists and records.
+struct Json(Argument);
+
+impl<'de> Deserialize<'de> for Json {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(Reader).map(Self)
+    }
+}
+
+struct Reader;
+
+impl<'de> Visitor<'de> for Reader {
+    type Value = Argument;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a number, a text, a list or an object")
+    }
+
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Argument, E> {
+        Ok(Argument::Number(value))
+    }
+
+    fn visit_u64<E: de::Error>(self, value: u64) -> Result<Argument, E> {
+        Ok(Argument::Number(value as f64))
+    }
+
+    fn visit_i64<E: de::Error>(self, value: i64) -> Result<Argument, E> {
+        Ok(Argument::Number(value as f64))
+    }
+
+    fn visit_str<E: de::Error>(self, value: &str) -> Result<Argument, E> {
+        Ok(Argument::Text(value.to_owned()))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Argument, A::Error> {
+        let mut list = Vec::new();
+        while let Some(Json(item)) = items.next_element()? {
+            list.push(item);
+        }
+        Ok(Argument::List(list))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Argument, A::Error> {
+        let mut fields: Vec<(String, Argument)> = Vec::new();
+        while let Some(name) = entries.next_key::<String>()? {
+            if fields.iter().any(|(earlier, _)| *earlier == name) {
+                return Err(de::Error::custom(format_args!("`{}` given twice", excerpt(&name))));
+            }
+            let Json(value) = entries.next_value()?;
+            fields.push((name, value));
+        }
+        Ok(Argument::Record(fields))
+    }
+}
+
+/// Every function with its inputs and outputs.
+pub fn list(page: &mut Page) {
+    for function in functions() {
+        page.gap();
+        page.wrap(0, 4, &[(Tone::Heading, function.name), (Tone::Plain, "  "), (Tone::Plain, function.says)]);
+        page.line(2, Tone::Strong, "takes");
+        for input in function.inputs {
+            field(page, input.name, input.unit, input.says, &limits(input));
+        }
+        page.line(2, Tone::Strong, "gives");
+        for output in function.outputs {
+            field(page, output.name, output.unit, output.says, "");
+        }
+    }
+    page.gap();
+}
+
+fn field(page: &mut Page, name: &str, unit: &str, says: &str, limits: &str) {
+    let unit = if unit.is_empty() { String::new() } else { format!("[{unit}]") };
+    let head = format!("{name:<14} ");
+    page.wrap(
+        4,
+        19,
+        &[(Tone::Code, &head), (Tone::Plain, says), (Tone::Plain, " "), (Tone::Dim, &unit), (Tone::Dim, limits)],
+    );
+}
+
+fn limits(input: &Input) -> String {
+    let domain = input.domain.map_or(String::new(), |(min, max)| format!(", {min} to {max}"));
+    let default = input.default.map_or(String::new(), |value| format!(", {value} if left out"));
+    domain + &default
+}
+
+/// The same as one JSON document.
+pub fn list_json() -> String {
+    let functions: Vec<_> = functions()
+        .map(|function| {
+            let inputs: Vec<_> = function
+                .inputs
+                .iter()
+                .map(|input| {
+                    let domain = input.domain.map(|(min, max)| [Number(min), Number(max)]);
+                    json!({
+                        "name": input.name, "says": input.says, "unit": input.unit,
+                        "domain": domain, "default": input.default,
+                    })
+                })
+                .collect();
+            let outputs: Vec<_> = function
+                .outputs
+                .iter()
+                .map(|output| json!({ "name": output.name, "says": output.says, "unit": output.unit }))
+                .collect();
+            json!({ "name": function.name, "says": function.says, "inputs": inputs, "outputs": outputs })
+        })
+        .collect();
+    format!("{:#}\n", json!({ "functions": functions }))
+}

@@ -1,0 +1,262 @@
+//! A frame with ticks, grid, axis labels, and the names of reference lines.
+
+use super::canvas::{Anchor, Canvas, Frame, Place};
+use super::marks::Plane;
+use super::palette::{AID, GRID, INK};
+use super::ticks::{Extent, Tick};
+use super::{TEXT, text};
+use chapters::figure::{Axis, Mark};
+use plotters::style::text_anchor::{HPos, VPos};
+
+const TICK: f64 = 6.0;
+const MINOR: f64 = 3.5;
+/// Between a tick and its label, and a label and the next thing.
+const GAP: f64 = 5.0;
+/// Height of a line of text with its leading.
+const LINE: f64 = 20.0;
+/// Smallest margin, half of which keeps thick strokes off the edge.
+const LEAST: f64 = 10.0;
+
+/// Rows in which names may stand above the frame.
+const ROWS: usize = 3;
+/// Steps of the search for places for the names: ample for a handful, and an end for a hundred.
+const PATIENCE: usize = 20_000;
+
+/// Room that a panel keeps free of the frame for something else.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Spare {
+    /// To the right of the frame.
+    pub right: f64,
+    /// Under the label of the horizontal axis.
+    pub below: f64,
+}
+
+/// A pair of axes laid out.
+pub struct Axes<'a> {
+    /// Where the curves go.
+    pub frame: Frame,
+    /// The axes in numbers.
+    pub plane: Plane,
+    x: &'a Axis,
+    y: &'a Axis,
+    x_ticks: Vec<Tick>,
+    y_ticks: Vec<Tick>,
+    names: Vec<Name<'a>>,
+}
+
+/// The name of a vertical reference line, above the frame.
+#[derive(Clone, Copy)]
+struct Name<'a> {
+    label: &'a str,
+    x: f64,
+    row: usize,
+    place: Frame,
+}
+
+impl<'a> Axes<'a> {
+    /// Lays axes out in `room`, keeping `spare` free.
+    pub fn new(x: &'a Axis, y: &'a Axis, plane: Plane, marks: &'a [Mark], room: &Frame, spare: Spare) -> Self {
+        let beneath = TICK + GAP + LINE + label_height(x) + spare.below;
+        let y_ticks = ticks(&plane.y, y, room.height() - beneath - LEAST, Direction::Up);
+        let left = label_height(y) + widest(&y_ticks) + GAP + TICK + 2.0;
+        let x_ticks = ticks(&plane.x, x, room.width() - left - spare.right - LEAST, Direction::Across);
+        let overhang =
+            x_ticks.iter().filter(|tick| tick.at > 0.9).map(|tick| tick_width(tick) / 2.0).fold(0.0, f64::max);
+        let right = spare.right + LEAST.max(overhang + 2.0);
+        let mut frame = Frame {
+            left: (room.left + left).ceil(),
+            top: room.top + LEAST,
+            right: (room.right - right).floor(),
+            bottom: (room.bottom - beneath).floor(),
+        };
+        frame.right = frame.right.max(frame.left + 1.0);
+        let x_ticks = ticks(&plane.x, x, frame.width(), Direction::Across);
+        let mut names = names(&plane, marks, &frame, room);
+        let rows = names.iter().map(|name| name.row + 1).max().unwrap_or(0);
+        frame.top = (frame.top + rows as f64 * LINE).ceil();
+        frame.bottom = frame.bottom.max(frame.top + 1.0);
+        for name in &mut names {
+            let bottom = frame.top - GAP - name.row as f64 * LINE;
+            name.place = Frame { bottom, top: bottom - text::CAPITAL * TEXT, ..name.place };
+        }
+        Self { frame, plane, x, y, x_ticks, y_ticks, names }
+    }
+
+    /// Grid lines, for behind the curves.
+    pub fn draw_grid(&self, canvas: &Canvas) {
+        let frame = &self.frame;
+        for tick in self.x_ticks.iter().filter(|tick| tick.label.is_some()) {
+            canvas.line(frame.place(tick.at, 0.0), frame.place(tick.at, 1.0), GRID, 1.0);
+        }
+        for tick in self.y_ticks.iter().filter(|tick| tick.label.is_some()) {
+            canvas.line(frame.place(0.0, tick.at), frame.place(1.0, tick.at), GRID, 1.0);
+        }
+    }
+
+    /// Frame, ticks, labels and names, for over the curves.
+    pub fn draw(&self, canvas: &Canvas) {
+        let frame = &self.frame;
+        canvas.outline(frame, INK, 1.0);
+        for tick in &self.x_ticks {
+            let (x, y) = frame.place(tick.at, 0.0);
+            canvas.line((x, y), (x, y + tick_length(tick)), INK, 1.0);
+            if let Some(label) = &tick.label {
+                let anchor = Anchor(HPos::Center, VPos::Bottom);
+                canvas.text(label, (x, y + TICK + GAP + LINE - GAP), anchor, TEXT, INK);
+            }
+        }
+        for tick in &self.y_ticks {
+            draw_y_tick(canvas, frame.place(0.0, tick.at), tick, -1.0);
+        }
+        let (middle, under) = (frame.place(0.5, 0.0).0, frame.bottom + TICK + GAP + LINE);
+        let label = full_label(self.x);
+        let size = fitted(&label, frame.width() + 60.0);
+        canvas.text(&label, (middle, under + LINE - 4.0), Anchor(HPos::Center, VPos::Bottom), size, INK);
+        let label = full_label(self.y);
+        let across = frame.left - TICK - GAP - widest(&self.y_ticks) - 10.0;
+        let size = fitted(&label, frame.height() + 40.0);
+        let anchor = Anchor(HPos::Center, VPos::Bottom);
+        canvas.text_upwards(&label, (across, frame.place(0.0, 0.5).1), anchor, size, INK);
+        for name in &self.names {
+            canvas.line((name.x, frame.top), (name.x, frame.top - GAP / 2.0 - name.row as f64 * LINE), AID, 1.2);
+            let place = (name.place.left, name.place.bottom);
+            canvas.text(name.label, place, Anchor(HPos::Left, VPos::Bottom), TEXT, AID);
+        }
+    }
+}
+
+/// Name and unit of an axis.
+pub fn full_label(axis: &Axis) -> String {
+    match (axis.label.as_str(), axis.unit.as_str()) {
+        (label, "") => label.to_owned(),
+        (label, unit) => format!("{label} [{unit}]").trim_start().to_owned(),
+    }
+}
+
+/// Size at which a label is no longer than `limit`, down to two thirds.
+pub fn fitted(label: &str, limit: f64) -> f64 {
+    TEXT * (limit / text::width(label, TEXT).max(1e-9)).clamp(0.66, 1.0)
+}
+
+fn label_height(axis: &Axis) -> f64 {
+    if full_label(axis).is_empty() { 0.0 } else { LINE + 4.0 }
+}
+
+fn tick_length(tick: &Tick) -> f64 {
+    if tick.label.is_some() { TICK } else { MINOR }
+}
+
+fn tick_width(tick: &Tick) -> f64 {
+    tick.label.as_ref().map_or(0.0, |label| text::width(label, TEXT))
+}
+
+/// Width of the widest label.
+pub fn widest(ticks: &[Tick]) -> f64 {
+    ticks.iter().map(tick_width).fold(0.0, f64::max)
+}
+
+/// Width that ticks and their labels take beside a vertical axis.
+pub fn tick_room(ticks: &[Tick]) -> f64 {
+    widest(ticks) + TICK + GAP
+}
+
+/// A tick and its label to the left (−1) or right (+1) of a vertical axis.
+pub fn draw_y_tick(canvas: &Canvas, (x, y): Place, tick: &Tick, side: f64) {
+    canvas.line((x, y), (x + side * tick_length(tick), y), INK, 1.0);
+    if let Some(label) = &tick.label {
+        let align = if side < 0.0 { HPos::Right } else { HPos::Left };
+        canvas.text(label, (x + side * (TICK + GAP), y), Anchor(align, VPos::Center), TEXT, INK);
+    }
+}
+
+/// Which way an axis runs.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// From left to right.
+    Across,
+    /// From bottom to top.
+    Up,
+}
+
+/// As many ticks as `length` has room for without their labels touching.
+pub fn ticks(extent: &Extent, axis: &Axis, length: f64, direction: Direction) -> Vec<Tick> {
+    let (pitch, gap) = if direction == Direction::Across { (66.0, 12.0) } else { (38.0, 5.0) };
+    let size = |tick: &Tick| if direction == Direction::Across { tick_width(tick) } else { TEXT };
+    let apart = |a: &Tick, b: &Tick| (b.at - a.at) * length >= (size(a) + size(b)) / 2.0 + gap;
+    let most = ((length / pitch) as usize).clamp(2, 12);
+    let tried = (2..=most).rev().map(|count| extent.ticks(count, axis.tick));
+    let mut ticks = tried
+        .into_iter()
+        .find(|ticks| {
+            let labelled: Vec<&Tick> = ticks.iter().filter(|tick| tick.label.is_some()).collect();
+            labelled.windows(2).all(|pair| apart(pair[0], pair[1]))
+        })
+        .unwrap_or_else(|| extent.ticks(2, axis.tick));
+    // A step that was asked for stays; labels that would touch the one before are left out.
+    let mut last: Option<Tick> = None;
+    for tick in ticks.iter_mut().filter(|tick| tick.label.is_some()) {
+        if last.as_ref().is_none_or(|last| apart(last, tick)) {
+            last = Some(tick.clone());
+        } else {
+            tick.label = None;
+        }
+    }
+    ticks
+}
+
+/// Places the names of vertical reference lines above the frame, clear of each other and of each other's lines.
+fn names<'a>(plane: &Plane, marks: &'a [Mark], frame: &Frame, room: &Frame) -> Vec<Name<'a>> {
+    let mut lines: Vec<(f64, &str)> = marks.iter().filter_map(|mark| at_x(plane, mark)).collect();
+    lines.retain(|(_, label)| !label.is_empty());
+    lines.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let candidates: Vec<Vec<Name>> = lines
+        .into_iter()
+        .map(|(fraction, label)| {
+            let (x, width) = (frame.place(fraction, 0.0).0, text::width(label, TEXT));
+            let places = (0..ROWS).flat_map(|row| [0.5, 0.0, 1.0].map(|share| (row, x - share * width)));
+            let names = places.map(|(row, left)| {
+                let left = left.min(room.right - width).max(room.left);
+                Name { label, x, row, place: Frame { left, right: left + width, top: 0.0, bottom: 0.0 } }
+            });
+            names.collect()
+        })
+        .collect();
+    let mut chosen = Vec::new();
+    if !choose(&candidates, &mut chosen, &mut { PATIENCE }) {
+        chosen = candidates.iter().map(|names| names[0]).collect();
+    }
+    chosen
+}
+
+/// Chooses one of each list such that all are apart, the earlier candidates first; gives up out of patience.
+fn choose<'a>(candidates: &[Vec<Name<'a>>], chosen: &mut Vec<Name<'a>>, patience: &mut usize) -> bool {
+    let Some(names) = candidates.get(chosen.len()) else { return true };
+    for name in names {
+        *patience = patience.saturating_sub(1);
+        if *patience > 0 && chosen.iter().all(|other| apart(name, other)) {
+            chosen.push(*name);
+            if choose(candidates, chosen, patience) {
+                return true;
+            }
+            chosen.pop();
+        }
+    }
+    false
+}
+
+/// Whether neither name touches the other or the line that leads to it.
+fn apart(a: &Name, b: &Name) -> bool {
+    let crosses = |line: &Name, name: &Name| {
+        line.row > name.row && name.place.left - GAP < line.x && line.x < name.place.right + GAP
+    };
+    let touches =
+        a.row == b.row && a.place.left < b.place.right + 2.0 * GAP && b.place.left < a.place.right + 2.0 * GAP;
+    !touches && !crosses(a, b) && !crosses(b, a)
+}
+
+/// Fraction of the axis and name of a vertical reference line within the frame.
+fn at_x<'a>(plane: &Plane, mark: &'a Mark) -> Option<(f64, &'a str)> {
+    let Mark::AtX { x, label } = mark else { return None };
+    let fraction = plane.x.fraction(*x);
+    (0.0..=1.0).contains(&fraction).then_some((fraction, label.as_str()))
+}

@@ -1,0 +1,180 @@
+//! Figures such as the chapters make, for looking at and for the tests.
+
+use chapters::figure::*;
+
+/// R_s, R_p, R_n of glass against angle.
+pub fn reflectance() -> Plot {
+    let curve = |power: fn(f64, f64) -> f64| {
+        (0..=360).map(|k| f64::from(k) / 4.0).map(|deg| [deg, power(deg.to_radians(), 1.5)]).collect::<Vec<_>>()
+    };
+    let brewster = 1.5f64.atan().to_degrees();
+    Plot::of(
+        "Glass in air: what is reflected",
+        Chart::new(
+            "",
+            Axis::linear("angle of incidence θ_i", "°").range(0.0, 90.0).tick(15.0),
+            Axis::linear("reflectance R", "").range(0.0, 1.0),
+        )
+        .line(Hue::S, "R_s", curve(|t, n| amplitudes(t, n).0.powi(2)))
+        .line(Hue::P, "R_p", curve(|t, n| amplitudes(t, n).1.powi(2)))
+        .dashed(
+            Hue::Natural,
+            "R_n = ½ (R_s + R_p)",
+            curve(|t, n| {
+                let (s, p) = amplitudes(t, n);
+                0.5 * (s * s + p * p)
+            }),
+        )
+        .at_x(brewster, "θ_B = 56.31°"),
+    )
+}
+
+fn amplitudes(theta: f64, n: f64) -> (f64, f64) {
+    let (cos_i, sin_t) = (theta.cos(), theta.sin() / n);
+    let cos_t = (1.0 - sin_t * sin_t).sqrt();
+    ((cos_i - n * cos_t) / (cos_i + n * cos_t), (n * cos_i - cos_t) / (n * cos_i + cos_t))
+}
+
+/// Error against run time of six methods.
+pub fn race() -> Plot {
+    let shapes = [Shape::Disc, Shape::Square, Shape::Triangle, Shape::Diamond, Shape::Cross, Shape::Ring];
+    let names = ["midpoint rule", "Gauss–Legendre", "Monte Carlo", "Sobol’ points", "adaptive Simpson", "closed form"];
+    let orders = [-2.0, -6.0, -0.5, -1.0, -4.0, 0.0];
+    let mut chart = Chart::new("", Axis::log("time", "s"), Axis::log("relative error", ""));
+    for (k, ((shape, name), order)) in shapes.into_iter().zip(names).zip(orders).enumerate() {
+        let points: Vec<[f64; 2]> = (0..9)
+            .map(|j| {
+                let work = 2f64.powi(j) * (1.0 + 0.4 * k as f64);
+                [work * 3e-8, (0.2 * work.powf(order) * (1.0 + 0.3 * (j as f64 * 2.3 + k as f64).sin())).max(2.2e-16)]
+            })
+            .collect();
+        chart = chart.with(Mark::Points { label: name.into(), hue: Hue::Nth(k as u8), shape, joined: true, points });
+    }
+    let slope = (0..2).map(|k| [10f64.powi(-7 + 2 * k), 10f64.powi(-1 - k)]).collect();
+    let chart =
+        chart.with(Mark::Line { label: "slope −½".into(), hue: Hue::Reference, dash: Dash::Dotted, points: slope });
+    Plot::of("Mean reflectance of a rough sea: error against time", chart.at_y(f64::EPSILON, "ε"))
+}
+
+/// Digits lost over two log axes, with places where nothing is left.
+pub fn digits() -> Plot {
+    let (columns, rows) = (160, 110);
+    let values = (0..rows).flat_map(|row| {
+        (0..columns).map(move |column| {
+            let (x, y) = (column as f64 / columns as f64, row as f64 / rows as f64);
+            if x + 1.2 * y > 1.75 {
+                f64::NAN
+            } else {
+                (16.0 * x * y + (37.0 * x).sin() * (23.0 * y).cos() * 0.6).clamp(0.0, 16.0)
+            }
+        })
+    });
+    let map = |title: &str| Map {
+        title: title.into(),
+        x: Axis::log("n_t/n_i − 1", "").range(1e-15, 1e3),
+        y: Axis::log("90° − θ_i", "rad").range(1e-16, 1.0),
+        colour: Axis::linear("digits lost", "").range(0.0, 16.0),
+        ramp: Ramp::Sequential,
+        columns,
+        values: values.clone().collect(),
+        marks: vec![
+            Mark::Line {
+                label: "r_p = 0".into(),
+                hue: Hue::P,
+                dash: Dash::Solid,
+                points: vec![[1e-15, 1e-2], [1e-3, 0.2], [1e3, 1e-3]],
+            },
+            Mark::AtX { x: 1e-8, label: "√ε".into() },
+            Mark::AtY { y: 1e-8, label: "half the digits".into() },
+        ],
+    };
+    Plot::of("Digits lost by the textbook form of R_p", map(""))
+}
+
+/// Signed error of an approximation over angle and index, in two colours.
+pub fn signed() -> Map {
+    let (columns, rows) = (90, 70);
+    let value = |row: usize, column: usize| {
+        let (theta, n) = ((column as f64 + 0.5) * 90.0 / 90.0, 1.05 + row as f64 * 0.04);
+        let (s, p) = amplitudes(theta.to_radians(), n);
+        let normal = ((n - 1.0) / (n + 1.0)).powi(2);
+        normal + (1.0 - normal) * (1.0 - theta.to_radians().cos()).powi(5) - 0.5 * (s * s + p * p)
+    };
+    Map {
+        title: "Schlick’s R minus the exact R_n".into(),
+        x: Axis::linear("θ_i", "°").range(0.0, 90.0).tick(30.0),
+        y: Axis::linear("n_t", "").range(1.05, 3.85),
+        colour: Axis::linear("error", "").range(-0.15, 0.15),
+        ramp: Ramp::Diverging,
+        columns,
+        values: (0..rows).flat_map(|row| (0..columns).map(move |column| value(row, column))).collect(),
+        marks: Vec::new(),
+    }
+}
+
+/// Four panels of different kinds.
+pub fn grid() -> Plot {
+    let wave = |phase: f64, damp: f64| -> Vec<[f64; 2]> {
+        (0..=400).map(|k| f64::from(k) / 100.0).map(|z| [z, (-damp * z).exp() * (6.0 * z - phase).cos()]).collect()
+    };
+    let waves = Chart::new("A damped wave", Axis::linear("depth z/δ", ""), Axis::linear("field", "V/m"))
+        .line(Hue::Nth(0), "E", wave(0.0, 1.0))
+        .line(Hue::Nth(1), "H · Z_0", wave(0.785, 1.0))
+        .at_y(0.0, "");
+    let spectrum: Vec<[f64; 2]> = (0..=300)
+        .map(|k| 380.0 + f64::from(k) * 1.5)
+        .map(|nm| [nm * 1e-9, 0.99 / (1.0 + (-(nm - 480.0) / 12.0).exp()) + 1e-3 * (nm / 9.0).sin()])
+        .collect();
+    let mirror = Chart::new("A stack of 21 films", Axis::linear("wavelength λ", "m"), Axis::linear("R", ""))
+        .line(Hue::Natural, "R", spectrum)
+        .at_x(5.32e-7, "532 nm")
+        .at_x(5.50e-7, "550 nm");
+    let noise = (0..2000).map(|k| [10f64.powf(f64::from(k) / 500.0), 1e-16 * f64::from(1 + k * 7919 % 97)]).collect();
+    let dots = Chart::new("Rounding", Axis::log("n", ""), Axis::log("error", ""))
+        .with(Mark::Points {
+            label: "2000 samples".into(),
+            hue: Hue::Ours,
+            shape: Shape::Disc,
+            joined: false,
+            points: noise,
+        })
+        .at_y(1.1e-16, "½ ε");
+    Plot::grid("Four panels", 2, vec![waves.into(), mirror.into(), dots.into(), signed().into()])
+}
+
+/// Two shaded spheres.
+pub fn spheres() -> Plot {
+    let sphere = |n: f64, side: usize| {
+        let pixel = |k: usize| {
+            let (x, y) = ((k % side) as f32 / side as f32 * 2.1 - 1.05, (k / side) as f32 / side as f32 * 2.1 - 1.05);
+            let z2 = 1.0 - x * x - y * y;
+            if z2 <= 0.0 {
+                return [0.85, 0.87, 0.9];
+            }
+            let (s, p) = amplitudes(f64::from(z2.sqrt()).acos(), n);
+            let r = (0.5 * (s * s + p * p)) as f32;
+            [r + 0.05 * (1.0 - y), r + 0.06 * (1.0 - y), r + 0.1 * (1.0 - y)]
+        };
+        Picture {
+            title: format!("n_t = {n}: bright only at the rim, as the mirror image takes over"),
+            width: side,
+            pixels: (0..side * side).map(pixel).collect(),
+        }
+    };
+    Plot::grid(
+        "A sphere of glass and one of diamond",
+        2,
+        vec![Panel::Picture(sphere(1.5, 256)), Panel::Picture(sphere(2.42, 100))],
+    )
+}
+
+/// Every figure with its file name.
+pub fn all() -> Vec<(&'static str, Plot)> {
+    vec![
+        ("reflectance", reflectance()),
+        ("race", race()),
+        ("digits", digits()),
+        ("grid", grid()),
+        ("spheres", spheres()),
+    ]
+}

@@ -1,0 +1,176 @@
+//! Colour maps with their colour bar.
+
+use super::axes::{self, Axes, Direction, Spare};
+use super::canvas::{Anchor, Canvas, Frame, Place};
+use super::chart;
+use super::key::Key;
+use super::marks::{self, Plane};
+use super::palette::{self, BROKEN, INK};
+use super::ticks::{Extent, Tick};
+use super::{TEXT, text};
+use chapters::figure::{Map, Mark, Ramp};
+use plotters::style::RGBColor;
+use plotters::style::text_anchor::{HPos, VPos};
+
+/// Width of the colour bar and its distance from the frame.
+const BAR: f64 = 18.0;
+const APART: f64 = 16.0;
+/// Height kept under the bar for the sign of what is broken.
+const SIGN: f64 = 36.0;
+/// Between two strokes of the hatching, along an edge.
+const HATCH: f64 = 7.0;
+/// What the key says of cells without a value.
+const BROKEN_NAME: &str = "broken";
+
+/// Draws a map into `room`.
+pub fn draw(canvas: &Canvas, map: &Map, room: &Frame) {
+    let bar = Bar::new(map, room.height());
+    let key = Some(Key::new(&map.marks)).filter(|key| !key.is_empty()).map(|key| key.below(room));
+    let below = key.as_ref().map_or(0.0, |key| key.size().1);
+    let plane = chart::plane(&map.x, &map.y, &map.marks);
+    let spare = Spare { right: bar.width(), below };
+    let axes = Axes::new(&map.x, &map.y, plane, &map.marks, room, spare);
+    let cells = Cells { values: &map.values, columns: map.columns };
+    cells.draw(canvas, &axes.frame, &bar.extent, map.ramp);
+    marks::draw(canvas, &axes.frame, &plane, &map.marks, true);
+    axes.draw(canvas);
+    name_lines(canvas, &axes.frame, &plane, &map.marks);
+    bar.draw(canvas, &axes.frame);
+    if let Some(key) = key {
+        key.draw(canvas, chart::outside_place(&key, &axes.frame, room, 0.0));
+    }
+}
+
+/// Names horizontal reference lines over their right ends: on a map there is no place without ink.
+fn name_lines(canvas: &Canvas, frame: &Frame, plane: &Plane, marks: &[Mark]) {
+    for (y, label) in marks.iter().filter_map(|mark| chart::at_y(plane, mark)) {
+        let (right, height) = frame.place(1.0, y);
+        let over = height - 6.0 - text::DESCENT * TEXT;
+        let under = height + 6.0 + text::CAPITAL * TEXT;
+        let place = (right - 8.0, if over - TEXT > frame.top { over } else { under });
+        canvas.text(label, place, Anchor(HPos::Right, VPos::Bottom), TEXT, INK);
+    }
+}
+
+/// The values of a map, row by row from the bottom.
+struct Cells<'a> {
+    values: &'a [f64],
+    columns: usize,
+}
+
+impl Cells<'_> {
+    fn rows(&self) -> usize {
+        self.values.len().checked_div(self.columns).unwrap_or(0)
+    }
+
+    fn draw(&self, canvas: &Canvas, frame: &Frame, extent: &Extent, ramp: Ramp) {
+        let (RGBColor(red, green, blue), rows) = (BROKEN.1, self.rows());
+        let colour = |value: &f64| shade(extent, ramp, *value).unwrap_or([red, green, blue]);
+        let from_top = (0..rows).rev().flat_map(|row| &self.values[row * self.columns..][..self.columns]);
+        canvas.image(frame, self.columns, from_top.map(colour).collect());
+        if rows > 0 {
+            hatch(canvas, frame, self.columns, rows, |column, row| {
+                shade(extent, ramp, self.values[row * self.columns + column]).is_none()
+            });
+        }
+    }
+}
+
+/// Colour of a value, those beyond the range in the colour of its end; none for NaN.
+fn shade(extent: &Extent, ramp: Ramp, value: f64) -> Option<[u8; 3]> {
+    palette::ramp(ramp, extent.position(value))
+}
+
+/// Strokes at 45° over the cells that are broken, on one lattice for the whole frame so that they join.
+fn hatch(canvas: &Canvas, frame: &Frame, columns: usize, rows: usize, is_broken: impl Fn(usize, usize) -> bool) {
+    let (width, height) = (frame.width(), frame.height());
+    let (wide, high) = (width / columns as f64, height / rows as f64);
+    let strokes = ((width + height) / HATCH) as usize;
+    for k in 1..=strokes {
+        // The stroke runs through the points (x, offset − x) from the lower left corner, y upwards.
+        let offset = k as f64 * HATCH;
+        let (from, to) = ((offset - height).max(0.0), offset.min(width));
+        let across = (1..columns).map(|column| column as f64 * wide);
+        let up = (1..rows).map(|row| offset - row as f64 * high);
+        let mut stops: Vec<f64> = across.chain(up).filter(|x| from < *x && *x < to).chain([from, to]).collect();
+        stops.sort_by(f64::total_cmp);
+        let cell = |at: f64, size: f64, count: usize| ((at / size) as usize).min(count - 1);
+        let mut start = None;
+        for pair in stops.windows(2) {
+            let middle = (pair[0] + pair[1]) / 2.0;
+            let broken = is_broken(cell(middle, wide, columns), cell(offset - middle, high, rows));
+            let place = |x: f64| (frame.left + x, frame.bottom - (offset - x));
+            match (broken, start) {
+                (true, None) => start = Some(pair[0]),
+                (false, Some(first)) => {
+                    canvas.line(place(first), place(pair[0]), BROKEN.0, 1.0);
+                    start = None;
+                }
+                _ => {}
+            }
+        }
+        if let Some(first) = start {
+            canvas.line(
+                (frame.left + first, frame.bottom - (offset - first)),
+                (frame.left + to, frame.bottom - (offset - to)),
+                BROKEN.0,
+                1.0,
+            );
+        }
+    }
+}
+
+/// The colour bar.
+struct Bar<'a> {
+    map: &'a Map,
+    extent: Extent,
+    ticks: Vec<Tick>,
+    is_broken: bool,
+}
+
+impl<'a> Bar<'a> {
+    fn new(map: &'a Map, height: f64) -> Self {
+        let extent = Extent::new(&map.colour, map.values.iter().copied(), 0.0);
+        let ticks = axes::ticks(&extent, &map.colour, 0.7 * height, Direction::Up);
+        let is_broken = map.values.iter().any(|value| extent.position(*value).is_nan());
+        Self { map, extent, ticks, is_broken }
+    }
+
+    /// Width of bar, ticks and label with the distance from the frame.
+    fn width(&self) -> f64 {
+        APART + BAR + self.beside() + if axes::full_label(&self.map.colour).is_empty() { 0.0 } else { 26.0 }
+    }
+
+    /// Width of what stands right beside the bar.
+    fn beside(&self) -> f64 {
+        let sign = if self.is_broken { 6.0 + text::width(BROKEN_NAME, TEXT) - 20.0 } else { 0.0 };
+        axes::tick_room(&self.ticks).max(sign)
+    }
+
+    fn draw(&self, canvas: &Canvas, frame: &Frame) {
+        let under = if self.is_broken { SIGN } else { 0.0 };
+        let left = frame.right + APART;
+        let bar =
+            Frame { left, right: left + BAR, top: frame.top, bottom: (frame.bottom - under).max(frame.top + 1.0) };
+        let shades = (0..256).rev().filter_map(|k| palette::ramp(self.map.ramp, (f64::from(k) + 0.5) / 256.0));
+        canvas.image(&bar, 1, shades.collect());
+        canvas.outline(&bar, INK, 1.0);
+        for tick in &self.ticks {
+            axes::draw_y_tick(canvas, bar.place(1.0, tick.at), tick, 1.0);
+        }
+        let label = axes::full_label(&self.map.colour);
+        let place = (bar.right + self.beside() + 22.0, bar.place(0.0, 0.5).1);
+        canvas.text_upwards(&label, place, Anchor(HPos::Center, VPos::Bottom), axes::fitted(&label, bar.height()), INK);
+        if self.is_broken {
+            self.draw_sign(canvas, Frame { left, right: left + BAR, top: frame.bottom - BAR, bottom: frame.bottom });
+        }
+    }
+
+    fn draw_sign(&self, canvas: &Canvas, sign: Frame) {
+        canvas.fill(&sign, BROKEN.1, 1.0);
+        hatch(canvas, &sign, 1, 1, |_, _| true);
+        canvas.outline(&sign, INK, 1.0);
+        let place: Place = (sign.right + 6.0, sign.place(0.0, 0.5).1);
+        canvas.text(BROKEN_NAME, place, Anchor(HPos::Left, VPos::Center), TEXT, INK);
+    }
+}

@@ -1,0 +1,266 @@
+//! Curves and points on a pair of axes.
+
+use super::canvas::{Canvas, Frame, Place};
+use super::ink::Ink;
+use super::palette::{self, PAPER};
+use super::ticks::Extent;
+use chapters::figure::{Dash, Mark, Shape};
+use plotters::style::RGBColor;
+use std::collections::HashSet;
+
+/// Width of a curve.
+const CURVE: f64 = 2.4;
+/// Width of the line that joins points.
+const JOIN: f64 = 1.2;
+/// Width of a reference line.
+const AID: f64 = 1.2;
+/// Radius of a point where there are few, and the least where there are many.
+const POINT: (f64, f64) = (4.2, 1.7);
+/// How many points are few.
+const FEW: f64 = 60.0;
+/// Width of the white casing of what is drawn over a map.
+const CASING: f64 = 2.5;
+
+/// The pair of axes in numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Plane {
+    /// Horizontal.
+    pub x: Extent,
+    /// Vertical.
+    pub y: Extent,
+}
+
+impl Plane {
+    /// Fractions of the axes at a point; NaN where it cannot be shown.
+    fn at(&self, [x, y]: [f64; 2]) -> Place {
+        (self.x.fraction(x), self.y.fraction(y))
+    }
+
+    /// The curve through points, broken where one cannot be shown, cut off at the frame.
+    pub fn pieces(&self, points: &[[f64; 2]]) -> Vec<Vec<Place>> {
+        let mut pieces: Vec<Vec<Place>> = Vec::new();
+        for run in points.split(|point| !is_finite(self.at(*point))) {
+            let run: Vec<Place> = run.iter().map(|point| self.at(*point)).collect();
+            if let [lone] = run[..] {
+                pieces.extend(is_inside(lone).then(|| vec![lone]));
+            }
+            let mut joins = false;
+            for pair in run.windows(2) {
+                let Some((from, to)) = cut(pair[0], pair[1]) else {
+                    joins = false;
+                    continue;
+                };
+                match pieces.last_mut().filter(|_| joins && from == pair[0]) {
+                    Some(piece) => piece.push(to),
+                    None => pieces.push(vec![from, to]),
+                }
+                joins = to == pair[1];
+            }
+        }
+        pieces
+    }
+
+    /// The points within the frame.
+    fn inside(&self, points: &[[f64; 2]]) -> Vec<Place> {
+        points.iter().map(|point| self.at(*point)).filter(|place| is_inside(*place)).collect()
+    }
+}
+
+fn is_finite((x, y): Place) -> bool {
+    x.is_finite() && y.is_finite()
+}
+
+fn is_inside((x, y): Place) -> bool {
+    let unit = -1e-9..=1.0 + 1e-9;
+    unit.contains(&x) && unit.contains(&y)
+}
+
+/// The part of a line within the unit square (Y.-D. Liang and B. A. Barsky, "A New Concept and Method for Line
+/// Clipping", ACM Trans. Graph. 3, 1984); ends that lie inside are kept to the bit.
+fn cut(from: Place, to: Place) -> Option<(Place, Place)> {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let (mut enter, mut leave) = (0.0f64, 1.0f64);
+    for (slope, room) in [(-dx, from.0), (dx, 1.0 - from.0), (-dy, from.1), (dy, 1.0 - from.1)] {
+        if slope == 0.0 {
+            if room < 0.0 {
+                return None;
+            }
+        } else if slope < 0.0 {
+            enter = enter.max(room / slope);
+        } else {
+            leave = leave.min(room / slope);
+        }
+    }
+    if !(enter <= leave) {
+        return None;
+    }
+    let at = |t: f64| ((from.0 + t * dx).clamp(0.0, 1.0), (from.1 + t * dy).clamp(0.0, 1.0));
+    Some((if enter > 0.0 { at(enter) } else { from }, if leave < 1.0 { at(leave) } else { to }))
+}
+
+/// Draws the marks in order; `cased` puts white around them, for dark ground.
+pub fn draw(canvas: &Canvas, frame: &Frame, plane: &Plane, marks: &[Mark], cased: bool) {
+    for mark in marks {
+        match mark {
+            Mark::Line { hue, dash, points, .. } => {
+                let pieces = plane.pieces(points);
+                let colour = palette::colour(*hue);
+                stroke(canvas, frame, &pieces, colour, CURVE, palette::dashes(*dash), cased);
+            }
+            Mark::Points { hue, shape, joined, points, .. } => {
+                let colour = palette::colour(*hue);
+                if *joined {
+                    stroke(canvas, frame, &plane.pieces(points), colour, JOIN, &[], cased);
+                }
+                for place in apart(frame, plane.inside(points)) {
+                    draw_point(canvas, place, radius(points.len()), *shape, colour);
+                }
+            }
+            Mark::AtX { x, .. } => {
+                let x = plane.x.fraction(*x);
+                if is_inside((x, 0.0)) {
+                    stroke(canvas, frame, &[vec![(x, 0.0), (x, 1.0)]], palette::AID, AID, &[], cased);
+                }
+            }
+            Mark::AtY { y, .. } => {
+                let y = plane.y.fraction(*y);
+                if is_inside((0.0, y)) {
+                    stroke(canvas, frame, &[vec![(0.0, y), (1.0, y)]], palette::AID, AID, &[], cased);
+                }
+            }
+        }
+    }
+}
+
+fn stroke(
+    canvas: &Canvas,
+    frame: &Frame,
+    pieces: &[Vec<Place>],
+    colour: RGBColor,
+    width: f64,
+    dashes: &[f32],
+    cased: bool,
+) {
+    if cased {
+        canvas.curves(frame, pieces, PAPER, width + CASING, &[]);
+    }
+    canvas.curves(frame, pieces, colour, width, dashes);
+}
+
+/// Places on the sheet, without those that would hide another to within half a pixel.
+fn apart(frame: &Frame, fractions: Vec<Place>) -> Vec<Place> {
+    let mut taken = HashSet::new();
+    let places = fractions.into_iter().map(|(x, y)| frame.place(x, y));
+    places.filter(|(x, y)| taken.insert(((2.0 * x).round() as i64, (2.0 * y).round() as i64))).collect()
+}
+
+/// Radius of each of so many points: crowds keep their density visible.
+fn radius(count: usize) -> f64 {
+    (POINT.0 * (FEW / count as f64).sqrt()).clamp(POINT.1, POINT.0)
+}
+
+/// A point with a thin white rim, so that neighbours stay apart.
+fn draw_point(canvas: &Canvas, (x, y): Place, radius: f64, shape: Shape, colour: RGBColor) {
+    let rim = 0.2 * radius;
+    let polygon = |grow: f64, colour: RGBColor| {
+        let r = radius + grow;
+        let corners: &[Place] = match shape {
+            Shape::Square => &[(-0.88, -0.88), (0.88, -0.88), (0.88, 0.88), (-0.88, 0.88)],
+            Shape::Triangle => &[(0.0, -1.2), (1.1, 0.8), (-1.1, 0.8)],
+            _ => &[(0.0, -1.25), (1.25, 0.0), (0.0, 1.25), (-1.25, 0.0)],
+        };
+        let corners: Vec<Place> = corners.iter().map(|(dx, dy)| (x + r * dx, y + r * dy)).collect();
+        canvas.polygon(&corners, colour);
+    };
+    match shape {
+        Shape::Square | Shape::Triangle | Shape::Diamond => {
+            polygon(rim, PAPER);
+            polygon(0.0, colour);
+        }
+        Shape::Disc | Shape::Ring => {
+            canvas.disc((x, y), radius + rim, PAPER);
+            canvas.disc((x, y), radius, colour);
+            if shape == Shape::Ring {
+                canvas.disc((x, y), 0.6 * radius, PAPER);
+            }
+        }
+        Shape::Cross => {
+            for (width, colour) in [(0.8, PAPER), (0.45, colour)] {
+                let (r, width) = (0.9 * radius, width * radius);
+                canvas.line((x - r, y - r), (x + r, y + r), colour, width);
+                canvas.line((x - r, y + r), (x + r, y - r), colour, width);
+            }
+        }
+    }
+}
+
+/// How a mark looks in a key, from `from` to the right over `width`.
+pub fn draw_sample(canvas: &Canvas, mark: &Mark, (x, y): Place, width: f64) {
+    let line = |colour, thick, dashes| canvas.curve(&[(x, y), (x + width, y)], colour, thick, dashes);
+    match mark {
+        Mark::Line { hue, dash, .. } => line(palette::colour(*hue), CURVE, palette::dashes(*dash)),
+        Mark::Points { hue, shape, joined, .. } => {
+            let colour = palette::colour(*hue);
+            if *joined {
+                line(colour, JOIN, &[]);
+            }
+            draw_point(canvas, (x + width / 2.0, y), POINT.0, *shape, colour);
+        }
+        Mark::AtX { .. } | Mark::AtY { .. } => line(palette::AID, AID, &[]),
+    }
+}
+
+/// The entry of a mark in the key, if it has one.
+pub fn entry(mark: &Mark) -> Option<&str> {
+    match mark {
+        Mark::Line { label, .. } | Mark::Points { label, .. } if !label.is_empty() => Some(label),
+        _ => None,
+    }
+}
+
+/// Inks all that the marks cover.
+pub fn ink(ink: &mut Ink, frame: &Frame, plane: &Plane, marks: &[Mark]) {
+    let mut line = |pieces: Vec<Vec<Place>>, width: f64| {
+        for piece in pieces {
+            let places: Vec<Place> = piece.into_iter().map(|(x, y)| frame.place(x, y)).collect();
+            places.first().into_iter().for_each(|&lone| ink.line(lone, lone, width));
+            places.windows(2).for_each(|pair| ink.line(pair[0], pair[1], width));
+        }
+    };
+    for mark in marks {
+        match mark {
+            Mark::Line { points, .. } => line(plane.pieces(points), CURVE),
+            Mark::Points { points, joined, .. } => {
+                line(plane.inside(points).into_iter().map(|place| vec![place]).collect(), 2.5 * radius(points.len()));
+                if *joined {
+                    line(plane.pieces(points), JOIN);
+                }
+            }
+            Mark::AtX { x, .. } => {
+                let x = plane.x.fraction(*x);
+                line(if is_inside((x, 0.0)) { vec![vec![(x, 0.0), (x, 1.0)]] } else { vec![] }, AID);
+            }
+            Mark::AtY { y, .. } => {
+                let y = plane.y.fraction(*y);
+                line(if is_inside((0.0, y)) { vec![vec![(0.0, y), (1.0, y)]] } else { vec![] }, AID);
+            }
+        }
+    }
+}
+
+/// The coordinates that the axes should hold, drawable or not.
+pub fn points(marks: &[Mark]) -> impl Iterator<Item = [f64; 2]> + '_ {
+    marks
+        .iter()
+        .flat_map(|mark| match mark {
+            Mark::Line { points, .. } | Mark::Points { points, .. } => points.as_slice(),
+            Mark::AtX { .. } | Mark::AtY { .. } => &[],
+        })
+        .copied()
+}
+
+/// A dashed line needs room in the key to show its pattern twice.
+pub fn sample_width(marks: &[Mark]) -> f64 {
+    let dashed = marks.iter().any(|mark| matches!(mark, Mark::Line { dash: Dash::Dashed, .. }));
+    if dashed { 33.0 } else { 26.0 }
+}

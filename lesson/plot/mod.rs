@@ -1,0 +1,177 @@
+//! Figures as pictures: [`chapters::figure::Plot`] to PNG and SVG.
+//!
+//! A figure is drawn once, with `plotters`, onto a [`sheet::Sheet`] that keeps vector shapes; [`png`](mod@png) and
+//! [`svg`](mod@svg) write that sheet down. All lengths are in pixels of the sheet, which are CSS pixels; the PNG has
+//! [`png::DENSITY`] of its own to each.
+
+mod axes;
+mod canvas;
+mod chart;
+#[cfg(test)]
+mod gallery;
+mod ink;
+mod key;
+mod map;
+mod marks;
+mod palette;
+mod png;
+mod sheet;
+mod svg;
+#[cfg(test)]
+mod tests;
+mod text;
+mod ticks;
+
+use canvas::{Anchor, Canvas, Frame};
+use chapters::figure::{Axis, Chart, Map, Mark, Panel, Picture, Plot};
+use palette::INK;
+use plotters::style::text_anchor::{HPos, VPos};
+use sheet::Sheet;
+
+/// Size of the text: still readable when a figure 640 wide is shown at 400.
+const TEXT: f64 = 15.0;
+/// Size of a panel's title.
+const HEADING: f64 = 16.0;
+/// Size of a figure's title.
+const TITLE: f64 = 19.0;
+/// Height of a line against the size of its text.
+const LEADING: f64 = 1.3;
+/// Around the figure and between panels.
+const MARGIN: f64 = 10.0;
+/// Size of the only panel in a row.
+const ALONE: (f64, f64) = (620.0, 400.0);
+/// Size of one of several panels in a row.
+const AMONG: (f64, f64) = (440.0, 330.0);
+
+/// The figure as a PNG.
+pub fn png(plot: &Plot) -> Vec<u8> {
+    png::write(&draw(plot))
+}
+
+/// The figure as an SVG, named and described for readers who listen.
+pub fn svg(plot: &Plot) -> String {
+    svg::write(&draw(plot), &plot.title, &description(plot))
+}
+
+/// The figure on a sheet.
+fn draw(plot: &Plot) -> Sheet {
+    let columns = plot.columns.clamp(1, plot.panels.len().max(1));
+    let usual = if columns == 1 { ALONE } else { AMONG };
+    let sizes: Vec<(f64, f64)> = plot.panels.iter().map(|panel| size(panel, usual)).collect();
+    let widths: Vec<f64> =
+        (0..columns).map(|column| largest(sizes.iter().skip(column).step_by(columns).map(|size| size.0))).collect();
+    let heights: Vec<f64> = sizes.chunks(columns).map(|row| largest(row.iter().map(|size| size.1))).collect();
+    let gaps = |count: usize| MARGIN * (count + 1) as f64;
+    let width = (widths.iter().sum::<f64>() + gaps(columns)).max(200.0);
+    let lines = text::wrap(&plot.title, TITLE, width - 4.0 * MARGIN);
+    let head = block_height(lines.len(), TITLE);
+    let canvas = Canvas::new(width, heights.iter().sum::<f64>() + gaps(heights.len()) + head);
+    draw_lines(&canvas, &lines, width / 2.0, MARGIN, TITLE);
+    let mut top = MARGIN + head;
+    for (row, height) in plot.panels.chunks(columns).zip(&heights) {
+        let mut left = MARGIN;
+        for (panel, width) in row.iter().zip(&widths) {
+            draw_panel(&canvas, panel, &Frame::at((left, top), *width, *height));
+            left += width + MARGIN;
+        }
+        top += height + MARGIN;
+    }
+    canvas.finish()
+}
+
+fn largest(lengths: impl Iterator<Item = f64>) -> f64 {
+    lengths.fold(0.0, f64::max)
+}
+
+/// Height of so many lines of text.
+fn block_height(lines: usize, size: f64) -> f64 {
+    (lines as f64 * LEADING * size).ceil()
+}
+
+/// Sets lines of text under each other around a middle.
+fn draw_lines(canvas: &Canvas, lines: &[String], middle: f64, top: f64, size: f64) {
+    for (k, line) in lines.iter().enumerate() {
+        let place = (middle, top + LEADING * size * k as f64 + 0.15 * size);
+        canvas.text(line, place, Anchor(HPos::Center, VPos::Top), size, INK);
+    }
+}
+
+/// The size a panel asks for.
+fn size(panel: &Panel, usual: (f64, f64)) -> (f64, f64) {
+    let Panel::Picture(picture) = panel else { return usual };
+    let (width, height) = picture_size(picture, usual);
+    let caption = text::wrap(&picture.title, TEXT, width.max(usual.0 / 2.0));
+    (width.max(usual.0 / 2.0), height + MARGIN + block_height(caption.len(), TEXT))
+}
+
+/// The size a picture is shown at: each of its pixels is a whole number of pixels of the PNG, as many as fit.
+fn picture_size(picture: &Picture, usual: (f64, f64)) -> (f64, f64) {
+    let density = f64::from(png::DENSITY);
+    let (columns, rows) = (picture.width as f64, rows(picture) as f64);
+    let times = (density * usual.0 / columns).min(density * usual.1 / rows).floor().max(1.0);
+    if rows == 0.0 { (0.0, 0.0) } else { (columns * times / density, rows * times / density) }
+}
+
+fn rows(picture: &Picture) -> usize {
+    picture.pixels.len().checked_div(picture.width).unwrap_or(0)
+}
+
+fn draw_panel(canvas: &Canvas, panel: &Panel, room: &Frame) {
+    match panel {
+        Panel::Chart(chart) => chart::draw(canvas, chart, &under_title(canvas, &chart.title, room)),
+        Panel::Map(map) => map::draw(canvas, map, &under_title(canvas, &map.title, room)),
+        Panel::Picture(picture) => draw_picture(canvas, picture, room),
+    }
+}
+
+/// Draws a panel's title and leaves the rest of its room.
+fn under_title(canvas: &Canvas, title: &str, room: &Frame) -> Frame {
+    let lines = text::wrap(title, HEADING, room.width() - 2.0 * MARGIN);
+    draw_lines(canvas, &lines, (room.left + room.right) / 2.0, room.top, HEADING);
+    Frame { top: room.top + block_height(lines.len(), HEADING), ..*room }
+}
+
+fn draw_picture(canvas: &Canvas, picture: &Picture, room: &Frame) {
+    let lines = text::wrap(&picture.title, TEXT, room.width());
+    let caption = block_height(lines.len(), TEXT);
+    let (width, height) = picture_size(picture, (room.width(), room.height() - caption - MARGIN));
+    let middle = (room.left + room.right) / 2.0;
+    let frame = Frame::at(((middle - width / 2.0).round(), room.top), width, height);
+    let shown = picture.width * rows(picture);
+    let cells = picture.pixels[..shown].iter().map(|pixel| pixel.map(palette::encoded)).collect();
+    canvas.image(&frame, picture.width, cells);
+    draw_lines(canvas, &lines, middle, frame.bottom + MARGIN, TEXT);
+}
+
+/// What a figure shows, in words.
+fn description(plot: &Plot) -> String {
+    let panels = plot.panels.iter().map(|panel| match panel {
+        Panel::Chart(chart) => describe_chart(chart),
+        Panel::Map(map) => describe_map(map),
+        Panel::Picture(picture) => format!("Picture: {}.", picture.title),
+    });
+    panels.collect::<Vec<_>>().join(" ")
+}
+
+fn describe_chart(Chart { title, x, y, marks }: &Chart) -> String {
+    format!("{}{} against {}{}.", heading(title), axes::full_label(y), axes::full_label(x), describe_marks(marks))
+}
+
+fn describe_map(Map { title, x, y, colour, marks, .. }: &Map) -> String {
+    let [x, y, colour]: [String; 3] = [x, y, colour].map(|axis: &Axis| axes::full_label(axis));
+    format!("{}Map of {colour} over {x} and {y}{}.", heading(title), describe_marks(marks))
+}
+
+fn heading(title: &str) -> String {
+    if title.is_empty() { String::new() } else { format!("{title}: ") }
+}
+
+fn describe_marks(marks: &[Mark]) -> String {
+    let names = marks.iter().map(|mark| match mark {
+        Mark::Line { label, .. } | Mark::Points { label, .. } | Mark::AtX { label, .. } | Mark::AtY { label, .. } => {
+            label
+        }
+    });
+    let names: Vec<&str> = names.map(String::as_str).filter(|label| !label.is_empty()).collect();
+    if names.is_empty() { String::new() } else { format!(", showing {}", names.join("; ")) }
+}

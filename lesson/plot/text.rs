@@ -1,0 +1,233 @@
+//! Text: the label markup, its measure, and the outlines of the embedded font.
+
+use std::iter::Peekable;
+use std::str::Chars;
+use std::sync::LazyLock;
+use tiny_skia::{Path, PathBuilder};
+use ttf_parser::{Face, OutlineBuilder};
+
+/// Families an SVG reader should try, the embedded one first; the others are as wide or are fitted to its widths.
+pub const FAMILIES: &str = "'DejaVu Sans Condensed','DejaVu Sans',Verdana,'Noto Sans',sans-serif";
+
+/// Height of a capital above the baseline [em].
+pub const CAPITAL: f64 = 0.729;
+/// Depth of a descender below the baseline [em].
+pub const DESCENT: f64 = 0.236;
+
+/// Size of a raised or lowered run against the text around it [1].
+const SMALLER: f64 = 0.72;
+/// How far a raised run stands above the baseline around it [em].
+const RAISE: f64 = 0.36;
+/// How far a lowered run hangs below the baseline around it [em].
+const LOWER: f64 = 0.17;
+/// Runs within runs beyond this depth are set at the size of the last.
+const DEEPEST: usize = 3;
+
+static FACE: LazyLock<Face<'static>> = LazyLock::new(|| {
+    let font = include_bytes!("../fonts/DejaVuSansCondensed-subset.ttf");
+    Face::parse(font, 0).expect("the embedded font is sound")
+});
+
+/// A stretch of a label that is set at one size on one baseline. Lengths in em of the label.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// What is written.
+    pub text: String,
+    /// Where it starts.
+    pub x: f64,
+    /// Height of its baseline above that of the label.
+    pub rise: f64,
+    /// Its size.
+    pub size: f64,
+}
+
+/// The runs of a label in the markup `R_s`, `10^{−6}`.
+pub fn runs(label: &str) -> Vec<Run> {
+    let mut runs = Vec::new();
+    read(&mut label.chars().peekable(), 0, 0.0, 1.0, &mut runs);
+    let mut x = 0.0;
+    for run in &mut runs {
+        run.x = x;
+        x += run.size * advance(&run.text);
+    }
+    runs
+}
+
+/// Reads runs up to the end, or to the closing brace if inside one.
+fn read(chars: &mut Peekable<Chars>, depth: usize, rise: f64, size: f64, runs: &mut Vec<Run>) {
+    let mut text = String::new();
+    let flush = |text: &mut String, runs: &mut Vec<Run>| {
+        if !text.is_empty() {
+            runs.push(Run { text: std::mem::take(text), x: 0.0, rise, size });
+        }
+    };
+    while let Some(character) = chars.next() {
+        let shift = match character {
+            '}' if depth > 0 => break,
+            '_' if chars.peek().is_some() => -LOWER,
+            '^' if chars.peek().is_some() => RAISE,
+            _ => {
+                text.push(character);
+                continue;
+            }
+        };
+        flush(&mut text, runs);
+        let (rise, size) = if depth < DEEPEST { (rise + shift * size, size * SMALLER) } else { (rise, size) };
+        match chars.next() {
+            Some('{') => read(chars, (depth + 1).min(DEEPEST), rise, size, runs),
+            Some(single) => runs.push(Run { text: single.into(), x: 0.0, rise, size }),
+            None => {}
+        }
+    }
+    flush(&mut text, runs);
+}
+
+/// Width of plain text [em].
+fn advance(text: &str) -> f64 {
+    let units: f64 = text.chars().map(|c| f64::from(FACE.glyph_hor_advance(glyph(c)).unwrap_or(0))).sum();
+    units / f64::from(FACE.units_per_em())
+}
+
+/// The glyph of a character; the font's empty box if it has none.
+fn glyph(character: char) -> ttf_parser::GlyphId {
+    FACE.glyph_index(character).unwrap_or_default()
+}
+
+/// Width of a label, in the unit of `size`.
+pub fn width(label: &str, size: f64) -> f64 {
+    runs(label).last().map_or(0.0, |run| size * (run.x + run.size * advance(&run.text)))
+}
+
+/// The label broken at spaces into lines no wider than `limit`, where words allow.
+pub fn wrap(label: &str, size: f64, limit: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in label.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if width(&format!("{line} {word}"), size) <= limit => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+/// Outline of a label whose baseline starts at the origin, y downwards; nothing if it has no ink.
+pub fn outline(label: &str, size: f64) -> Option<Path> {
+    let mut pen = Pen { path: PathBuilder::new(), x: 0.0, y: 0.0, scale: 0.0 };
+    let unit = 1.0 / f64::from(FACE.units_per_em());
+    for run in runs(label) {
+        pen.scale = (size * run.size * unit) as f32;
+        pen.y = (-size * run.rise) as f32;
+        let mut x = run.x;
+        for character in run.text.chars() {
+            pen.x = (size * x) as f32;
+            FACE.outline_glyph(glyph(character), &mut pen);
+            x += run.size * unit * f64::from(FACE.glyph_hor_advance(glyph(character)).unwrap_or(0));
+        }
+    }
+    pen.path.finish()
+}
+
+/// Draws glyphs, given in font units with y upwards, at a place and size.
+struct Pen {
+    path: PathBuilder,
+    x: f32,
+    y: f32,
+    scale: f32,
+}
+
+impl Pen {
+    fn at(&self, x: f32, y: f32) -> (f32, f32) {
+        (self.x + self.scale * x, self.y - self.scale * y)
+    }
+}
+
+impl OutlineBuilder for Pen {
+    fn move_to(&mut self, x: f32, y: f32) {
+        let (x, y) = self.at(x, y);
+        self.path.move_to(x, y);
+    }
+    fn line_to(&mut self, x: f32, y: f32) {
+        let (x, y) = self.at(x, y);
+        self.path.line_to(x, y);
+    }
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        let ((x1, y1), (x, y)) = (self.at(x1, y1), self.at(x, y));
+        self.path.quad_to(x1, y1, x, y);
+    }
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        let ((x1, y1), (x2, y2), (x, y)) = (self.at(x1, y1), self.at(x2, y2), self.at(x, y));
+        self.path.cubic_to(x1, y1, x2, y2, x, y);
+    }
+    fn close(&mut self) {
+        self.path.close();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn texts(label: &str) -> Vec<String> {
+        runs(label).into_iter().map(|run| run.text).collect()
+    }
+
+    #[test]
+    fn markup_lowers_and_raises() {
+        let found = runs("R_s + 10^{−6}x");
+        assert_eq!(texts("R_s + 10^{−6}x"), ["R", "s", " + 10", "−6", "x"]);
+        assert!(found[1].rise < 0.0 && found[3].rise > 0.3);
+        assert!(found[3].size < 1.0 && found[4].size == 1.0 && found[4].rise == 0.0);
+        assert_eq!(texts("a_{b^2}"), ["a", "b", "2"]);
+        assert_eq!(texts("n_t/n_i"), ["n", "t", "/n", "i"]);
+    }
+
+    #[test]
+    fn stray_marks_stay_as_written() {
+        assert_eq!(texts("a_"), ["a_"]);
+        assert_eq!(texts("{x}"), ["{x}"]);
+        assert_eq!(texts("x^{2"), ["x", "2"]);
+        assert!(runs("").is_empty());
+    }
+
+    #[test]
+    fn font_has_every_sign_of_the_lecture() {
+        let signs =
+            "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩϑϕϵ√∞±×·≤≥≪≫′″°½→←↔⇒−⁻⁰¹²³⁴⁵⁶⁷⁸⁹₀₁₂₃₄₅₆₇₈₉∂∇⟨⟩≈≠≡∝∫∮∑∏∈ℏ∠⊥∥…–—’“”µÅ⋅éöü";
+        for sign in signs.chars().chain(' '..='~') {
+            assert!(FACE.glyph_index(sign).is_some(), "the font lacks {sign}");
+        }
+    }
+
+    #[test]
+    fn widths_add_up() {
+        assert_eq!(width("", 10.0), 0.0);
+        let whole = width("θ_B = 56°", 15.0);
+        let parts = width("θ", 15.0) + SMALLER * width("B", 15.0) + width(" = 56°", 15.0);
+        assert!((whole - parts).abs() < 1e-9);
+        // The outline ends where the measure says, up to the side bearing of the last glyph.
+        let bounds = outline("θ_B = 56°", 15.0).unwrap().bounds();
+        assert!((f64::from(bounds.right()) - whole).abs() < 0.1 * 15.0);
+        assert!(outline(" ", 15.0).is_none());
+    }
+
+    #[test]
+    fn wrapping_keeps_every_word() {
+        let label = "Glass in air: what is reflected, and what goes on";
+        let lines = wrap(label, 15.0, 150.0);
+        assert!(lines.len() > 1 && lines.iter().all(|line| width(line, 15.0) <= 150.0));
+        assert_eq!(lines.join(" "), label);
+        assert_eq!(wrap("immeasurable", 15.0, 1.0), ["immeasurable"]);
+    }
+
+    proptest! {
+        #[test]
+        fn any_label_can_be_set(label in "[_^{}a-zθ⁻\\PC]{0,40}") {
+            prop_assert!(width(&label, 15.0).is_finite());
+            outline(&label, 15.0);
+        }
+    }
+}

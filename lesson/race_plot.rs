@@ -1,0 +1,135 @@
+//! A race as a figure: error against time on logarithmic axes.
+
+use crate::report::{LaneReport, RaceReport};
+use chapters::figure::{Axis, Chart, Dash, Hue, Mark, Plot, Shape};
+use chapters::vocabulary::Expects;
+
+/// Where an error of exactly zero is drawn: half a rounding unit, below which `f64` cannot tell.
+const FLOOR: f64 = f64::EPSILON / 2.0;
+
+/// Error against seconds: of a whole run where an order is asserted, otherwise of one unit of work.
+pub fn plot(race: &RaceReport) -> Plot {
+    let whole = race.lanes.iter().any(|lane| matches!(lane.asserted, Expects::Order { .. }));
+    let label = if whole { "time of a run" } else { "time of one unit of work" };
+    let mut chart = Chart::new("", Axis::log(label, "s"), Axis::log("error", ""));
+    let roof = 10.0 * highest(race);
+    for (lane, at) in race.lanes.iter().zip(0..) {
+        let points = curve(lane, whole);
+        if let Expects::Order { order, .. } = lane.asserted {
+            chart.marks.extend(guide(&points, order));
+        }
+        chart = chart.with(Mark::Points {
+            label: legend(lane),
+            hue: Hue::Nth(at),
+            shape: shape(at),
+            joined: true,
+            points: points.iter().copied().filter(|point| point[1].is_finite()).collect(),
+        });
+        let broken: Vec<_> =
+            points.iter().filter(|point| !point[1].is_finite()).map(|point| [point[0], roof]).collect();
+        if !broken.is_empty() {
+            let label = format!("{}: no finite result", lane.label);
+            chart = chart.with(Mark::Points {
+                label,
+                hue: Hue::Nth(at),
+                shape: Shape::Cross,
+                joined: false,
+                points: broken,
+            });
+        }
+    }
+    Plot::of(race.claim, chart)
+}
+
+fn curve(lane: &LaneReport, whole: bool) -> Vec<[f64; 2]> {
+    let points = lane.points.iter().map(|point| {
+        let seconds = if whole { point.seconds } else { point.ns_per_work * 1e-9 };
+        [seconds, if point.error.0 == 0.0 { FLOOR } else { point.error.0 }]
+    });
+    points.collect()
+}
+
+/// The largest finite error of the race; 1 if there is none.
+fn highest(race: &RaceReport) -> f64 {
+    let errors = race.lanes.iter().flat_map(|lane| &lane.points).map(|point| point.error.0);
+    errors.filter(|error| error.is_finite() && *error > 0.0).max_by(f64::total_cmp).unwrap_or(1.0)
+}
+
+fn legend(lane: &LaneReport) -> String {
+    match (lane.asserted, lane.order) {
+        (Expects::Order { .. }, Some(order)) => format!("{} (order {order:.2})", lane.label),
+        (Expects::Breaks { .. }, _) => format!("{} (breaks)", lane.label),
+        _ => lane.label.to_owned(),
+    }
+}
+
+/// The asserted order as a dashed line through the lane's first point, down to its lowest.
+fn guide(points: &[[f64; 2]], order: f64) -> Option<Mark> {
+    let drawn: Vec<_> =
+        points.iter().filter(|point| point[0] > 0.0 && point[1].is_finite() && point[1] > 0.0).collect();
+    let (first, last) = (drawn.first()?, drawn.last()?);
+    if last[0] <= first[0] || order <= 0.0 {
+        return None;
+    }
+    let lowest = drawn.iter().map(|point| point[1]).min_by(f64::total_cmp)?;
+    // It ends where the lane does, in time or in error, whichever comes first.
+    let end = last[0].min(first[0] * (first[1] / lowest).powf(1.0 / order));
+    let error = first[1] * (end / first[0]).powf(-order);
+    let points = vec![**first, [end, error]];
+    Some(Mark::Line { label: String::new(), hue: Hue::Reference, dash: Dash::Dashed, points })
+}
+
+fn shape(at: u8) -> Shape {
+    const SHAPES: [Shape; 5] = [Shape::Disc, Shape::Square, Shape::Triangle, Shape::Diamond, Shape::Ring];
+    SHAPES[usize::from(at) % SHAPES.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::{Number, PointReport, Verdict};
+    use chapters::figure::Panel;
+
+    fn race(errors: &[f64], asserted: Expects) -> RaceReport {
+        let point = |(k, error): (usize, &f64)| PointReport {
+            work: 1 << k,
+            error: Number(*error),
+            seconds: 1e-6 * (1 << k) as f64,
+            ns_per_work: 1e3,
+        };
+        let lane = LaneReport {
+            address: "c/s/r/l".into(),
+            label: "lane",
+            repeats: 1,
+            points: errors.iter().enumerate().map(point).collect(),
+            order: Some(2.0),
+            expects: String::new(),
+            verdict: Verdict::Passed,
+            asserted,
+        };
+        RaceReport { address: "c/s/r".into(), claim: "claim", rows: &[], work: "", reference: "", lanes: vec![lane] }
+    }
+
+    fn marks(race: &RaceReport) -> Vec<Mark> {
+        match plot(race).panels.remove(0) {
+            Panel::Chart(chart) => chart.marks,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn an_asserted_order_is_drawn_beside_its_lane() {
+        let marks = marks(&race(&[1.0, 0.25, 0.0625], Expects::Order { order: 2.0, tolerance: 0.1 }));
+        let Mark::Line { points, .. } = &marks[0] else { panic!("{marks:?}") };
+        assert!((points[1][1] / 0.0625 - 1.0).abs() < 1e-12 && (points[1][0] / 4e-6 - 1.0).abs() < 1e-12, "{points:?}");
+    }
+
+    #[test]
+    fn what_cannot_be_drawn_is_shown_as_broken() {
+        let marks = marks(&race(&[0.0, 1e-3, f64::NAN], Expects::Breaks { limit: 1.0, why: "" }));
+        let Mark::Points { points, .. } = &marks[0] else { panic!("{marks:?}") };
+        assert_eq!(points.iter().map(|point| point[1]).collect::<Vec<_>>(), [FLOOR, 1e-3]);
+        let Mark::Points { points, shape, .. } = &marks[1] else { panic!("{marks:?}") };
+        assert_eq!((points.len(), *shape), (1, Shape::Cross));
+    }
+}

@@ -1,0 +1,91 @@
+//! Bad input: one clear message that names the place and what would be valid, exit 2, nothing half-written.
+
+mod common;
+
+use common::{command, folder, lesson};
+
+/// Refused in one line that contains every one of `words`.
+fn refused(arguments: &str, words: &[&str]) {
+    let run = lesson(arguments);
+    assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments}: {run:?}");
+    assert_eq!(run.err.lines().count(), 1, "{arguments}: {run:?}");
+    assert!(run.err.starts_with("lesson: "), "{arguments}: {run:?}");
+    for word in words {
+        assert!(run.err.contains(word), "{arguments} should say `{word}`: {}", run.err);
+    }
+}
+
+#[test]
+fn unknown_chapters_steps_and_items() {
+    refused("fresnell", &["fresnell", "did you mean `fresnel`", "path-tracing"]);
+    refused("covrage", &["did you mean `coverage`"]);
+    refused("maxwell", &["not written yet", "fresnel"]);
+    refused("fresnel brewsterr", &["fresnel/brewsterr", "did you mean `brewster`", "natural"]);
+    refused("fresnel brewster/nothing_of_the_kind", &["no such item"]);
+    refused("fresnel brewster nothing_of_the_kind", &["no such item"]);
+    refused("a b c", &["a", "no such chapter"]);
+    refused("all brewster", &["brewster"]);
+    refused("--check", &["all"]);
+}
+
+#[test]
+fn unknown_parameters() {
+    refused("fresnel brewster --set thetta=1", &["thetta", "did you mean `theta`", "n_t"]);
+    refused("fresnel --set thetta=1 --plot", &["thetta", "did you mean `theta`"]);
+}
+
+#[test]
+fn values_outside_their_domain() {
+    refused("fresnel brewster --set n_t=-1.5", &["n_t", "valid"]);
+    refused("fresnel brewster --set n_t=nan", &["n_t", "valid"]);
+    refused("fresnel brewster --set n_t=1e400", &["n_t", "valid"]);
+    refused("fresnel brewster --set n_t=unobtainium", &["n_t", "unobtainium", "gold"]);
+    refused("fresnel brewster --set n_t=gold", &["n_t", "absorbs"]);
+    refused("fresnel brewster --set theta=95deg", &["theta", "95deg", "0deg to 90deg"]);
+    refused("fresnel brewster --set theta=nan", &["theta", "valid"]);
+    refused("fresnel natural --set n_t=gold --set wavelength=900um", &["gold"]);
+    refused("fresnel --set n_t=gold --set wavelength=900um", &["gold"]);
+    refused("fresnel --set wavelength=-1nm", &["wavelength", "valid"]);
+}
+
+#[test]
+fn malformed_flags_are_clap_s_to_refuse() {
+    for arguments in ["fresnel --set theta", "fresnel --format bmp", "fresnel --no-such-flag", "completions tcsh9"] {
+        let run = lesson(arguments);
+        assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments}");
+        assert!(!run.err.is_empty(), "{arguments}");
+    }
+}
+
+#[test]
+fn folders_that_cannot_be_written_to() {
+    let place = folder("unwritable");
+    let file = place.join("file");
+    std::fs::write(&file, "mine").unwrap();
+    refused(&format!("fresnel brewster --plot --out {}", file.display()), &["file", "folder"]);
+    refused(&format!("fresnel brewster --plot --out {}/below", file.display()), &["below"]);
+    refused("fresnel brewster --plot --out /proc/nowhere", &["/proc/nowhere"]);
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), "mine");
+    assert_eq!(std::fs::read_dir(&place).unwrap().count(), 1);
+}
+
+#[test]
+fn a_figure_that_cannot_be_put_in_place_leaves_no_draft() {
+    let place = folder("taken");
+    let made = lesson(&format!("fresnel brewster --plot --out {}", place.display()));
+    let path = made.out.lines().find(|line| line.ends_with(".png")).unwrap().to_owned();
+    std::fs::remove_file(&path).unwrap();
+    std::fs::create_dir(&path).unwrap();
+    refused(&format!("fresnel brewster --plot --out {}", place.display()), &["cannot be written"]);
+    let left = std::fs::read_dir(&place).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap());
+    assert!(left.into_iter().all(|name| !name.ends_with(".tmp")));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disc_is_reported() {
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let output = command(&["fresnel", "brewster"]).stdout(full).output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).starts_with("lesson: standard output"));
+}

@@ -1,0 +1,160 @@
+//! `lesson eval` as scripts use it.
+
+mod common;
+
+use common::{command, lesson, lesson_fed};
+use serde_json::Value;
+use std::io::{BufRead, BufReader, Write};
+
+const CALL: [&str; 5] = ["eval", "fresnel", "n1=1", "n2=1.5", "theta1=0"];
+const LINES: [&str; 3] = ["eval", "fresnel", "--json-lines"];
+
+/// The answers to `input`, with the exit code.
+fn answers(input: &[u8]) -> (i32, Vec<Value>) {
+    let run = lesson_fed(&LINES, input);
+    assert_eq!(run.err, "", "{run:?}");
+    (run.code, run.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect())
+}
+
+#[test]
+fn values_survive_the_trip_through_text() {
+    let run = lesson_fed(&CALL, b"");
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    let (_, answers) = answers(br#"{"n1": 1, "n2": 1.5, "theta1": 0}"#);
+    let mut count = 0;
+    for line in run.out.lines() {
+        let (name, text) = line.split_once(' ').unwrap();
+        let value: f64 = text.parse().unwrap();
+        assert!(value.is_nan() || format!("{value:.16e}") == text, "{line}");
+        match &answers[0][name] {
+            Value::Number(number) => assert_eq!(number.as_f64().map(f64::to_bits), Some(value.to_bits()), "{line}"),
+            name => assert!(!value.is_finite() && name.is_string(), "{line}"),
+        }
+        count += 1;
+    }
+    assert_eq!(count, answers[0].as_object().unwrap().len());
+    let r_s: f64 = run.out.lines().find_map(|line| line.strip_prefix("R_s ")).unwrap().parse().unwrap();
+    assert!((r_s - 0.04).abs() < 1e-16);
+}
+
+#[test]
+fn angles_may_carry_their_unit() {
+    let degrees = lesson("eval fresnel n1=1 n2=1.5 theta1=60deg");
+    let radians = lesson(&format!("eval fresnel n1=1 n2=1.5 theta1={:?}", 60_f64.to_radians()));
+    assert_eq!((degrees.code, &degrees.out), (0, &radians.out));
+    let (code, lines) =
+        answers(b"{\"n1\":1,\"n2\":1.5,\"theta1\":\"60deg\"}\n{\"n1\":1,\"n2\":1.5,\"theta1\":1.0471975511965976}\n");
+    assert_eq!((code, &lines[0]), (0, &lines[1]));
+}
+
+#[test]
+fn bad_arguments_name_their_place_and_range() {
+    for (arguments, words) in [
+        ("eval fresnell n1=1", &["fresnell", "did you mean `fresnel`"][..]),
+        ("eval fresnel n1=1 n2=-1.5 theta1=0", &["n2", "valid"]),
+        ("eval fresnel n1=1 n2=nan theta1=0", &["n2", "valid"]),
+        ("eval fresnel n1=1 n2=1e400 theta1=0", &["n2", "1e400", "valid"]),
+        ("eval fresnel n1=1 n2=1.5 theta1=95deg", &["theta1", "valid"]),
+        ("eval fresnel n1=1 n2=1.5 theta1=[1]", &["theta1", "must be a number"]),
+        ("eval fresnel n1=1 n2=1.5 theta1=[1", &["theta1", "column"]),
+        ("eval fresnel n1=1 n2=1.5 psi=0", &["psi", "n1"]),
+        ("eval fresnel n1=1 n1=1 n2=1.5 theta1=0", &["n1", "twice"]),
+        ("eval fresnel n1=1", &["missing"]),
+    ] {
+        let run = lesson(arguments);
+        assert_eq!((run.code, run.out.as_str(), run.err.lines().count()), (2, "", 1), "{arguments}: {run:?}");
+        assert!(run.err.starts_with("lesson: "), "{run:?}");
+        assert!(words.iter().all(|word| run.err.contains(word)), "{arguments}: {}", run.err);
+    }
+    assert_eq!(lesson("eval").code, 2);
+}
+
+#[test]
+fn every_bad_line_leaves_its_error_in_its_place() {
+    let deep = format!("{{\"n1\":{}1{}}}", "[".repeat(100_000), "]".repeat(100_000));
+    let good = r#"{"n1":1,"n2":1.5,"theta1":0}"#;
+    let bad: [&[u8]; 14] = [
+        b"{\"n1\":1,",
+        b"nonsense",
+        b"[1,2]",
+        b"42",
+        b"{\"n1\":true,\"n2\":1.5,\"theta1\":0}",
+        b"{\"n1\":null,\"n2\":1.5,\"theta1\":0}",
+        b"{\"n1\":\"one\",\"n2\":1.5,\"theta1\":0}",
+        b"{\"n1\":1e400,\"n2\":1.5,\"theta1\":0}",
+        b"{\"n1\":1,\"n1\":2,\"n2\":1.5,\"theta1\":0}",
+        b"{\"n1\":1,\"n2\":1.5,\"theta1\":0} {}",
+        b"{\"n\xff1\":1}",
+        b"\xff\xfe",
+        b"{\"n1\":1,\"n2\":1.5,\"theta1\":3}",
+        deep.as_bytes(),
+    ];
+    let mut input = Vec::new();
+    for line in bad {
+        input.extend_from_slice(line);
+        input.extend_from_slice(b"\n");
+        input.extend_from_slice(good.as_bytes());
+        input.extend_from_slice(b"\r\n\n");
+    }
+    let (code, answers) = answers(&input);
+    assert_eq!((code, answers.len()), (2, 2 * bad.len()));
+    for (at, pair) in answers.chunks(2).enumerate() {
+        let error = pair[0]["error"].as_str().unwrap_or_else(|| panic!("{:?}: {}", bad[at], pair[0]));
+        assert!(error.starts_with(&format!("line {}: ", 3 * at + 1)) && error.len() < 400, "{error}");
+        assert!(pair[1]["R_s"].is_f64(), "{}", pair[1]);
+    }
+}
+
+#[test]
+fn a_huge_line_is_skipped_and_the_next_one_read() {
+    let mut input = br#"{"n1":""#.to_vec();
+    input.resize(40 << 20, b'x');
+    input.extend_from_slice(b"\"}\n{\"n1\":1,\"n2\":1.5,\"theta1\":0}");
+    let (code, answers) = answers(&input);
+    assert_eq!((code, answers.len()), (2, 2));
+    assert_eq!(answers[0]["error"], "line 1: longer than 16 MiB");
+    assert!(answers[1]["R_s"].is_f64());
+}
+
+#[test]
+fn no_input_is_no_output() {
+    assert_eq!(answers(b""), (0, vec![]));
+    assert_eq!(answers(b"\n  \n"), (0, vec![]));
+}
+
+#[test]
+fn an_answer_comes_before_the_next_question() {
+    let mut child = command(&LINES).spawn().unwrap();
+    let mut stdin = child.stdin.take().unwrap();
+    let mut stdout = BufReader::new(child.stdout.take().unwrap());
+    for _ in 0..3 {
+        stdin.write_all(b"{\"n1\":1,\"n2\":1.5,\"theta1\":0}\n").unwrap();
+        let mut line = String::new();
+        stdout.read_line(&mut line).unwrap();
+        assert!(line.starts_with("{\"") && line.ends_with("}\n"));
+    }
+    drop(stdin);
+    assert!(child.wait().unwrap().success());
+}
+
+#[test]
+fn a_closed_pipe_ends_quietly() {
+    let mut child = command(&LINES).spawn().unwrap();
+    let mut stdin = child.stdin.take().unwrap();
+    drop(child.stdout.take());
+    // As much as it takes to notice.
+    while stdin.write_all(b"{\"n1\":1,\"n2\":1.5,\"theta1\":0}\n").is_ok() {}
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), output.stderr.len()), (Some(0), 0));
+}
+
+#[test]
+fn the_list_documents_inputs_and_outputs() {
+    let list: Value = serde_json::from_str(&lesson("eval --list --json").out).unwrap();
+    let function = list["functions"].as_array().unwrap().iter().find(|function| function["name"] == "fresnel").unwrap();
+    for field in function["inputs"].as_array().unwrap().iter().chain(function["outputs"].as_array().unwrap()) {
+        assert!(field["name"].is_string() && !field["says"].as_str().unwrap().is_empty(), "{field}");
+        assert!(field["unit"].is_string(), "{field}");
+    }
+    assert!(lesson("eval --list").out.contains("theta1"));
+}

@@ -1,0 +1,199 @@
+//! What a reader sees, and what a script gets, from the real binary.
+
+mod common;
+
+use common::{command, folder, lesson};
+use serde_json::Value;
+use std::io::{BufRead, BufReader};
+
+fn json(arguments: &str) -> Value {
+    let run = lesson(arguments);
+    assert!(run.code <= 1, "{run:?}");
+    serde_json::from_str(&run.out).unwrap_or_else(|error| panic!("{error}: {}", run.out))
+}
+
+#[test]
+fn contents_list_written_and_coming_chapters() {
+    let run = lesson("");
+    assert_eq!((run.code, run.err.as_str()), (0, ""));
+    for word in ["maxwell", "path-tracing", "fresnel", "brewster", "E53"] {
+        assert!(run.out.contains(word), "{word}");
+    }
+}
+
+#[test]
+fn text_fits_eighty_columns_and_carries_no_escapes_into_a_pipe() {
+    for arguments in ["", "fresnel", "fresnel --check --stress", "coverage", "eval --list"] {
+        let run = lesson(arguments);
+        assert!(!run.out.contains('\x1b'), "{arguments}");
+        for line in run.out.lines() {
+            assert!(unicode_width::UnicodeWidthStr::width(line) <= 80, "{arguments}: {line}");
+        }
+    }
+}
+
+#[test]
+fn a_step_is_found_by_word_and_by_address() {
+    let step = lesson("fresnel brewster");
+    assert!(step.out.contains("fresnel/brewster"), "{step:?}");
+    for other in ["fresnel/brewster", "Fresnel BREWSTER", "fresnel/brewster/"] {
+        assert_eq!(lesson(other).out, step.out, "{other}");
+    }
+    assert!(!step.out.contains("fresnel/natural/"));
+    assert_eq!(lesson("fresnel total-reflection").out, lesson("fresnel total_reflection").out);
+}
+
+#[test]
+fn an_item_is_run_alone() {
+    let report = json("fresnel brewster --check --json");
+    let check = report["chapters"][0]["steps"][0]["checks"][0]["address"].as_str().unwrap().to_owned();
+    let run = lesson(&check);
+    assert!(run.out.contains(&check) && run.out.ends_with("1 passed, 0 failed\n"), "{run:?}");
+}
+
+#[test]
+fn every_run_ends_with_the_tally_that_its_exit_code_and_report_agree_with() {
+    for flags in ["", "--check", "--stress", "--check --stress"] {
+        let run = lesson(&format!("fresnel {flags}"));
+        let last = run.out.lines().last().unwrap();
+        let report = json(&format!("fresnel {flags} --json"));
+        assert_eq!(last, format!("{} passed, {} failed", report["passed"], report["failed"]));
+        assert_eq!(run.code == 0, report["failed"] == 0);
+        let marks = |sign: char| run.out.lines().filter(|line| line.trim_start().starts_with(sign)).count() as u64;
+        assert_eq!(marks('✗') > 0, report["failed"].as_u64() > Some(0), "{flags}");
+        assert!(marks('✓') <= report["passed"].as_u64().unwrap(), "{flags}");
+    }
+}
+
+#[test]
+fn the_json_report_keeps_its_contract() {
+    let report = json("fresnel --check --stress --json");
+    for key in ["schema", "version", "machine", "chapters", "passed", "failed"] {
+        assert!(!report[key].is_null(), "{key}");
+    }
+    for step in report["chapters"][0]["steps"].as_array().unwrap() {
+        let lists = ["rows", "setting", "readout", "statements", "derivations", "checks", "stress", "races", "figures"];
+        assert!(lists.iter().all(|key| step[key].is_array()), "{step}");
+        for check in step["checks"].as_array().unwrap() {
+            for key in ["address", "claim", "value", "limit", "unit", "verdict", "at", "cases", "seconds"] {
+                assert!(!check[key].is_null(), "{key}: {check}");
+            }
+        }
+        for statement in step["statements"].as_array().unwrap() {
+            for key in ["address", "latex", "unicode", "dimension"] {
+                assert!(statement[key].as_str().is_some_and(|text| !text.is_empty()), "{key}: {statement}");
+            }
+        }
+        for case in step["stress"].as_array().unwrap().iter().flat_map(|stress| stress["cases"].as_array().unwrap()) {
+            let reference = case["reference"].as_str().unwrap();
+            assert!(reference.contains('e') && reference.len() >= 20, "{case}");
+        }
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_numbers_on_any_number_of_threads() {
+    let report = |threads: &str| {
+        let output = command(&["fresnel", "--check", "--stress", "--json"]).env("RAYON_NUM_THREADS", threads).output();
+        let mut report: Value = serde_json::from_slice(&output.unwrap().stdout).unwrap();
+        forget(&mut report, "seconds");
+        report["chapters"].take()
+    };
+    assert_eq!(report("1"), report("4"));
+}
+
+/// Empties every field called `key`.
+fn forget(value: &mut Value, key: &str) {
+    match value {
+        Value::Object(fields) => fields.iter_mut().for_each(|(name, field)| match name == key {
+            true => *field = Value::Null,
+            false => forget(field, key),
+        }),
+        Value::Array(items) => items.iter_mut().for_each(|item| forget(item, key)),
+        _ => {}
+    }
+}
+
+#[test]
+fn set_changes_the_readout() {
+    let angle = |arguments: &str| json(arguments)["chapters"][0]["steps"][0]["readout"].clone();
+    assert_ne!(angle("fresnel brewster --json"), angle("fresnel brewster --set n_t=2.4 --json"));
+    let setting = json("fresnel brewster --set theta=56.3deg --json")["chapters"][0]["steps"][0]["setting"].clone();
+    let theta = setting.as_array().unwrap().iter().find(|parameter| parameter["name"] == "theta").unwrap();
+    assert_eq!(theta["value"].as_f64(), Some(56.3_f64.to_radians()));
+}
+
+#[test]
+fn a_metal_goes_where_it_can_and_nowhere_else() {
+    let run = lesson("fresnel --check --set n_t=gold --set wavelength=550nm");
+    assert!(run.code <= 1, "{run:?}");
+    assert!(run.err.lines().all(|line| line.starts_with("lesson: fresnel/") && line.contains("keeps its own n_t")));
+}
+
+#[test]
+fn a_race_reports_error_and_time() {
+    let report = json("fresnel natural --race --json");
+    let race = &report["chapters"][0]["steps"][0]["races"][0];
+    assert!(race["lanes"].as_array().unwrap().len() >= 2);
+    for point in race["lanes"].as_array().unwrap().iter().flat_map(|lane| lane["points"].as_array().unwrap()) {
+        assert!(point["seconds"].as_f64().unwrap() > 0.0 && point["ns_per_work"].as_f64().unwrap() > 0.0, "{point}");
+        assert!(!point["error"].is_null());
+    }
+    assert!(report["machine"]["cores"].as_u64() >= Some(1));
+}
+
+#[test]
+fn figures_are_written_where_asked_and_their_paths_printed() {
+    let out = folder("figures");
+    for format in ["png", "svg"] {
+        let run = lesson(&format!("fresnel brewster --plot --format {format} --out {}", out.display()));
+        let paths: Vec<_> = run.out.lines().filter(|line| line.ends_with(&format!(".{format}"))).collect();
+        assert!(!paths.is_empty(), "{run:?}");
+        for path in paths {
+            assert!(std::fs::metadata(path).unwrap().len() > 0, "{path}");
+        }
+    }
+    assert!(
+        std::fs::read_dir(&out).unwrap().all(|file| !file.unwrap().file_name().to_string_lossy().ends_with(".tmp"))
+    );
+}
+
+#[test]
+fn a_closed_pipe_ends_quietly() {
+    for arguments in
+        [&["fresnel"][..], &["coverage", "--json"], &["eval", "--list"], &["fresnel", "--json", "--stress"]]
+    {
+        let mut child = command(arguments).spawn().unwrap();
+        let mut first = String::new();
+        BufReader::with_capacity(1, child.stdout.take().unwrap()).read_line(&mut first).unwrap();
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+        assert!(!String::from_utf8_lossy(&output.stderr).contains("panic"), "{arguments:?}");
+    }
+}
+
+#[test]
+fn coverage_has_a_row_for_every_row_of_the_lecture() {
+    let coverage = json("coverage --json");
+    let rows = coverage["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), 76);
+    for row in rows {
+        let list = |key: &str| row[key].as_array().unwrap().clone();
+        let mut sorted = [list("met"), list("missing")].concat();
+        let mut need = list("need");
+        [&mut sorted, &mut need].into_iter().for_each(|letters| letters.sort_by_key(Value::to_string));
+        assert_eq!(sorted, need, "{row}");
+        assert!(list("steps").iter().all(|step| step.as_str().unwrap().contains('/')), "{row}");
+    }
+    assert!(rows.iter().any(|row| row["chapter"] == "fresnel" && !row["steps"].as_array().unwrap().is_empty()));
+    assert!(lesson("coverage").out.contains("of 76 rows whole"));
+}
+
+#[test]
+fn help_teaches_and_completions_know_the_steps() {
+    let help = lesson("--help");
+    assert!(help.code == 0 && help.out.contains("lesson fresnel brewster") && help.out.contains("--set"));
+    for shell in ["bash", "zsh", "fish"] {
+        assert!(lesson(&format!("completions {shell}")).out.contains("brewster"), "{shell}");
+    }
+}

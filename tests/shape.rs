@@ -1,0 +1,138 @@
+//! The list itself: what a chapter must have before anyone looks at it.
+
+use chapters::lecture::LECTURE;
+use chapters::setting::Setting;
+use chapters::{CURRICULUM, Chapter, Step};
+use std::collections::HashSet;
+
+fn steps() -> impl Iterator<Item = (&'static Chapter, &'static Step)> {
+    CURRICULUM.iter().flat_map(|chapter| chapter.steps.iter().map(move |step| (*chapter, step)))
+}
+
+/// Every item's id and the rows it names.
+fn items(step: &Step) -> Vec<(&'static str, &'static [&'static str])> {
+    let statements = step.statements.iter().map(|item| (item.id, item.rows));
+    let derivations = step.derivations.iter().map(|item| (item.id, item.rows));
+    let checks = step.checks.iter().map(|item| (item.id, item.rows));
+    let stress = step.stress.iter().map(|item| (item.id, item.rows));
+    let races = step.races.iter().map(|item| (item.id, item.rows));
+    let figures = step.figures.iter().map(|item| (item.id, item.rows));
+    statements.chain(derivations).chain(checks).chain(stress).chain(races).chain(figures).collect()
+}
+
+fn unique<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<(), &'a str> {
+    let mut seen = HashSet::new();
+    names.into_iter().find(|name| !seen.insert(*name)).map_or(Ok(()), Err)
+}
+
+#[test]
+fn addresses_are_unique() {
+    assert_eq!(unique(CURRICULUM.iter().map(|chapter| chapter.id)), Ok(()));
+    for chapter in CURRICULUM {
+        assert_eq!(unique(chapter.steps.iter().map(|step| step.id)), Ok(()), "{}", chapter.id);
+    }
+    for (chapter, step) in steps() {
+        let place = format!("{}/{}", chapter.id, step.id);
+        assert_eq!(unique(items(step).into_iter().map(|(id, _)| id)), Ok(()), "{place}");
+        assert_eq!(unique(step.parameters.iter().map(|parameter| parameter.name)), Ok(()), "{place}");
+        for race in step.races {
+            assert_eq!(unique(race.lanes.iter().map(|lane| lane.id)), Ok(()), "{place}/{}", race.id);
+        }
+    }
+    let functions = CURRICULUM.iter().flat_map(|chapter| chapter.functions);
+    assert_eq!(unique(functions.map(|function| function.name)), Ok(()));
+}
+
+#[test]
+fn words_are_words_of_an_address() {
+    for (chapter, step) in steps() {
+        let lanes = step.races.iter().flat_map(|race| race.lanes).map(|lane| lane.id);
+        for id in items(step).into_iter().map(|(id, _)| id).chain(lanes).chain([step.id]) {
+            let plain =
+                id.chars().all(|letter| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '_');
+            assert!(plain && !id.is_empty(), "{}/{}: `{id}`", chapter.id, step.id);
+        }
+    }
+}
+
+#[test]
+fn chapters_belong_to_the_lecture_and_build_on_it() {
+    let known: HashSet<_> = LECTURE.iter().map(|row| row.chapter).collect();
+    for chapter in CURRICULUM {
+        assert!(known.contains(chapter.id), "{}", chapter.id);
+        assert!(chapter.builds_on.iter().all(|earlier| known.contains(earlier)), "{}", chapter.id);
+    }
+}
+
+#[test]
+fn the_lecture_has_all_its_rows_once() {
+    assert_eq!(LECTURE.len(), 76);
+    assert_eq!(unique(LECTURE.iter().map(|row| row.id)), Ok(()));
+}
+
+#[test]
+fn every_row_named_exists() {
+    let known: HashSet<_> = LECTURE.iter().map(|row| row.id).collect();
+    for (chapter, step) in steps() {
+        let named = items(step).into_iter().flat_map(|(id, rows)| rows.iter().map(move |row| (id, row)));
+        for (id, row) in named.chain(step.rows.iter().map(|row| ("", row))) {
+            assert!(known.contains(row), "{}/{}/{id} names {row}", chapter.id, step.id);
+        }
+    }
+}
+
+#[test]
+fn prose_has_one_section_for_each_step_in_order() {
+    for chapter in CURRICULUM {
+        let markers =
+            chapter.prose.split("<!-- step:").skip(1).map(|rest| rest.split("-->").next().unwrap_or("").trim());
+        let steps: Vec<_> = chapter.steps.iter().map(|step| step.id).collect();
+        assert_eq!(markers.collect::<Vec<_>>(), steps, "{}", chapter.id);
+    }
+}
+
+#[test]
+fn defaults_are_valid_and_readouts_answer() {
+    for (chapter, step) in steps() {
+        let setting = Setting::defaults(step.parameters);
+        for quantity in step.readout.map(|read| read(&setting)).unwrap_or_default() {
+            assert!(quantity.value.is_finite(), "{}/{}: {quantity:?}", chapter.id, step.id);
+        }
+    }
+}
+
+#[test]
+fn units_of_both_sides_agree() {
+    for (chapter, step) in steps() {
+        for statement in step.statements {
+            if let Err(mismatch) = (statement.equation)().dimension() {
+                panic!("{}/{}/{}: {mismatch}", chapter.id, step.id, statement.id);
+            }
+        }
+    }
+}
+
+#[test]
+fn races_have_rivals_and_growing_work() {
+    for (chapter, step) in steps() {
+        for race in step.races {
+            let place = format!("{}/{}/{}", chapter.id, step.id, race.id);
+            assert!(race.lanes.len() >= 2, "{place}");
+            for lane in race.lanes {
+                assert!(!lane.works.is_empty() && lane.works[0] > 0, "{place}/{}", lane.id);
+                assert!(lane.works.is_sorted_by(|a, b| a < b), "{place}/{}", lane.id);
+                assert!(lane.repeats >= 1, "{place}/{}", lane.id);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_claim_says_where_its_bound_and_its_slip_come_from() {
+    for (chapter, step) in steps() {
+        for check in step.checks {
+            let texts = [check.claim, check.route, check.slip];
+            assert!(texts.iter().all(|text| !text.is_empty()), "{}/{}/{}", chapter.id, step.id, check.id);
+        }
+    }
+}
