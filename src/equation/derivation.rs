@@ -5,11 +5,11 @@
 //! arithmetic at that point can tell, cancellation included.
 
 use super::Equation;
-use super::expr::{Expr, Function};
-use super::rational::Rational;
+use super::expr::Expr;
 use super::symbol::{Domain, Symbol};
+use super::tracked::Tracked;
 use super::units::Mismatch;
-use super::value::{Bindings, Evaluation, Field, Unevaluable};
+use super::value::{Bindings, Evaluation, Unevaluable};
 use crate::precise::{self, Complex};
 use crate::sampling::Stream;
 use num_complex::Complex64;
@@ -318,110 +318,147 @@ fn text(value: Complex64) -> String {
     }
 }
 
-/// A number of arbitrary precision with a first-order bound of its rounding error (Higham, *Accuracy and Stability of
-/// Numerical Algorithms*, §3.3): `error` is in units of 2^−bits and never below the magnitude of the value.
-#[derive(Clone, Debug)]
-struct Tracked {
-    value: Complex,
-    size: f64,
-    error: f64,
-    bits: usize,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equation::dimension::Dimension;
+    use crate::equation::expr::{abs, conj, cos, curl, i, re, sin, tan};
+    use crate::sampling;
 
-impl Tracked {
-    fn exact(value: Complex, bits: usize) -> Self {
-        Self::inherit(value, 0.0, bits)
+    const THETA_1: Symbol = Symbol::scalar("theta_1", Dimension::ONE).within(0.1, 1.4);
+    const THETA_2: Symbol = Symbol::scalar("theta_2", Dimension::ONE).within(0.1, 1.4);
+    const N_1: Symbol = Symbol::scalar("n_1", Dimension::ONE);
+    const N_2: Symbol = Symbol::scalar("n_2", Dimension::ONE);
+    const K: Symbol = Symbol::scalar("k", Dimension::ONE).within(0.5, 2.0);
+    const Z_0: Symbol = Symbol::scalar("Z_0", Dimension::OHM).within(100.0, 400.0);
+    const E_1: Symbol = Symbol::scalar("E_1", Dimension::VOLT_PER_METRE);
+    const E_R: Symbol = Symbol::scalar("E_1'", Dimension::VOLT_PER_METRE);
+    const E_2: Symbol = Symbol::scalar("E_2", Dimension::VOLT_PER_METRE);
+    const X: Symbol = Symbol::scalar("x", Dimension::ONE);
+
+    fn judge(chain: &Chain) -> Vec<Verdict> {
+        let mut stream = sampling::stream(7, "equation/derivation");
+        chain.verify(6, 160, &mut stream).into_iter().map(|hop| hop.verdict).collect()
     }
 
-    /// A result that took over `error` from its operands and rounds once itself.
-    fn inherit(value: Complex, error: f64, bits: usize) -> Self {
-        let size = precise::to_complex64(&value).norm();
-        Self { value, size, error: error + size, bits }
+    fn snell(chain: Chain) -> Chain {
+        chain.given(N_1, K * sin(THETA_2), "Snell").given(N_2, K * sin(THETA_1), "Snell")
     }
 
-    /// Whether nothing but rounding may be left of it.
-    fn may_vanish(&self) -> bool {
-        self.size <= self.error * (-(self.bits as f64) / 2.0).exp2()
+    fn sine_of_difference() -> Expr {
+        sin(THETA_1 - THETA_2)
     }
 
-    /// |`self` − `other`| over the size of the terms they were made of [1]; `None` if that is out of range.
-    fn difference(&self, other: &Self) -> Option<f64> {
-        let gap = precise::to_complex64(&(&self.value - &other.value)).norm();
-        let scale = self.error + other.error;
-        match (gap == 0.0, gap / scale) {
-            (true, _) if scale.is_finite() => Some(0.0),
-            (false, ratio) if ratio.is_finite() && scale.is_finite() => Some(ratio),
-            _ => None,
+    fn sine_of_sum() -> Expr {
+        sin(THETA_1 + THETA_2)
+    }
+
+    /// E35 to E36: the boundary conditions hold with the fields that r_s and t_s stand for, and the ratio of the
+    /// fields takes the lecture's form.
+    fn r_s() -> Chain {
+        let (c_1, c_2) = (|| cos(THETA_1), || cos(THETA_2));
+        let t_s = 2 * sin(THETA_2) * c_1() / sine_of_sum();
+        let chain = Chain::new(Equation::new(E_1 + E_R, E_2)).given(E_2, t_s * E_1, "E37").given(
+            E_R,
+            -sine_of_difference() / sine_of_sum() * E_1,
+            "E36",
+        );
+        snell(chain)
+            .then(
+                Equation::new((N_1 * E_1 / Z_0 - N_1 * E_R / Z_0) * c_1(), N_2 * E_2 / Z_0 * c_2()),
+                ["H is continuous", "H = nE/Z"],
+            )
+            .then(
+                Equation::new(E_R / E_1, (N_1 * c_1() - N_2 * c_2()) / (N_1 * c_1() + N_2 * c_2())),
+                ["two linear equations"],
+            )
+            .then(
+                (sin(THETA_2) * c_1() - sin(THETA_1) * c_2()) / (sin(THETA_2) * c_1() + sin(THETA_1) * c_2()),
+                ["Snell", "cancel k"],
+            )
+            .then(-sine_of_difference() / sine_of_sum(), ["sine of a sum"])
+            .because("the sum and the difference of the same two products")
+    }
+
+    #[test]
+    fn follows_r_s_from_the_boundary_conditions_at_complex_angles() {
+        let verdicts = judge(&r_s());
+        assert_eq!(verdicts.len(), 5);
+        for verdict in &verdicts {
+            let Verdict::Agrees { points: 6, skipped: 0, digits } = verdict else { panic!("{verdict:?}") };
+            assert!((46.0..48.2).contains(digits), "{digits}");
         }
-    }
-}
-
-impl Field for Tracked {
-    fn number(value: Rational, bits: usize) -> Self {
-        Self::exact(Complex::number(value, bits), bits)
+        assert_eq!(r_s().units(), Ok(()));
+        assert_eq!(r_s().lines.last().unwrap().says, "the sum and the difference of the same two products");
     }
 
-    fn pi(bits: usize) -> Self {
-        Self::exact(Complex::pi(bits), bits)
-    }
-
-    fn imaginary_unit(bits: usize) -> Option<Self> {
-        Complex::imaginary_unit(bits).map(|i| Self::exact(i, bits))
-    }
-
-    fn plus(&self, other: &Self) -> Self {
-        Self::inherit(&self.value + &other.value, self.error + other.error, self.bits)
-    }
-
-    fn times(&self, other: &Self) -> Self {
-        let error = self.size * other.error + other.size * self.error;
-        Self::inherit(&self.value * &other.value, error, self.bits)
-    }
-
-    fn over(&self, other: &Self) -> Option<Self> {
-        if other.may_vanish() {
-            return None;
-        }
-        let value = self.value.over(&other.value)?;
-        let error = (self.error + self.size / other.size * other.error) / other.size;
-        Some(Self::inherit(value, error, self.bits))
-    }
-
-    fn negated(&self) -> Self {
-        Self { value: -&self.value, ..self.clone() }
-    }
-
-    fn power(&self, exponent: Rational) -> Option<Self> {
-        let p = exponent.numerator() as f64 / exponent.denominator() as f64;
-        if self.may_vanish() && (p < 0.0 || exponent.as_integer().is_none()) && self.size > 0.0 {
-            return None;
-        }
-        let value = self.value.power(exponent)?;
-        let slope = if self.size == 0.0 { 0.0 } else { p.abs() * self.size.powf(p - 1.0) };
-        Some(Self::inherit(value, slope * self.error, self.bits))
-    }
-
-    fn sine_cosine(&self) -> Option<(Self, Self)> {
-        let (sin, cos) = self.value.sine_cosine()?;
-        let slopes = [&cos, &sin].map(|slope| precise::to_complex64(slope).norm());
-        Some((
-            Self::inherit(sin, slopes[0] * self.error, self.bits),
-            Self::inherit(cos, slopes[1] * self.error, self.bits),
-        ))
-    }
-
-    fn apply(&self, function: Function) -> Option<Self> {
-        if function == Function::Sqrt {
-            return self.power(Rational::new(1, 2)?);
-        }
-        let value = self.value.apply(function)?;
-        let x = precise::to_complex64(&self.value);
-        let slope = match function {
-            Function::Exp => precise::to_complex64(&value).norm(),
-            Function::Asin | Function::Acos => (1.0 - x * x).norm().sqrt().recip(),
-            Function::Atan => (1.0 + x * x).norm().recip(),
-            _ => 1.0,
+    #[test]
+    fn refuses_a_slipped_sign_and_says_where() {
+        let r_p = |sign: i32| {
+            let start = (N_2 * cos(THETA_1) - N_1 * cos(THETA_2)) / (N_2 * cos(THETA_1) + N_1 * cos(THETA_2));
+            snell(Chain::new(start))
+                .then(sign * tan(THETA_1 - THETA_2) / tan(THETA_1 + THETA_2), ["sines of double angles"])
         };
-        Some(Self::inherit(value, slope * self.error, self.bits))
+        assert!(judge(&r_p(1))[0].holds());
+        let verdicts = judge(&r_p(-1));
+        let [Verdict::Refuted { at, digits }] = verdicts.as_slice() else { panic!("{verdicts:?}") };
+        assert!(digits.abs() < 2.0, "{digits}");
+        let names: Vec<_> = at.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names, ["θ₁", "θ₂", "k"]);
+        let angle: f64 = at[0].1.parse().expect("the first point is real");
+        assert!((0.1..=1.4).contains(&angle));
+    }
+
+    #[test]
+    fn the_witness_refutes_in_plain_f64_too() {
+        let chain = Chain::new(sin(X).pow(2)).then(1 - cos(X), ["a slip"]);
+        let verdicts = judge(&chain);
+        let [Verdict::Refuted { at, .. }] = verdicts.as_slice() else { panic!("{verdicts:?}") };
+        let x: f64 = at[0].1.parse().unwrap();
+        assert!((x.sin().powi(2) - (1.0 - x.cos())).abs() > 1e-3);
+    }
+
+    #[test]
+    fn sees_differences_far_below_f64() {
+        let tiny = Expr::number(crate::equation::rational::Rational::new(1, 1_000_000_000_000_000_000).unwrap());
+        let verdicts = judge(&Chain::new(sin(X)).then(sin(X) + tiny.pow(2), ["a slip"]));
+        let [Verdict::Refuted { digits, .. }] = verdicts.as_slice() else { panic!("{verdicts:?}") };
+        assert!((35.0..38.0).contains(digits), "{digits}");
+    }
+
+    #[test]
+    fn judges_an_exact_zero_by_the_size_of_its_terms() {
+        let zero = sin(X).pow(2) + cos(X).pow(2) - 1;
+        assert!(judge(&Chain::new(Equation::new(&zero, 0)))[0].holds());
+        assert!(judge(&Chain::new(Equation::new(X * &zero / 7 + X, X)))[0].holds());
+        let verdicts = judge(&Chain::new(Equation::new(X / zero, X)));
+        let [Verdict::Unknown { why }] = verdicts.as_slice() else { panic!("{verdicts:?}") };
+        assert_eq!(why, "x/(sin² x + cos² x − 1) has no finite value at any of 24 points");
+    }
+
+    #[test]
+    fn looks_off_the_real_axis_unless_told_not_to() {
+        let real = X.real(0.2, 1.3);
+        let squared = |x: Symbol| Chain::new(abs(&x).pow(2)).then(x.pow(2), ["real"]);
+        assert!(judge(&squared(real.clone()))[0].holds());
+        assert!(matches!(judge(&squared(X))[0], Verdict::Refuted { .. }));
+        assert!(judge(&Chain::new(abs(X).pow(2)).then(X * conj(X), []))[0].holds());
+        // A metal: Im n > 0 throughout.
+        let n = Symbol::scalar("n", Dimension::ONE).complex((0.1, 3.0), (0.5, 8.0));
+        assert!(judge(&Chain::new(re(&n * i())).then(-crate::equation::expr::im(n), []))[0].holds());
+    }
+
+    #[test]
+    fn admits_what_it_cannot_judge() {
+        let field = Symbol::vector("E", Dimension::VOLT_PER_METRE);
+        let verdicts = judge(&Chain::new(curl(&field)).then(-curl(-&field), ["linear"]));
+        assert_eq!(verdicts, [Verdict::Unknown { why: "∇×E is not a number by itself".into() }]);
+        let circle = Chain::new(Expr::from(X)).given(X, X + 1, "nonsense").then(X + 0, []);
+        assert_eq!(judge(&circle), [Verdict::Unknown { why: "x is defined by itself".into() }]);
+    }
+
+    #[test]
+    fn the_same_stream_gives_the_same_hops() {
+        assert_eq!(judge(&r_s()), judge(&r_s()));
     }
 }

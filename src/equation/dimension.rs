@@ -1,25 +1,29 @@
 //! SI dimensions: the exponents of the seven base units.
 
-use super::rational::Rational;
+use super::rational::{Rational, greatest_common_divisor};
 use std::fmt;
 
 /// A product of powers of m, kg, s, A, K, mol and cd. Radian and steradian are 1, as in the SI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Dimension([Rational; 7]);
+pub struct Dimension {
+    /// Exponents times their least common denominator.
+    numerators: [i16; 7],
+    denominator: i16,
+}
 
 const BASE: [&str; 7] = ["m", "kg", "s", "A", "K", "mol", "cd"];
 /// The customary order in a product.
 const ORDER: [usize; 7] = [1, 0, 2, 3, 4, 5, 6];
 
 const fn base(which: usize) -> Dimension {
-    let mut exponents = [Rational::ZERO; 7];
-    exponents[which] = Rational::ONE;
-    Dimension(exponents)
+    let mut numerators = [0; 7];
+    numerators[which] = 1;
+    Dimension { numerators, denominator: 1 }
 }
 
 #[allow(missing_docs, reason = "each name is its own documentation")]
 impl Dimension {
-    pub const ONE: Self = Self([Rational::ZERO; 7]);
+    pub const ONE: Self = Self { numerators: [0; 7], denominator: 1 };
     pub const METRE: Self = base(0);
     pub const KILOGRAM: Self = base(1);
     pub const SECOND: Self = base(2);
@@ -58,53 +62,46 @@ impl Dimension {
     pub const JOULE_PER_CUBIC_METRE: Self = Self::JOULE.per(Self::CUBIC_METRE);
 }
 
-/// Units with a name that readers expect. Where two fit (T/s and V/m², Pa and J/m³) the one of this lecture stands.
-const NAMED: [(Dimension, &str); 33] = [
+/// Units that readers expect to see, by themselves or per something. Where two fit, the earlier stands: V/m², not T/s.
+/// The newton is left out: N/m² would come before the J/m³ of an energy density.
+const NAMED: [(Dimension, &str); 16] = [
     (Dimension::ONE, "1"),
+    (Dimension::METRE, "m"),
+    (Dimension::SECOND, "s"),
+    (Dimension::KILOGRAM, "kg"),
     (Dimension::SQUARE_METRE, "m²"),
     (Dimension::CUBIC_METRE, "m³"),
-    (Dimension::HERTZ, "1/s"),
-    (Dimension::METRE_PER_SECOND, "m/s"),
-    (Dimension::RADIAN_PER_METRE, "1/m"),
-    (Dimension::ONE.per(Dimension::SQUARE_METRE), "1/m²"),
-    (Dimension::NEWTON, "N"),
-    (Dimension::JOULE, "J"),
     (Dimension::WATT, "W"),
-    (Dimension::COULOMB, "C"),
     (Dimension::VOLT, "V"),
+    (Dimension::AMPERE, "A"),
+    (Dimension::COULOMB, "C"),
+    (Dimension::TESLA, "T"),
     (Dimension::OHM, "Ω"),
     (Dimension::SIEMENS, "S"),
     (Dimension::FARAD, "F"),
-    (Dimension::WEBER, "Wb"),
-    (Dimension::TESLA, "T"),
     (Dimension::HENRY, "H"),
-    (Dimension::VOLT_PER_METRE, "V/m"),
-    (Dimension::VOLT.per(Dimension::SQUARE_METRE), "V/m²"),
-    (Dimension::VOLT.per(Dimension::CUBIC_METRE), "V/m³"),
-    (Dimension::AMPERE_PER_METRE, "A/m"),
-    (Dimension::AMPERE_PER_SQUARE_METRE, "A/m²"),
-    (Dimension::COULOMB_PER_SQUARE_METRE, "C/m²"),
-    (Dimension::COULOMB_PER_CUBIC_METRE, "C/m³"),
-    (Dimension::FARAD_PER_METRE, "F/m"),
-    (Dimension::HENRY_PER_METRE, "H/m"),
-    (Dimension::SIEMENS_PER_METRE, "S/m"),
-    (Dimension::WATT_PER_METRE, "W/m"),
-    (Dimension::WATT_PER_SQUARE_METRE, "W/m²"),
-    (Dimension::WATT_PER_CUBIC_METRE, "W/m³"),
-    (Dimension::WATT_PER_SECOND, "W/s"),
-    (Dimension::JOULE_PER_CUBIC_METRE, "J/m³"),
+    (Dimension::JOULE, "J"),
+];
+const PER: [(Dimension, &str); 6] = [
+    (Dimension::ONE, ""),
+    (Dimension::METRE, "/m"),
+    (Dimension::SQUARE_METRE, "/m²"),
+    (Dimension::CUBIC_METRE, "/m³"),
+    (Dimension::SECOND, "/s"),
+    (Dimension::METRE.times(Dimension::SECOND), "/(m s)"),
 ];
 
 impl Dimension {
     /// The exponent of each base unit, in the order m, kg, s, A, K, mol, cd.
-    pub const fn exponents(&self) -> &[Rational; 7] {
-        &self.0
+    pub fn exponents(&self) -> [Rational; 7] {
+        let denominator = self.denominator.into();
+        self.numerators.map(|n| Rational::new(n.into(), denominator).expect("a positive denominator"))
     }
 
     /// The product, for definitions.
     ///
     /// # Panics
-    /// If an exponent leaves the range of [`Rational`]; [`Self::checked_times`] does not.
+    /// If an exponent is out of range; [`Self::checked_times`] does not.
     pub const fn times(self, other: Self) -> Self {
         self.checked_times(other).expect("exponents of a unit within range")
     }
@@ -119,47 +116,79 @@ impl Dimension {
 
     /// 1 over it.
     pub const fn inverse(self) -> Self {
-        let mut exponents = self.0;
+        let mut numerators = self.numerators;
         let mut at = 0;
         while at < 7 {
-            exponents[at] = exponents[at].negated();
+            numerators[at] = -numerators[at];
             at += 1;
         }
-        Self(exponents)
+        Self { numerators, ..self }
     }
 
-    /// The product; `None` if an exponent leaves the range of [`Rational`].
+    /// The product; `None` if numerator or denominator of an exponent would exceed 32 767.
     pub const fn checked_times(self, other: Self) -> Option<Self> {
-        let mut exponents = self.0;
+        let mut sums = [0; 7];
         let mut at = 0;
         while at < 7 {
-            let Some(sum) = exponents[at].plus(other.0[at]) else { return None };
-            exponents[at] = sum;
+            sums[at] = self.numerators[at] as i64 * other.denominator as i64
+                + other.numerators[at] as i64 * self.denominator as i64;
             at += 1;
         }
-        Some(Self(exponents))
+        Self::reduce(sums, self.denominator as i64 * other.denominator as i64)
     }
 
-    /// The power; `None` if an exponent leaves the range of [`Rational`].
+    /// The power; `None` if numerator or denominator of an exponent would exceed 32 767.
     pub const fn checked_power(self, power: Rational) -> Option<Self> {
-        let mut exponents = self.0;
+        let (Some(numerator), Some(denominator)) = (small(power.numerator()), small(power.denominator())) else {
+            return None;
+        };
+        let mut products = [0; 7];
         let mut at = 0;
         while at < 7 {
-            let Some(product) = exponents[at].times(power) else { return None };
-            exponents[at] = product;
+            products[at] = self.numerators[at] as i64 * numerator as i64;
             at += 1;
         }
-        Some(Self(exponents))
+        Self::reduce(products, self.denominator as i64 * denominator as i64)
     }
+
+    /// In lowest terms.
+    const fn reduce(numerators: [i64; 7], denominator: i64) -> Option<Self> {
+        let mut divisor = denominator.unsigned_abs() as u128;
+        let mut at = 0;
+        while at < 7 {
+            divisor = greatest_common_divisor(divisor, numerators[at].unsigned_abs() as u128);
+            at += 1;
+        }
+        let mut reduced = [0; 7];
+        at = 0;
+        while at < 7 {
+            let Some(numerator) = small(numerators[at] / divisor as i64) else { return None };
+            reduced[at] = numerator;
+            at += 1;
+        }
+        match small(denominator / divisor as i64) {
+            Some(denominator) => Some(Self { numerators: reduced, denominator }),
+            None => None,
+        }
+    }
+}
+
+/// `n` where it and −`n` fit.
+const fn small(n: i64) -> Option<i16> {
+    if n.unsigned_abs() <= i16::MAX as u64 { Some(n as i16) } else { None }
 }
 
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        if let Some((_, name)) = NAMED.iter().find(|(dimension, _)| dimension == self) {
-            return f.write_str(name);
+        for (below, per) in PER {
+            let above = self.checked_times(below);
+            if let Some((_, name)) = NAMED.iter().find(|(dimension, _)| Some(*dimension) == above) {
+                return write!(f, "{name}{per}");
+            }
         }
-        let factors = ORDER.iter().filter(|at| !self.0[**at].is_zero()).map(|at| factor(BASE[*at], self.0[*at]));
-        f.write_str(&factors.collect::<Vec<_>>().join(" "))
+        let exponents = self.exponents();
+        let present = ORDER.iter().filter(|at| !exponents[**at].is_zero());
+        f.write_str(&present.map(|at| factor(BASE[*at], exponents[*at])).collect::<Vec<_>>().join(" "))
     }
 }
 
@@ -180,6 +209,8 @@ mod tests {
         assert_eq!(Dimension::VOLT.per(Dimension::METRE).to_string(), "V/m");
         assert_eq!(Dimension::KILOGRAM.times(Dimension::METRE).per(Dimension::AMPERE).to_string(), "kg m A⁻¹");
         assert_eq!(Dimension::WATT.per(Dimension::SECOND).to_string(), "W/s");
+        assert_eq!(Dimension::JOULE.per(Dimension::CUBIC_METRE).to_string(), "J/m³");
+        assert_eq!(Dimension::METRE_PER_SECOND.inverse().to_string(), "s/m");
         let root = Dimension::SECOND.checked_power(Rational::new(1, 2).unwrap()).unwrap();
         assert_eq!(root.to_string(), "s^(1/2)");
         assert_eq!(root.checked_times(root), Some(Dimension::SECOND));
@@ -187,18 +218,11 @@ mod tests {
 
     #[test]
     fn derives_the_electrical_units() {
-        let base = |m, kg, s, a| Dimension([m, kg, s, a, 0, 0, 0].map(Rational::from));
+        let base = |m, kg, s, a| Dimension { numerators: [m, kg, s, a, 0, 0, 0], denominator: 1 };
         assert_eq!(Dimension::VOLT, base(2, 1, -3, -1));
         assert_eq!(Dimension::OHM, base(2, 1, -3, -2));
         assert_eq!(Dimension::FARAD, base(-2, -1, 4, 2));
         assert_eq!(Dimension::TESLA, base(0, 1, -2, -1));
         assert_eq!(Dimension::HENRY, base(2, 1, -2, -2));
-    }
-
-    #[test]
-    fn no_unit_is_named_twice() {
-        for (at, (dimension, name)) in NAMED.iter().enumerate() {
-            assert!(NAMED[..at].iter().all(|(other, _)| other != dimension), "{name}");
-        }
     }
 }

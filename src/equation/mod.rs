@@ -10,8 +10,12 @@ pub mod expr;
 pub mod face;
 pub mod rational;
 pub mod symbol;
+mod tracked;
 pub mod units;
 pub mod value;
+
+#[cfg(test)]
+mod lecture;
 
 pub use dimension::Dimension;
 pub use expr::Expr;

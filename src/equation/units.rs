@@ -97,7 +97,10 @@ fn agree(first: &Expr, first_kind: Kind, term: &Expr, kind: Kind) -> Result<Kind
         return Err(Mismatch::Unlike { term: term.to_string(), unit, other: first.to_string(), other_unit });
     }
     if rank != other_rank {
-        let place = if rank == Rank::Vector { "the other side or term" } else { "the vector beside it" };
+        let place = match rank {
+            Rank::Vector => "a sum or equation of numbers",
+            Rank::Scalar => "a sum or equation of vectors",
+        };
         return Err(Mismatch::Rank { term: term.to_string(), rank, place });
     }
     Ok(kind)
@@ -231,4 +234,69 @@ fn times(expr: &Expr, a: Dimension, b: Dimension) -> Result<Dimension, Mismatch>
 
 fn power(expr: &Expr, a: Dimension, exponent: Rational) -> Result<Dimension, Mismatch> {
     a.checked_power(exponent).ok_or_else(|| Mismatch::Overflow { term: expr.to_string() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equation::expr::{cross, curl, d, dot, integral, partial, sin, sqrt};
+    use crate::equation::symbol::Symbol;
+
+    const T: Symbol = Symbol::scalar("t", Dimension::SECOND);
+    const V: Symbol = Symbol::scalar("v", Dimension::METRE_PER_SECOND);
+    const R: Symbol = Symbol::scalar("r", Dimension::METRE);
+    const FLUX: Symbol = Symbol::scalar("Phi", Dimension::WATT);
+    const ENERGY: Symbol = Symbol::scalar("Q", Dimension::JOULE);
+    const AREA: Symbol = Symbol::scalar("A", Dimension::SQUARE_METRE);
+    const S: Symbol = Symbol::vector("S", Dimension::WATT_PER_SQUARE_METRE);
+    const N: Symbol = Symbol::vector("n", Dimension::ONE);
+    const E: Symbol = Symbol::vector("E", Dimension::VOLT_PER_METRE);
+    const B: Symbol = Symbol::vector("B", Dimension::TESLA);
+
+    fn complaint<T: fmt::Debug>(result: Result<T, Mismatch>) -> String {
+        result.unwrap_err().to_string()
+    }
+
+    /// Row C6 of the lecture: an energy that is already a power.
+    #[test]
+    fn refuses_the_flux_of_the_encyclopaedia() {
+        let through = integral(dot(S, N), [AREA.into()], Range::Region(Symbol::scalar("Sigma", Dimension::ONE)));
+        let formula = Equation::new(FLUX, d(&through) / d(T));
+        assert_eq!(complaint(formula.dimension()), "d(∫_Σ S·n dA)/dt is in W/s, but Φ is in W");
+        let energy = Equation::new(ENERGY, through);
+        assert_eq!(complaint(energy.dimension()), "∫_Σ S·n dA is in W, but Q is in J");
+        assert_eq!(Equation::new(FLUX, d(ENERGY) / d(T)).dimension(), Ok(Dimension::WATT));
+    }
+
+    #[test]
+    fn names_the_offending_term() {
+        assert_eq!(complaint((V * T + R + T).dimension()), "t is in s, but vt is in m");
+        assert_eq!(complaint((2 * sin(V * T)).dimension()), "vt is in m, but sin takes a pure number");
+        assert_eq!(
+            complaint(Equation::new(curl(E), partial(E, T)).dimension()),
+            "∂E/∂t is in V/(m s), but ∇×E is in V/m²"
+        );
+        assert_eq!(complaint((E * B).dimension()), "B is a vector, but a plain product takes a number");
+        assert_eq!(complaint((1 / E).dimension()), "E is a vector, but a denominator takes a number");
+        assert_eq!(complaint(cross(N, R).dimension()), "r is a number, but a cross product takes a vector");
+        assert_eq!(
+            complaint(Equation::new(E, Expr::from(Symbol::scalar("E", Dimension::VOLT_PER_METRE))).dimension()),
+            "E is a number, but a sum or equation of vectors takes a vector"
+        );
+    }
+
+    #[test]
+    fn zero_fits_any_unit_and_rank() {
+        assert_eq!(Equation::new(V * T - R, 0).dimension(), Ok(Dimension::METRE));
+        assert_eq!(Equation::new(0, E).dimension(), Ok(Dimension::VOLT_PER_METRE));
+        assert_eq!(Equation::new(0 * E, R).dimension(), Ok(Dimension::METRE));
+        assert_eq!((0 + R - 0).dimension(), Ok(Dimension::METRE));
+    }
+
+    #[test]
+    fn takes_roots_and_refuses_absurd_powers() {
+        assert_eq!(sqrt(R * R).dimension(), Ok(Dimension::METRE));
+        let absurd = R.pow(Rational::new(1, 30_000).unwrap()).pow(Rational::new(1, 30_000).unwrap());
+        assert!(matches!(absurd.dimension(), Err(Mismatch::Overflow { .. })));
+    }
 }

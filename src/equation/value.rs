@@ -290,9 +290,9 @@ impl Field for Complex64 {
 
     fn power(&self, exponent: Rational) -> Option<Self> {
         Some(match (exponent.numerator(), exponent.denominator()) {
-            (1, 2) => self.sqrt(),
+            (1, 2) => unsigned(self).sqrt(),
             (n, 1) if n.unsigned_abs() < 64 => self.powi(n as i32),
-            (n, d) => self.powf(n as f64 / d as f64),
+            (n, d) => unsigned(self).powf(n as f64 / d as f64),
         })
     }
 
@@ -302,13 +302,13 @@ impl Field for Complex64 {
 
     fn apply(&self, function: Function) -> Option<Self> {
         Some(match function {
-            Function::Sqrt => self.sqrt(),
+            Function::Sqrt => unsigned(self).sqrt(),
             Function::Exp => self.exp(),
             Function::Sin => self.sin(),
             Function::Cos => self.cos(),
             Function::Tan => self.tan(),
-            Function::Asin => self.asin(),
-            Function::Acos => self.acos(),
+            Function::Asin => unsigned(self).asin(),
+            Function::Acos => unsigned(self).acos(),
             Function::Atan => self.atan(),
             Function::Conj => self.conj(),
             Function::Abs => self.norm().into(),
@@ -316,6 +316,11 @@ impl Field for Complex64 {
             Function::Im => self.im.into(),
         })
     }
+}
+
+/// The same number with no sign on a zero imaginary part: −x of a real x must not change the side of a branch cut.
+fn unsigned(z: &Complex64) -> Complex64 {
+    Complex64::new(z.re, z.im + 0.0)
 }
 
 /// Beyond it exp leaves any range that an equation of physics needs, and the time it takes grows with it.
@@ -407,7 +412,8 @@ fn is_real_zero(x: &Real) -> bool {
     x.repr().significand().is_zero()
 }
 
-fn is_zero(z: &Complex) -> bool {
+/// Whether `z` is exactly 0.
+pub(super) fn is_zero(z: &Complex) -> bool {
     let (re, im) = z.clone().into_parts();
     is_real_zero(&re) && is_real_zero(&im)
 }
@@ -454,4 +460,88 @@ fn exponential(re: &Real, im: &Real) -> Option<Complex> {
     }
     let (sin, cos) = im.sin_cos();
     Some(Complex::from_parts(&size * cos, size * sin))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equation::dimension::Dimension;
+    use crate::equation::expr::{acos, asin, atan, conj, cos, exp, i, im, partial, pi, re, sin, sqrt, tan};
+
+    const X: Symbol = Symbol::scalar("x", Dimension::ONE);
+    const Y: Symbol = Symbol::scalar("y", Dimension::ONE);
+
+    fn at<T>(x: T) -> Bindings<T> {
+        Bindings::new().with(&X, x)
+    }
+
+    fn is_close(a: Complex64, b: Complex64) -> bool {
+        (a - b).norm() <= 4.0 * f64::EPSILON * (1.0 + b.norm())
+    }
+
+    #[test]
+    fn evaluates_alike_in_every_field() {
+        let forms = [
+            sin(X) * 2 / (1 + X),
+            cos(X).pow(2) - tan(X),
+            sqrt(1 + X) + exp(X) * pi(),
+            asin(X) + acos(X / 2) * atan(3 * X),
+            X.pow(Rational::new(2, 3).unwrap()) + X.pow(-2),
+        ];
+        for form in forms {
+            let real = form.evaluate(&at(0.625)).unwrap();
+            let complex = form.evaluate(&at(Complex64::new(0.625, 0.0))).unwrap();
+            let exact = form.evaluate(&at(precise::complex(Complex64::new(0.625, 0.0)))).unwrap();
+            assert!(is_close(complex, real.into()), "{form}");
+            assert!(is_close(precise::to_complex64(&exact), real.into()), "{form}");
+            let z = Complex64::new(0.4, -0.3);
+            let exact = form.evaluate(&at(precise::complex(z))).unwrap();
+            assert!(is_close(form.evaluate(&at(z)).unwrap(), precise::to_complex64(&exact)), "{form}");
+        }
+    }
+
+    #[test]
+    fn agrees_with_the_complex_functions_of_the_library() {
+        let z = precise::complex(Complex64::new(0.7, 1.9));
+        let (sin, cos) = Field::sine_cosine(&z).unwrap();
+        let exponential = z.apply(Function::Exp).unwrap();
+        for (ours, theirs) in [(sin, z.sin()), (cos, z.cos()), (exponential, z.exp())] {
+            assert!(precise::to_f64(&(ours - theirs).abs()) < 1e-75);
+        }
+        let (sinh, _) = sinh_cosh(&precise::real(3e-16)).unwrap();
+        assert!(precise::relative_error(precise::to_f64(&sinh), &precise::real(3e-16).sinh()) < f64::EPSILON);
+    }
+
+    #[test]
+    fn takes_the_real_path_and_the_upper_side_of_the_cut() {
+        let minus_two = Complex64::new(-2.0, 0.0);
+        let root = sqrt(X).evaluate(&at(precise::complex(minus_two))).unwrap();
+        assert!(is_close(precise::to_complex64(&root), Complex64::new(0.0, 2_f64.sqrt())));
+        // −(2 + 0i) has the imaginary part −0, which must not flip the root.
+        let root = sqrt(-X).evaluate(&at(-minus_two)).unwrap();
+        assert!(is_close(root, Complex64::new(0.0, 2_f64.sqrt())));
+        let parts = re(X) + i() * im(X) - conj(conj(X));
+        assert_eq!(parts.evaluate(&at(Complex64::new(0.3, 0.4))), Ok(Complex64::ZERO));
+    }
+
+    #[test]
+    fn says_what_has_no_value() {
+        let singular = (1 / (X - X)).evaluate(&at(precise::complex(Complex64::ONE)));
+        assert_eq!(singular, Err(Unevaluable::Singular("1/(x − x)".into())));
+        assert_eq!((1 / (X - X)).evaluate(&at(1.0)), Ok(f64::INFINITY));
+        assert_eq!((X + Y).evaluate(&at(1.0)), Err(Unevaluable::Unbound("y".into())));
+        assert_eq!(partial(Y, X).evaluate(&at(1.0)), Err(Unevaluable::NotAlgebraic("∂y/∂x".into())));
+        assert_eq!((i() * X).evaluate(&at(1.0)), Err(Unevaluable::NotReal("i".into())));
+        let huge = exp(exp(exp(exp(X)))).evaluate(&at(precise::complex(Complex64::new(9.0, 0.0))));
+        assert!(matches!(huge, Err(Unevaluable::Singular(_))));
+    }
+
+    #[test]
+    fn resolves_definitions_in_any_order_and_refuses_circles() {
+        let mut bindings = at(3.0);
+        bindings.define(&Y, X + 1);
+        assert_eq!((X * Y).evaluate(&bindings), Ok(12.0));
+        bindings.define(&X, Y - 1);
+        assert_eq!((X * Y).evaluate(&bindings), Err(Unevaluable::Circular("x".into())));
+    }
 }

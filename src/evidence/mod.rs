@@ -1,6 +1,7 @@
 //! Yardsticks for chapters and tests alike: references in arbitrary precision, condition numbers,
 //! observed orders, quadrature, statistics.
 
+pub mod film;
 pub mod fresnel;
 pub mod order;
 pub mod quadrature;

@@ -2,7 +2,7 @@
 
 use super::name::{Name, greek};
 use super::unicode::decimal;
-use super::{Level, Pen, Rank, Rational, Sign, Written};
+use super::{Gap, Level, Pen, Rank, Rational, Sign, Written};
 
 pub(super) struct Latex;
 
@@ -71,8 +71,9 @@ impl Pen for Latex {
         " ".to_owned()
     }
 
-    fn gap(&self, tight: bool) -> String {
-        if tight { " " } else { r" \, " }.to_owned()
+    fn gap(&self, gap: Gap) -> String {
+        // TeX spaces factors by itself; only a differential needs help.
+        if gap == Gap::Differential { r" \, " } else { " " }.to_owned()
     }
 
     fn fraction(&self, above: &str, below: &str) -> String {
@@ -126,6 +127,7 @@ impl Pen for Latex {
     }
 
     fn row(&self, parts: &[String]) -> String {
-        parts.concat()
+        // Marks bring the spaces that end a command; two in a row are no use.
+        parts.concat().replace("  ", " ")
     }
 }

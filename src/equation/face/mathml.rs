@@ -2,7 +2,7 @@
 
 use super::name::{Name, greek};
 use super::unicode::decimal;
-use super::{Level, Pen, Rank, Rational, Sign, Written};
+use super::{Gap, Level, Pen, Rank, Rational, Sign, Written};
 
 pub(super) struct MathMl;
 
@@ -95,8 +95,8 @@ impl Pen for MathMl {
         "<mo>\u{2061}</mo><mspace width=\"0.1667em\"/>".to_owned()
     }
 
-    fn gap(&self, tight: bool) -> String {
-        if tight { "<mo>\u{2062}</mo>" } else { "<mo>\u{2062}</mo><mspace width=\"0.1667em\"/>" }.to_owned()
+    fn gap(&self, gap: Gap) -> String {
+        if gap == Gap::Tight { "<mo>\u{2062}</mo>" } else { "<mo>\u{2062}</mo><mspace width=\"0.1667em\"/>" }.to_owned()
     }
 
     fn fraction(&self, above: &str, below: &str) -> String {

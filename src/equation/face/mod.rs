@@ -105,8 +105,8 @@ trait Pen {
     fn word(&self, word: &str) -> String;
     /// What stands between a function's word and a bare argument.
     fn apply(&self) -> String;
-    /// What stands between two factors.
-    fn gap(&self, tight: bool) -> String;
+    /// What stands between two neighbours.
+    fn gap(&self, gap: Gap) -> String;
     fn fraction(&self, above: &str, below: &str) -> String;
     fn root(&self, of: Written) -> Written;
     fn exponential(&self, of: &str) -> Written;
@@ -129,6 +129,17 @@ enum Sign {
     Equal,
     Approximate,
     Proportional,
+}
+
+/// The space between two neighbours of a product.
+#[derive(Clone, Copy, PartialEq)]
+enum Gap {
+    /// None: kz, 2π.
+    Tight,
+    /// Two things: n₁ sin θ₁.
+    Loose,
+    /// Before a differential.
+    Differential,
 }
 
 /// How tightly a face holds together, from loose to tight.
@@ -223,24 +234,26 @@ fn sum<P: Pen>(pen: &P, terms: &[Expr]) -> String {
 fn product<P: Pen>(pen: &P, factors: &[Expr]) -> Written {
     let mut parts = Vec::new();
     let mut level = Level::Product;
+    let mut closed = false;
     for (at, factor) in factors.iter().enumerate() {
         let next = factors.get(at + 1);
-        if at > 0 {
-            let previous = &factors[at - 1];
-            parts.push(match starts_with_digit(factor) {
-                true => pen.infix(Sign::Times),
-                false => pen.gap(stands_tight(previous, factor)),
-            });
-        }
         let (face, own) = write_before(pen, factor, next);
         // A vector product, an integral or a derivative needs no parentheses where nothing follows it.
         let bare = own >= Level::Product || (next.is_none() && (own == Level::Open || is_derivative(factor)));
-        if bare {
-            level = if own < level { own } else { level };
-            parts.push(face);
-        } else {
-            parts.push(pen.fence('(', &face, ')'));
+        level = if bare && own < level { own } else { level };
+        let face = if bare { face } else { pen.fence('(', &face, ')') };
+        if at > 0 && starts_with_digit(factor) {
+            parts.push(pen.infix(Sign::Times));
+        } else if at > 0 {
+            let tight = stands_tight(&factors[at - 1], factor) || (closed && face.starts_with('('));
+            parts.push(pen.gap(match factor.node() {
+                Node::Differential(_) => Gap::Differential,
+                _ if tight => Gap::Tight,
+                _ => Gap::Loose,
+            }));
         }
+        parts.push(face);
+        closed = !bare;
     }
     (pen.row(&parts), level)
 }
@@ -326,7 +339,7 @@ fn quotient<P: Pen>(pen: &P, above: &Expr, below: &Expr) -> Written {
         Some((function, of, exponent)) if trigonometric(below).is_none() => {
             trigonometric_face(pen, function, of, exponent, true).0
         }
-        _ => at_least(pen, &above.clone(), Level::Product),
+        _ => at_least(pen, above, Level::Product),
     };
     (pen.fraction(&numerator, &at_least(pen, below, Level::Prefix)), Level::Slash)
 }
@@ -374,7 +387,7 @@ fn partial<P: Pen>(pen: &P, of: &Expr, by: &[Expr]) -> Written {
     let mut below = Vec::new();
     for run in by.chunk_by(|a, b| a == b) {
         if !below.is_empty() {
-            below.push(pen.gap(false));
+            below.push(pen.gap(Gap::Differential));
         }
         let variable = at_least(pen, &run[0], Level::Atom);
         below.extend([pen.prefix('∂'), raised(variable, run.len())]);
@@ -399,10 +412,9 @@ fn integral<P: Pen>(pen: &P, of: &Expr, by: &[Expr], range: &Range) -> String {
         Range::Region(region) => pen.integral('∫', Some((&pen.name(&Name::parse(region.name()), region.rank()), None))),
         Range::Between(from, to) => pen.integral('∫', Some((&write(pen, from).0, Some(&write(pen, to).0)))),
     };
-    // The differential closes a trailing sin θ, ∂f/∂t or E·n as well as any letter would open it.
-    let mut parts = vec![sign, pen.gap(false), at_least(pen, of, Level::Slash)];
+    let mut parts = vec![sign, pen.gap(Gap::Loose), at_least(pen, of, Level::Slash)];
     for variable in by {
-        parts.extend([pen.gap(false), pen.prefix('d'), at_least(pen, variable, Level::Script)]);
+        parts.extend([pen.gap(Gap::Differential), pen.prefix('d'), at_least(pen, variable, Level::Script)]);
     }
     pen.row(&parts)
 }

@@ -1,7 +1,7 @@
 //! One line of Unicode, for terminals.
 
 use super::name::{Name, greek};
-use super::{Level, Pen, Rank, Rational, Sign, Written};
+use super::{Gap, Level, Pen, Rank, Rational, Sign, Written};
 
 pub(super) struct Unicode;
 
@@ -62,8 +62,8 @@ impl Pen for Unicode {
         " ".to_owned()
     }
 
-    fn gap(&self, tight: bool) -> String {
-        if tight { String::new() } else { " ".to_owned() }
+    fn gap(&self, gap: Gap) -> String {
+        if gap == Gap::Tight { String::new() } else { " ".to_owned() }
     }
 
     fn fraction(&self, above: &str, below: &str) -> String {

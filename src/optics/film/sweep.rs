@@ -1,0 +1,354 @@
+//! One pass through a stack, from the substrate to the light, for `L` wavelengths side by side.
+
+use super::lanes::{Complexes, Decay, HalfTurn, Lanes, decay, half_turn};
+use super::{Admittance, Layer, Powers, Response, Waves};
+use num_complex::Complex64;
+use std::array::from_fn;
+use std::f64::consts::{LN_2, TAU};
+
+/// A layer reduced to what its kind needs. `path` is 2π d q [m]: over the wavelength it is the phase δ.
+#[derive(Clone, Debug)]
+pub(super) enum Coat {
+    /// Clear, and the wave propagates: δ and Y are real.
+    Clear { path: f64, y: f64, inverse: f64 },
+    /// Clear, beyond its critical angle: δ = i path/λ, Y = i `y`.
+    Evanescent { path: f64, y: f64, inverse: f64 },
+    /// Clear, at its critical angle: q = 0, and only sin δ/Y = `path`/λ is left.
+    Critical { path: f64 },
+    /// Absorbing. `loss` are the weights of |ψ|² and |φ|² in 2π d Im(n²) |E|² [m].
+    Absorbing { path: Complex64, y: Complex64, inverse: Complex64, loss: (f64, f64) },
+}
+
+impl Coat {
+    pub fn new(layer: &Layer, admittance: &Admittance) -> Self {
+        debug_assert!(layer.thickness.is_finite());
+        let Admittance { q, y, inverse, q_over_y, loss } = *admittance;
+        let length = TAU * layer.thickness;
+        if loss != (0.0, 0.0) {
+            Self::Absorbing { path: length * q, y, inverse, loss: (length * loss.0, length * loss.1) }
+        } else if q.re > 0.0 {
+            Self::Clear { path: length * q.re, y: y.re, inverse: inverse.re }
+        } else if q.im > 0.0 {
+            Self::Evanescent { path: length * q.im, y: y.im, inverse: -inverse.im }
+        } else {
+            Self::Critical { path: length * q_over_y }
+        }
+    }
+}
+
+/// A complex sum that carries its rounding error along (Kahan 1965; two-sum of Knuth, TAOCP 2, §4.2.2).
+#[derive(Clone, Copy)]
+struct Carried<const L: usize> {
+    sum: Complexes<L>,
+    carry: Complexes<L>,
+}
+
+/// The rounded sum and its exact error.
+#[inline(always)]
+fn two_sum<const L: usize>(a: Lanes<L>, b: Lanes<L>) -> (Lanes<L>, Lanes<L>) {
+    let sum = a + b;
+    let virtual_b = sum - a;
+    (sum, (a - (sum - virtual_b)) + (b - virtual_b))
+}
+
+impl<const L: usize> Carried<L> {
+    fn new(start: Complex64) -> Self {
+        Self { sum: Complexes::splat(start), carry: Complexes::ZERO }
+    }
+
+    #[inline(always)]
+    fn add(&mut self, change: Complexes<L>) {
+        let (re, re_carry) = two_sum(self.sum.re, change.re + self.carry.re);
+        let (im, im_carry) = two_sum(self.sum.im, change.im + self.carry.im);
+        self.sum = Complexes { re, im };
+        self.carry = Complexes { re: re_carry, im: im_carry };
+    }
+
+    fn scale(&mut self, factor: Lanes<L>) {
+        self.sum = self.sum.scaled(factor);
+        self.carry = self.carry.scaled(factor);
+    }
+}
+
+/// The fields at the interface reached so far. The true ones are 2^`exponent` e^(decay) e^(−i phase) (−1)^`turns` times these.
+pub(super) struct Sweep<const L: usize> {
+    psi: Carried<L>,
+    phi: Carried<L>,
+    /// Power absorbed so far, over |ψ|² of these fields.
+    absorbed: Lanes<L>,
+    /// Σ Im δ and its carry.
+    decay: (Lanes<L>, Lanes<L>),
+    /// Σ Re δ less half turns, and these.
+    phase: Lanes<L>,
+    turns: Lanes<L>,
+    exponent: [i32; L],
+}
+
+/// Layers between two looks at the size of the fields.
+const RESCALE_EVERY: usize = 8;
+/// Fields stay within this factor of 1 (or are brought back to it): room for eight layers that each multiply them by
+/// 10¹⁶, squared.
+const ROOM: f64 = (1_u128 << 64) as f64;
+
+impl<const L: usize> Sweep<L> {
+    pub fn run(waves: &Waves, wavelengths: &[f64; L]) -> Self {
+        debug_assert!(wavelengths.iter().all(|&w| w > 0.0 && w.is_finite()));
+        let wave_number = Lanes(*wavelengths).map(|wavelength| 1.0 / wavelength);
+        let mut sweep = Self {
+            psi: Carried::new(Complex64::ONE),
+            phi: Carried::new(waves.y_s),
+            absorbed: Lanes::ZERO,
+            decay: (Lanes::ZERO, Lanes::ZERO),
+            phase: Lanes::ZERO,
+            turns: Lanes::ZERO,
+            exponent: [0; L],
+        };
+        for coats in waves.coats.chunks(RESCALE_EVERY) {
+            for coat in coats {
+                sweep.pass(coat, wave_number);
+            }
+            sweep.rescale();
+        }
+        sweep
+    }
+
+    #[inline(always)]
+    fn pass(&mut self, coat: &Coat, wave_number: Lanes<L>) {
+        match *coat {
+            Coat::Clear { path, y, inverse } => self.pass_clear(wave_number * path, y, inverse),
+            Coat::Evanescent { path, y, inverse } => self.pass_evanescent(wave_number * path, y, inverse),
+            Coat::Critical { path } => {
+                let change = self.phi.sum.times_minus_i().scaled(wave_number * path);
+                self.psi.add(change);
+            }
+            Coat::Absorbing { path, y, inverse, loss } => {
+                let delta = Complexes { re: wave_number * path.re, im: wave_number * path.im };
+                self.pass_absorbing(
+                    delta,
+                    Complexes::splat(y),
+                    Complexes::splat(inverse),
+                    |weight| wave_number * weight,
+                    loss,
+                );
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn turn(&mut self, half: &HalfTurn<L>) {
+        self.phase = self.phase + half.remainder;
+        self.turns = self.turns + half.turns;
+    }
+
+    #[inline(always)]
+    fn fade(&mut self, delta: Lanes<L>, decay: &Decay<L>) {
+        let (sum, carry) = two_sum(self.decay.0, delta + self.decay.1);
+        self.decay = (sum, carry);
+        self.absorbed = self.absorbed * decay.exp;
+    }
+
+    #[inline(always)]
+    fn pass_clear(&mut self, delta: Lanes<L>, y: f64, inverse: f64) {
+        let half = half_turn(delta);
+        self.turn(&half);
+        // u = (e^(2iδ) − 1)/2 = i sin δ e^(iδ)
+        let u = Complexes { re: -half.sin.squared(), im: half.sin * half.cos };
+        let (psi, phi) = (self.psi.sum, self.phi.sum);
+        let change = u * Complexes { re: psi.re - phi.re * inverse, im: psi.im - phi.im * inverse };
+        self.psi.add(change);
+        self.phi.add(Complexes { re: change.re * -y, im: change.im * -y });
+    }
+
+    #[inline(always)]
+    fn pass_evanescent(&mut self, delta: Lanes<L>, y: f64, inverse: f64) {
+        let decay = decay(delta * 2.0);
+        self.fade(delta, &decay);
+        let (psi, phi) = (self.psi.sum, self.phi.sum);
+        let backward = Complexes { re: psi.re - phi.im * inverse, im: psi.im + phi.re * inverse };
+        let change = backward.scaled(decay.exp_m1 * 0.5);
+        self.psi.add(change);
+        self.phi.add(Complexes { re: change.im * y, im: change.re * -y });
+    }
+
+    #[inline(always)]
+    fn pass_absorbing(
+        &mut self,
+        delta: Complexes<L>,
+        y: Complexes<L>,
+        inverse: Complexes<L>,
+        over_wavelength: impl Fn(f64) -> Lanes<L>,
+        loss: (f64, f64),
+    ) {
+        let half = half_turn(delta.re);
+        let decay = decay(delta.im * 2.0);
+        self.turn(&half);
+        self.fade(delta.im, &decay);
+        let (psi, phi) = (self.psi.sum, self.phi.sum);
+        let squares = MeanSquares::new(delta, &half, &decay);
+        let across = squares.of(psi, phi * inverse) * over_wavelength(loss.0);
+        let along = if loss.1 > 0.0 { squares.of(phi, y * psi) * over_wavelength(loss.1) } else { Lanes::ZERO };
+        self.absorbed = self.absorbed + (across + along);
+
+        let sin2 = half.sin.squared();
+        let u = Complexes { re: decay.exp_m1 * (-sin2 + 0.5) - sin2, im: decay.exp * (half.sin * half.cos) };
+        let change = u * (psi - phi * inverse);
+        self.psi.add(change);
+        self.phi.add(Complexes::ZERO - y * change);
+    }
+
+    /// Brings fields that have left the room back to about 1, by a power of two.
+    fn rescale(&mut self) {
+        let size = |z: Complexes<L>| z.re.zip(z.im, |a, b| a.abs().max(b.abs()));
+        let size = size(self.psi.sum).zip(size(self.phi.sum), f64::max);
+        if size.0.iter().all(|s| (1.0 / ROOM..=ROOM).contains(s)) {
+            return;
+        }
+        let shift = size.map(|s| if (1.0 / ROOM..=ROOM).contains(&s) { 0.0 } else { s.log2().floor() });
+        let factor = shift.map(|shift| (-shift).exp2());
+        self.psi.scale(factor);
+        self.phi.scale(factor);
+        self.absorbed = self.absorbed * factor.squared();
+        for (exponent, shift) in self.exponent.iter_mut().zip(shift.0) {
+            *exponent += shift as i32;
+        }
+    }
+
+    /// Y₀ψ ∓ φ: twice Y₀ times the reflected and the incident wave.
+    #[inline(always)]
+    fn incident_waves(&self, waves: &Waves) -> (Complexes<L>, Complexes<L>) {
+        let y_i = Lanes::splat(waves.y_i);
+        let (psi, phi) = (self.psi.sum.scaled(y_i), self.phi.sum);
+        let (psi_carry, phi_carry) = (self.psi.carry.scaled(y_i), self.phi.carry);
+        ((psi - phi) + (psi_carry - phi_carry), (psi + phi) + (psi_carry + phi_carry))
+    }
+
+    pub fn powers_into(&self, waves: &Waves, powers: &mut [Powers]) {
+        let (reflected, incident) = self.incident_waves(waves);
+        let incident = incident.norm_sqr();
+        let reflectance = reflected.norm_sqr().zip(incident, |a, b| a / b);
+        let unit = incident.map(|b| 4.0 * waves.y_i / b);
+        let absorptance = unit * self.absorbed;
+        for (i, powers) in powers.iter_mut().enumerate() {
+            *powers = if incident.0[i] == 0.0 {
+                UNHINDERED
+            } else {
+                let transmittance = faded(unit.0[i] * waves.y_s.re, 2.0 * self.decay.0.0[i], 2 * self.exponent[i]);
+                Powers { reflectance: reflectance.0[i], transmittance, absorptance: absorptance.0[i] }.balanced()
+            };
+        }
+    }
+}
+
+impl Powers {
+    /// R + T + A = 1: where R or T is the larger part, the others, each with all its digits, know it best.
+    fn balanced(self) -> Self {
+        let Self { reflectance, transmittance, absorptance } = self;
+        if reflectance + absorptance <= transmittance {
+            Self { transmittance: 1.0 - (reflectance + absorptance), ..self }
+        } else if transmittance + absorptance <= reflectance {
+            Self { reflectance: 1.0 - (transmittance + absorptance), ..self }
+        } else {
+            self
+        }
+    }
+}
+
+/// Grazing light through nothing but its own medium.
+const UNHINDERED: Powers = Powers { reflectance: 0.0, transmittance: 1.0, absorptance: 0.0 };
+
+impl Sweep<1> {
+    pub fn response(&self, waves: &Waves) -> Response {
+        let mut powers = UNHINDERED;
+        self.powers_into(waves, std::slice::from_mut(&mut powers));
+        let Powers { reflectance, transmittance, absorptance } = powers;
+        let (reflected, incident) = self.incident_waves(waves);
+        let (reflected, incident) = (first(reflected), first(incident));
+        if incident == Complex64::ZERO {
+            let (r, t, ln_transmittance) = (Complex64::ZERO, Complex64::ONE, 0.0);
+            return Response { r, t, reflectance, transmittance, absorptance, ln_transmittance };
+        }
+        let (decay, exponent) = (self.decay.0.0[0], self.exponent[0]);
+        let sign = if self.turns.0[0] % 2.0 == 0.0 { 1.0 } else { -1.0 };
+        let size = sign * faded(2.0 * waves.y_i, decay, exponent);
+        let t = waves.t_unit * Complex64::from_polar(1.0, self.phase.0[0]) * size / incident;
+        let kept_back = reflectance + absorptance;
+        let ln_transmittance = if kept_back <= transmittance {
+            (-kept_back).ln_1p()
+        } else {
+            (4.0 * waves.y_i / incident.norm_sqr()).ln() + waves.y_s.re.ln()
+                - 2.0 * (decay + f64::from(exponent) * LN_2)
+        };
+        Response { r: reflected / incident, t, reflectance, transmittance, absorptance, ln_transmittance }
+    }
+}
+
+fn first(z: Complexes<1>) -> Complex64 {
+    Complex64::new(z.re.0[0], z.im.0[0])
+}
+
+/// x e^(−decay) 2^(−exponent), without overflow on the way.
+fn faded(x: f64, decay: f64, exponent: i32) -> f64 {
+    if decay == 0.0 && exponent == 0 {
+        return x;
+    }
+    if decay > 600.0 || exponent.abs() > 900 {
+        return x * (-decay - f64::from(exponent) * LN_2).exp();
+    }
+    x * (-decay).exp() * f64::from(-exponent).exp2()
+}
+
+/// Means over a layer of the products of cos(k₀ q z) and sin(k₀ q z), times e^(−2 Im δ).
+struct MeanSquares<const L: usize> {
+    /// ⟨|cos|²⟩
+    cos_cos: Lanes<L>,
+    /// ⟨|sin|²⟩
+    sin_sin: Lanes<L>,
+    /// ⟨cos* sin⟩
+    cos_sin: Complexes<L>,
+}
+
+impl<const L: usize> MeanSquares<L> {
+    fn new(delta: Complexes<L>, half: &HalfTurn<L>, decay: &Decay<L>) -> Self {
+        let alpha = delta.re.map(|x| x.max(f64::MIN_POSITIVE));
+        let beta = delta.im.map(|x| x.max(f64::MIN_POSITIVE));
+        // 1 − sin(2α)/(2α) and (sinh(2β)/(2β) − 1) e^(−2β): both ≥ 0, by series where they are small.
+        let sinc_gap = Lanes(from_fn(|i| {
+            let x = 2.0 * alpha.0[i];
+            if x < 1.0 { cubic_gap(-x * x) } else { 1.0 - half.sin.0[i] * half.cos.0[i] / alpha.0[i] }
+        })) * decay.exp;
+        let sinhc_gap = Lanes(from_fn(|i| {
+            let (x, exp, exp_m1) = (2.0 * beta.0[i], decay.exp.0[i], decay.exp_m1.0[i]);
+            if x < 1.0 { -cubic_gap(x * x) * exp } else { -exp_m1 * (1.0 + exp) / (2.0 * x) - exp }
+        }));
+        Self {
+            cos_cos: decay.exp + (sinhc_gap - sinc_gap) * 0.5,
+            sin_sin: (sinhc_gap + sinc_gap) * 0.5,
+            cos_sin: Complexes {
+                re: half.sin * half.sin.zip(alpha, |sin, a| sin / a) * decay.exp * 0.5,
+                im: decay.exp_m1 * decay.exp_m1.zip(beta, |m, b| m / b) * 0.125,
+            },
+        }
+    }
+
+    /// ⟨|a cos − i b sin|²⟩
+    #[inline(always)]
+    fn of(&self, a: Complexes<L>, b: Complexes<L>) -> Lanes<L> {
+        let (re, im) = (a.re * b.re + a.im * b.im, a.re * b.im - a.im * b.re);
+        a.norm_sqr() * self.cos_cos + b.norm_sqr() * self.sin_sin + (im * self.cos_sin.re + re * self.cos_sin.im) * 2.0
+    }
+}
+
+/// −Σ xᵏ/(2k+1)! from k = 1: 1 − sin(y)/y at x = −y², 1 − sinh(y)/y at x = y², for |x| ≤ 1.
+fn cubic_gap(x: f64) -> f64 {
+    const TERMS: [f64; 8] = [
+        1.0 / 6.0,
+        1.0 / 120.0,
+        1.0 / 5040.0,
+        1.0 / 362880.0,
+        1.0 / 39916800.0,
+        1.0 / 6227020800.0,
+        1.0 / 1307674368000.0,
+        1.0 / 355687428096000.0,
+    ];
+    -x * Lanes([x]).polynomial(&TERMS).0[0]
+}

@@ -1,0 +1,601 @@
+//! Coherent stacks against arbitrary precision, over the extremes that break other forms; against conservation laws;
+//! and against published values.
+
+use light::Complex64;
+use light::evidence::film::{Angle, condition, reference};
+use light::optics::film::{Layer, Polarisation, Powers, Stack};
+use light::optics::incidence::normal_squared;
+use light::precise::{Real, relative_error, to_f64};
+use light::sampling::{Stream, stream};
+use rand::RngExt;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+const EPSILON: f64 = f64::EPSILON;
+const BOTH: [Polarisation; 2] = [Polarisation::S, Polarisation::P];
+const GREEN: f64 = 550e-9;
+
+#[derive(Clone, Debug)]
+struct Case {
+    n_i: f64,
+    layers: Vec<Layer>,
+    substrate: Complex64,
+    wavelength: f64,
+    angle: Angle,
+}
+
+impl Case {
+    fn stack(&self) -> Stack<'_> {
+        Stack { n_i: self.n_i, layers: &self.layers, substrate: self.substrate }
+    }
+}
+
+fn clear(n: f64) -> Complex64 {
+    Complex64::from(n)
+}
+
+fn layer(n: f64, k: f64, thickness: f64) -> Layer {
+    Layer { index: Complex64::new(n, k), thickness }
+}
+
+/// `count` layers of quarter-wave thickness at `GREEN` and normal incidence, of alternating indices.
+fn quarter_waves(count: usize, first: f64, second: f64) -> Vec<Layer> {
+    (0..count).map(|i| if i % 2 == 0 { first } else { second }).map(|n| layer(n, 0.0, GREEN / (4.0 * n))).collect()
+}
+
+/// Worst error of each output in units of ε(1 + κ).
+#[derive(Default)]
+struct Worst {
+    reflectance: f64,
+    transmittance: f64,
+    ln_transmittance: f64,
+    absorptance: f64,
+    energy: f64,
+    count: usize,
+}
+
+const LIMIT: f64 = 16.0;
+
+fn judge(case: &Case, polarisation: Polarisation, worst: &mut Worst) {
+    let stack = case.stack();
+    let exact = reference(&stack, case.wavelength, case.angle, polarisation);
+    let kappa = condition(&stack, case.wavelength, case.angle, polarisation);
+    let ours = stack.response(case.wavelength, case.angle.incidence(), polarisation);
+    let describe = || {
+        let mut layers = case.layers.clone();
+        layers.truncate(6);
+        format!(
+            "{polarisation:?} n_i {} {} layers {layers:?} substrate {} wavelength {:e} {:?}\nours {ours:?}\n{kappa:?}\nexact R {:e} T {:e} A {:e}",
+            case.n_i,
+            case.layers.len(),
+            case.substrate,
+            case.wavelength,
+            case.angle,
+            to_f64(&exact.reflectance),
+            to_f64(&exact.transmittance),
+            to_f64(&exact.absorptance),
+        )
+    };
+    let check = |name: &str, worst: &mut f64, ours: f64, exact: &Real, kappa: f64| {
+        assert!(kappa >= 0.0, "{name}: condition {kappa} of {}", describe());
+        let error = relative_error(ours, exact);
+        let units = if error == 0.0 { 0.0 } else { error / (EPSILON * (1.0 + kappa)) };
+        assert!(units <= LIMIT, "{name}: {ours:e}, {units} ε(1 + κ) off: {}", describe());
+        *worst = worst.max(units);
+    };
+    // Below, the reference has no digits.
+    const FLOOR: f64 = 1e-60;
+    if to_f64(&exact.reflectance) < FLOOR {
+        assert!(ours.reflectance <= (LIMIT * EPSILON).powi(2), "R of {}", describe());
+    } else {
+        check("R", &mut worst.reflectance, ours.reflectance, &exact.reflectance, kappa.reflectance);
+    }
+    // Within rounding of the substrate's critical angle total reflection and a trace of light are both right.
+    let incidence = case.angle.incidence();
+    let substrate = normal_squared(incidence, case.n_i, case.substrate).norm() / case.substrate.norm_sqr();
+    match &exact.ln_transmittance {
+        _ if substrate < LIMIT * EPSILON => assert!(ours.transmittance < 1e-6, "T of {}", describe()),
+        None => assert_eq!((ours.transmittance, ours.ln_transmittance), (0.0, f64::NEG_INFINITY), "{}", describe()),
+        Some(ln) if to_f64(ln).abs() < FLOOR => assert!(ours.ln_transmittance.abs() <= (LIMIT * EPSILON).powi(2)),
+        Some(ln) => {
+            check("ln T", &mut worst.ln_transmittance, ours.ln_transmittance, ln, kappa.ln_transmittance);
+            if to_f64(ln) > f64::MIN_POSITIVE.ln() {
+                check("T", &mut worst.transmittance, ours.transmittance, &exact.transmittance, kappa.transmittance);
+            } else {
+                assert!(ours.transmittance <= f64::MIN_POSITIVE, "T of {}", describe());
+            }
+        }
+    }
+    let media = || case.layers.iter().map(|layer| layer.index).chain([case.substrate]);
+    if case.layers.iter().all(|layer| layer.index.re * layer.index.im == 0.0) {
+        assert_eq!(ours.absorptance, 0.0, "{}", describe());
+    } else if to_f64(&exact.absorptance) > FLOOR {
+        check("A", &mut worst.absorptance, ours.absorptance, &exact.absorptance, kappa.absorptance);
+    }
+    if media().all(|index| index.im == 0.0) {
+        let units = ((ours.reflectance + ours.transmittance) - 1.0).abs() / EPSILON;
+        assert!(units <= 8.0, "R + T is {units} ε off: {}", describe());
+        worst.energy = worst.energy.max(units);
+    }
+    worst.count += 1;
+}
+
+fn judge_all(family: &str, cases: impl IntoIterator<Item = Case>) {
+    let mut worst = Worst::default();
+    for case in cases {
+        for polarisation in BOTH {
+            judge(&case, polarisation, &mut worst);
+        }
+    }
+    assert!(worst.count > 0);
+    println!(
+        "{family:28} {:4} cases: R {:6.2} T {:6.2} ln T {:6.2} A {:6.2} ε(1+κ); |R + T − 1| {:6.2} ε",
+        worst.count, worst.reflectance, worst.transmittance, worst.ln_transmittance, worst.absorptance, worst.energy
+    );
+}
+
+/// From the normal to grazing.
+fn angles() -> Vec<Angle> {
+    let normal = [0.0, 1e-12, 1e-3, 0.3, 0.7, 1.1, 1.4, 1.5];
+    let surface = [1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
+    normal.into_iter().map(Angle::Normal).chain(surface.into_iter().map(Angle::Surface)).collect()
+}
+
+/// A few ulp and a few powers of ten to both sides of an angle.
+fn around(theta: f64) -> impl Iterator<Item = Angle> {
+    [0.0, 2e-16, 1e-15, 1e-14, 1e-12, 1e-9, 1e-6, 1e-3]
+        .into_iter()
+        .flat_map(move |x| [Angle::Normal(theta * (1.0 + x)), Angle::Normal(theta * (1.0 - x))])
+}
+
+#[test]
+fn no_layers_is_an_interface() {
+    let substrates = [
+        clear(1.5),
+        clear(1.0 + 1e-9),
+        clear(0.7),
+        clear(1e6),
+        Complex64::new(0.16, 3.5),
+        Complex64::new(1.5, 1e-12),
+        Complex64::new(3.0, 1e3),
+    ];
+    judge_all(
+        "no layers",
+        substrates.into_iter().flat_map(|substrate| {
+            angles().into_iter().map(move |angle| Case {
+                n_i: 1.0,
+                layers: vec![],
+                substrate,
+                wavelength: GREEN,
+                angle,
+            })
+        }),
+    );
+}
+
+#[test]
+fn one_clear_layer_of_any_thickness() {
+    let thicknesses = [1e-18, 1e-12, 1e-9, 1e-7, GREEN / 4.0 / 1.38, GREEN / 2.0 / 1.38, 1e-5, 1e-2, 3.0];
+    judge_all(
+        "one clear layer",
+        thicknesses.into_iter().flat_map(|d| {
+            angles().into_iter().map(move |angle| Case {
+                n_i: 1.0,
+                layers: vec![layer(1.38, 0.0, d)],
+                substrate: clear(1.52),
+                wavelength: GREEN,
+                angle,
+            })
+        }),
+    );
+}
+
+#[test]
+fn quarter_wave_mirrors() {
+    let few = [0.0, 0.4, 1.3].map(Angle::Normal).into_iter().chain([Angle::Surface(1e-8)]);
+    let cases = few.flat_map(|angle| {
+        [2, 5, 21, 101, 1000].into_iter().flat_map(move |count| {
+            [GREEN, 431e-9, 700e-9].map(|wavelength| Case {
+                n_i: 1.0,
+                layers: quarter_waves(count, 2.35, 1.38),
+                substrate: clear(1.52),
+                wavelength,
+                angle,
+            })
+        })
+    });
+    judge_all("quarter-wave mirrors", cases);
+}
+
+#[test]
+fn a_thousand_layers_that_hardly_matter() {
+    let base = |layers, n_i, substrate| Case {
+        n_i,
+        layers,
+        substrate: clear(substrate),
+        wavelength: GREEN,
+        angle: Angle::Normal(0.3),
+    };
+    let mut random = stream(1, "film/faint");
+    let mut uniform = move || random.random::<f64>();
+    let alternating =
+        |a: f64, b: f64, d: f64| (0..1000).map(|i| layer(if i % 2 == 0 { a } else { b }, 0.0, d)).collect();
+    let faint = (0..1000).map(|_| layer(1.5 + 1e-6 * uniform(), 0.0, 1e-7)).collect();
+    judge_all(
+        "1000 faint layers",
+        [
+            base(alternating(2.35, 1.38, 1e-13), 1.0, 1.52),
+            base(alternating(2.35, 1.38, 1e-11), 1.0, 4.0),
+            base(alternating(2.35, 1.38, 1e-13), 1.5, 1.5),
+            base(alternating(1.5, 1.5, 1e-7), 1.5, 1.5),
+            base(alternating(1.5, 1.5, 4.321e-7), 1.0, 1.5),
+            base(alternating(1.5, 1.5, 4.321e-7), 1.0, 15.0),
+            base(alternating(1.5, 1.5, 4.321e-7), 1.5, 15.0),
+            base(alternating(1.5, 1.500001, 1.1e-7), 1.5, 1.5),
+            base(alternating(2.0, 2.0, GREEN / 4.0), 1.0, 1.5),
+            base(faint, 1.5, 1.5),
+        ],
+    );
+}
+
+#[test]
+fn opaque_absorbers() {
+    let metals = [(0.16, 3.5), (1.5, 1.9), (3.0, 1e3), (0.05, 4.0), (1.0, 1.0)];
+    let thicknesses = [1e-10, 1e-9, 5e-8, 1e-6, 1e-3, 1.0];
+    judge_all(
+        "opaque absorbers",
+        metals.into_iter().flat_map(|(n, k)| {
+            thicknesses.into_iter().flat_map(move |d| {
+                [0.0, 0.8, 1.5].map(Angle::Normal).into_iter().chain([Angle::Surface(1e-10)]).map(move |angle| Case {
+                    n_i: 1.0,
+                    layers: vec![layer(1.38, 0.0, 1e-7), layer(n, k, d), layer(2.0, 0.0, 2e-7)],
+                    substrate: clear(1.52),
+                    wavelength: GREEN,
+                    angle,
+                })
+            })
+        }),
+    );
+}
+
+#[test]
+fn faint_absorbers() {
+    let cases = [1e-300, 1e-30, 1e-12, 1e-6, 1e-3].into_iter().flat_map(|k| {
+        [1e-12, 1e-8, 3e-7, 1e-5].into_iter().flat_map(move |d| {
+            [0.0, 0.9, (1.2_f64 / 1.7).asin()].map(Angle::Normal).map(|angle| Case {
+                n_i: 1.7,
+                layers: vec![layer(1.5, k, d), layer(2.3, 0.0, 1e-7), layer(1.2, k, d)],
+                substrate: clear(1.8),
+                wavelength: GREEN,
+                angle,
+            })
+        })
+    });
+    judge_all("faint absorbers", cases);
+    let many = [1e-12, 1e-5, 1e-3].map(|k| Case {
+        n_i: 1.0,
+        layers: (0..1000).map(|i| layer(if i % 2 == 0 { 1.52 } else { 1.5 }, k, 1e-7)).collect(),
+        substrate: clear(1.52),
+        wavelength: GREEN,
+        angle: Angle::Normal(0.5),
+    });
+    judge_all("1000 faint absorbers", many);
+}
+
+#[test]
+fn frustrated_gaps() {
+    let cases = [1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 1e-2, 1.0].into_iter().flat_map(|gap| {
+        let layers = [
+            vec![layer(1.0, 0.0, gap)],
+            vec![layer(1.38, 0.0, 1e-7), layer(1.0, 0.0, gap), layer(2.0, 0.0, 1e-7)],
+            vec![layer(1.0, 0.0, gap), layer(1.5, 0.0, 3e-7), layer(1.0, 0.0, gap)],
+        ];
+        layers.into_iter().flat_map(|layers| {
+            [0.75, 1.0, 1.5].map(Angle::Normal).into_iter().chain([Angle::Surface(1e-9)]).map(move |angle| Case {
+                n_i: 1.5,
+                layers: layers.clone(),
+                substrate: clear(1.5),
+                wavelength: GREEN,
+                angle,
+            })
+        })
+    });
+    judge_all("frustrated gaps", cases);
+}
+
+#[test]
+fn layers_and_substrates_at_their_critical_angle() {
+    let critical = (1.0_f64 / 1.5).asin();
+    let cases = around(critical).flat_map(|angle| {
+        [1e-9, 1e-7, 1e-5, 1e-3].into_iter().flat_map(move |d| {
+            let case = |layers, substrate| Case { n_i: 1.5, layers, substrate, wavelength: GREEN, angle };
+            [
+                case(vec![layer(1.0, 0.0, d)], clear(1.5)),
+                case(vec![layer(2.0, 0.0, 1e-7), layer(1.0, 0.0, d), layer(1.0, 0.0, 1e-7)], clear(1.4)),
+                case(vec![layer(1.0, 1e-12, d)], clear(1.5)),
+                case(vec![layer(2.0, 0.0, d)], clear(1.0)),
+                case(vec![layer(0.5, 0.0, 1e-7), layer(1.4, 0.0, d)], clear(1.0)),
+            ]
+        })
+    });
+    judge_all("critical angles", cases);
+}
+
+#[test]
+fn exactly_critical_layers_stay_finite() {
+    // At grazing incidence a layer of the incident medium's own index stands exactly at its critical angle.
+    for polarisation in BOTH {
+        let layers = [layer(1.5, 0.0, 1e-6), layer(2.0, 0.0, 1e-7)];
+        let stack = Stack { n_i: 1.5, layers: &layers, substrate: clear(1.7) };
+        let response = stack.response(GREEN, Angle::Surface(0.0).incidence(), polarisation);
+        assert_eq!((response.reflectance, response.transmittance), (1.0, 0.0));
+        let nothing = Stack { n_i: 1.5, layers: &layers[..1], substrate: clear(1.5) };
+        let response = nothing.response(GREEN, Angle::Surface(0.0).incidence(), polarisation);
+        assert_eq!((response.reflectance, response.transmittance), (0.0, 1.0));
+    }
+}
+
+#[test]
+fn surface_plasmons() {
+    let cases = [30e-9, 50e-9, 70e-9].into_iter().flat_map(|d| {
+        (0..12).map(move |i| Case {
+            n_i: 1.515,
+            layers: vec![layer(0.0562, 4.2776, d)],
+            substrate: clear(1.0),
+            wavelength: 633e-9,
+            angle: Angle::Normal(0.73 + 0.01 * f64::from(i)),
+        })
+    });
+    judge_all("surface plasmons", cases);
+}
+
+/// A stack of `count` layers of every kind.
+fn random_case(random: &mut Stream, count: usize) -> Case {
+    let mut between = |low: f64, high: f64| low + (high - low) * random.random::<f64>();
+    let mut index = |lossy: f64| {
+        let k = if between(0.0, 1.0) < lossy { 10f64.powf(between(-14.0, 1.0)) } else { 0.0 };
+        Complex64::new(between(0.05, 4.0), k)
+    };
+    let (lossy, n_i, substrate) = ([0.0, 0.2, 1.0][count % 3], index(0.0).re, index(0.2));
+    let indices: Vec<_> = (0..count).map(|_| index(lossy)).collect();
+    let thin = between(-9.0, -6.0);
+    let layers = indices.into_iter().map(|index| Layer { index, thickness: 10f64.powf(between(thin, -6.0)) }).collect();
+    let angle = match between(0.0, 3.0) {
+        x if x < 1.0 => Angle::Surface(10f64.powf(between(-15.0, -0.5))),
+        x if x < 2.0 => Angle::Normal(between(0.0, 1.5)),
+        _ => Angle::Normal(0.0),
+    };
+    Case { n_i, layers, substrate, wavelength: between(300e-9, 900e-9), angle }
+}
+
+#[test]
+fn random_stacks() {
+    let mut random = stream(2, "film/random");
+    let counts = (0..120).map(|i| 1 + i % 8).chain([20, 21, 22, 60, 61, 62]);
+    let cases: Vec<_> = counts.map(|count| random_case(&mut random, count)).collect();
+    judge_all("random stacks", cases);
+}
+
+#[test]
+fn a_thousand_random_layers() {
+    let mut random = stream(3, "film/thousand");
+    let cases: Vec<_> = [999, 1000].map(|count| random_case(&mut random, count)).into();
+    judge_all("1000 random layers", cases);
+}
+
+#[test]
+fn absorption_is_counted_where_it_happens() {
+    let mut random = stream(4, "film/absorption");
+    for i in 0..2000 {
+        let case = random_case(&mut random, 1 + i % 7);
+        for polarisation in BOTH {
+            let ours = case.stack().response(case.wavelength, case.angle.incidence(), polarisation);
+            let sum = ours.reflectance + ours.transmittance + ours.absorptance;
+            assert!((sum - 1.0).abs() < 1e-10, "{case:?} {ours:?}");
+        }
+    }
+}
+
+#[test]
+fn amplitudes_agree_with_powers_and_with_the_reference() {
+    let mut random = stream(5, "film/amplitudes");
+    for i in 0..40 {
+        let case = random_case(&mut random, i % 6);
+        for polarisation in BOTH {
+            let ours = case.stack().response(case.wavelength, case.angle.incidence(), polarisation);
+            let exact = reference(&case.stack(), case.wavelength, case.angle, polarisation);
+            let (r, t) = (light::precise::to_complex64(&exact.r), light::precise::to_complex64(&exact.t));
+            assert!((ours.r - r).norm() <= 1e-10 * r.norm(), "{case:?} {ours:?} {r}");
+            assert!((ours.t - t).norm() <= 1e-10 * t.norm(), "{case:?} {ours:?} {t}");
+        }
+    }
+}
+
+#[test]
+fn amplitudes_conserve_energy() {
+    // r and t are worked out without a thought of each other; R and T are not.
+    let mut random = stream(9, "film/energy");
+    for i in 0..400 {
+        let mut case = random_case(&mut random, 3 * (i % 8));
+        case.substrate.im = 0.0;
+        let incidence = case.angle.incidence();
+        let q_s = normal_squared(incidence, case.n_i, case.substrate).re.max(0.0).sqrt();
+        for polarisation in BOTH {
+            let ours = case.stack().response(case.wavelength, incidence, polarisation);
+            let through = q_s / (case.n_i * incidence.cos()) * ours.t.norm_sqr();
+            let imbalance = (ours.r.norm_sqr() + through - 1.0).abs();
+            assert!(imbalance <= 1e-12, "{case:?} {ours:?}: {imbalance:e}");
+        }
+    }
+}
+
+#[test]
+fn many_at_once_give_the_same_bits() {
+    let mut random = stream(6, "film/batch");
+    for i in 0..60 {
+        let case = random_case(&mut random, i % 30);
+        for polarisation in BOTH {
+            let waves = case.stack().waves(case.angle.incidence(), polarisation);
+            let wavelengths: Vec<f64> = (0..23).map(|i| 2e-7 * 1.35f64.powi(i - 3)).collect();
+            let nothing = Powers { reflectance: f64::NAN, transmittance: f64::NAN, absorptance: f64::NAN };
+            let mut powers = vec![nothing; wavelengths.len()];
+            waves.powers(&wavelengths, &mut powers);
+            for (wavelength, powers) in wavelengths.into_iter().zip(powers) {
+                let single = waves.response(wavelength);
+                let bits = |x: [f64; 3]| x.map(f64::to_bits);
+                assert_eq!(
+                    bits([powers.reflectance, powers.transmittance, powers.absorptance]),
+                    bits([single.reflectance, single.transmittance, single.absorptance]),
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn transmission_does_not_depend_on_the_side() {
+    // Between media of one index, absorbing layers included (Born & Wolf, 7th ed., §1.6.2).
+    let mut random = stream(7, "film/reversal");
+    for i in 0..200 {
+        let mut case = random_case(&mut random, 1 + i % 9);
+        case.substrate = clear(case.n_i);
+        let mut reversed = case.clone();
+        reversed.layers.reverse();
+        for polarisation in BOTH {
+            let there = case.stack().response(case.wavelength, case.angle.incidence(), polarisation);
+            let back = reversed.stack().response(case.wavelength, case.angle.incidence(), polarisation);
+            let (there, back) = (there.ln_transmittance, back.ln_transmittance);
+            assert!((there - back).abs() <= 1e-9 * there.abs(), "{case:?}\n{there:?}\n{back:?}");
+        }
+    }
+}
+
+#[test]
+fn a_layer_cut_in_two_is_the_same_layer() {
+    let mut random = stream(8, "film/split");
+    for i in 0..200 {
+        let case = random_case(&mut random, 1 + i % 5);
+        let mut split = case.clone();
+        split.layers = case
+            .layers
+            .iter()
+            .flat_map(|whole| {
+                let part = |share: f64| Layer { thickness: share * whole.thickness, ..*whole };
+                [part(0.25), part(0.0), part(0.75)]
+            })
+            .collect();
+        for polarisation in BOTH {
+            let one = case.stack().response(case.wavelength, case.angle.incidence(), polarisation);
+            let two = split.stack().response(case.wavelength, case.angle.incidence(), polarisation);
+            let close = |a: f64, b: f64| a == b || (a - b).abs() <= 1e-9 * a.abs().max(1e-3);
+            assert!(close(one.reflectance, two.reflectance) && close(one.absorptance, two.absorptance), "{case:?}");
+            assert!(close(one.ln_transmittance, two.ln_transmittance), "{case:?}\n{one:?}\n{two:?}");
+            assert!((one.t - two.t).norm() <= 1e-9 * one.t.norm(), "{case:?}\n{one:?}\n{two:?}");
+        }
+    }
+}
+
+#[test]
+fn a_half_wave_layer_is_absent() {
+    let layers = [layer(2.35, 0.0, GREEN / (2.0 * 2.35))];
+    let coated = Stack { n_i: 1.0, layers: &layers, substrate: clear(1.52) };
+    let bare = Stack { layers: &[], ..coated };
+    let incidence = Angle::Normal(0.0).incidence();
+    let (coated, bare) =
+        (coated.response(GREEN, incidence, Polarisation::S), bare.response(GREEN, incidence, Polarisation::S));
+    assert!((coated.reflectance - bare.reflectance).abs() < 4.0 * EPSILON);
+    assert!((coated.t + bare.t).norm() < 8.0 * EPSILON, "half a turn of phase");
+}
+
+#[test]
+fn no_layers_have_the_signs_of_the_lecture() {
+    // E36, E37, E39, E40 at 0.6 rad from air into glass.
+    let (theta_1, n) = (0.6_f64, 1.5);
+    let theta_2 = (theta_1.sin() / n).asin();
+    let (minus, plus) = (theta_1 - theta_2, theta_1 + theta_2);
+    let stack = Stack { n_i: 1.0, layers: &[], substrate: clear(n) };
+    let [s, p] = BOTH.map(|polarisation| stack.response(GREEN, Angle::Normal(theta_1).incidence(), polarisation));
+    let close = |ours: Complex64, lecture: f64| (ours - lecture).norm() < 1e-14;
+    assert!(close(s.r, -minus.sin() / plus.sin()));
+    assert!(close(s.t, 2.0 * theta_2.sin() * theta_1.cos() / plus.sin()));
+    assert!(close(p.r, minus.tan() / plus.tan()));
+    assert!(close(p.t, 2.0 * theta_2.sin() * theta_1.cos() / (plus.sin() * minus.cos())));
+}
+
+#[test]
+fn single_quarter_wave_film_has_its_closed_form() {
+    // R = ((n₀ n_s − n₁²)/(n₀ n_s + n₁²))²: Born & Wolf, 7th ed., §1.6.4; Macleod, Thin-Film Optical Filters, §3.1.
+    for (n_1, n_s) in [(1.38, 1.52), (2.35, 1.52), (1.38, 4.0), (1.9, 3.5)] {
+        let layers = quarter_waves(1, n_1, n_1);
+        let stack = Stack { n_i: 1.0, layers: &layers, substrate: clear(n_s) };
+        let ours = stack.response(GREEN, Angle::Normal(0.0).incidence(), Polarisation::S).reflectance;
+        let closed = ((n_s - n_1 * n_1) / (n_s + n_1 * n_1)).powi(2);
+        assert!((ours - closed).abs() < 4.0 * EPSILON, "{ours} {closed}");
+    }
+}
+
+#[test]
+fn quarter_wave_mirrors_have_their_closed_form() {
+    // (HL)^N H on a substrate: admittance (n_H/n_L)^(2N) n_H²/n_s (Born & Wolf, 7th ed., §1.6.5; Macleod, ch. 6).
+    for pairs in [1, 2, 4, 10, 50] {
+        let layers = quarter_waves(2 * pairs + 1, 2.3, 1.35);
+        let stack = Stack { n_i: 1.0, layers: &layers, substrate: clear(1.52) };
+        let ours = stack.response(GREEN, Angle::Normal(0.0).incidence(), Polarisation::P);
+        let y = (2.3_f64 / 1.35).powi(2 * pairs as i32) * 2.3 * 2.3 / 1.52;
+        let (r, t) = (((1.0 - y) / (1.0 + y)).powi(2), 4.0 * y / ((1.0 + y) * (1.0 + y)));
+        assert!((ours.reflectance - r).abs() < 8.0 * EPSILON);
+        assert!((ours.transmittance / t - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn byrnes_published_values_are_met() {
+    // The Python package tmm, function basic_test in its tests.py, values from an earlier Mathematica program. Its
+    // r_p compares electric fields with the opposite sign (Byrnes, arXiv:1603.02720).
+    let layers = [layer(2.0, 4.0, 2.0), layer(3.0, 0.3, 3.0)];
+    let stack = Stack { n_i: 1.0, layers: &layers, substrate: Complex64::new(1.0, 0.1) };
+    let [s, p] = BOTH.map(|polarisation| stack.response(100.0, Angle::Normal(0.1).incidence(), polarisation));
+    let close = |ours: Complex64, theirs: Complex64| (ours - theirs).norm() < 1e-14;
+    assert!(close(s.r, Complex64::new(-0.60331226568845775, -0.093522181653632019)));
+    assert!(close(s.t, Complex64::new(0.44429533471192989, 0.16921936169383078)));
+    assert!(close(p.r, Complex64::new(0.60102654255772481, 0.094489146845323682)));
+    assert!(close(p.t, Complex64::new(0.4461816467503148, 0.17061408427088917)));
+    let powers = [
+        (s.reflectance, 0.37273208839139516),
+        (s.transmittance, 0.22604491247079261),
+        (p.reflectance, 0.37016110373044969),
+        (p.transmittance, 0.22824374314132009),
+    ];
+    for (ours, theirs) in powers {
+        assert!((ours - theirs).abs() < 4.0 * EPSILON, "{ours} {theirs}");
+    }
+}
+
+#[test]
+fn textbook_forms_agree_where_they_hold() {
+    use light::optics::film::textbook::{characteristic_matrix, recursion, transfer_matrix};
+    let layers = [layer(1.38, 0.0, 1e-7), layer(2.0, 0.1, 3e-8), layer(1.2, 0.0, 2e-7)];
+    let stack = Stack { n_i: 1.5, layers: &layers, substrate: Complex64::new(1.3, 0.2) };
+    for polarisation in BOTH {
+        let incidence = Angle::Normal(1.0).incidence();
+        let ours = stack.response(GREEN, incidence, polarisation);
+        for form in [characteristic_matrix, transfer_matrix, recursion] {
+            let theirs = form(&stack, GREEN, incidence, polarisation);
+            assert!((ours.reflectance - theirs.reflectance).abs() < 1e-13, "{ours:?} {theirs:?}");
+            assert!((ours.transmittance - theirs.transmittance).abs() < 1e-13, "{ours:?} {theirs:?}");
+        }
+    }
+}
+
+#[test]
+fn textbook_forms_fail_where_they_are_said_to() {
+    use light::optics::film::textbook::{characteristic_matrix, transfer_matrix};
+    let incidence = Angle::Normal(PI / 3.0).incidence();
+    let gap = [layer(1.0, 0.0, 1e-3)];
+    let stack = Stack { n_i: 1.5, layers: &gap, substrate: clear(1.5) };
+    assert!(characteristic_matrix(&stack, GREEN, incidence, Polarisation::S).reflectance.is_nan());
+    let silver = [layer(0.06, 3.6, 5e-6)];
+    let stack = Stack { n_i: 1.0, layers: &silver, substrate: clear(1.5) };
+    let incidence = Angle::Surface(FRAC_PI_2).incidence();
+    assert!(transfer_matrix(&stack, GREEN, incidence, Polarisation::S).transmittance > 1e-33);
+    assert!(stack.response(GREEN, incidence, Polarisation::S).transmittance < 1e-170);
+}
