@@ -8,10 +8,12 @@ mod dip;
 mod energy;
 mod extremes;
 mod fields;
-//TODO mod functions;
+mod functions;
 mod grazing;
+mod metals;
 mod natural;
 mod powers;
+mod schlick;
 mod snell;
 mod symbols;
 mod total_reflection;
@@ -44,8 +46,10 @@ pub const CHAPTER: Chapter = Chapter {
         dip::STEP,
         grazing::STEP,
         total_reflection::STEP,
+        metals::STEP,
+        schlick::STEP,
     ],
-    functions: &[],
+    functions: functions::FUNCTIONS,
 };
 
 /// The medium the light comes from.

@@ -49,3 +49,10 @@ pub const T_S: Symbol = Symbol::scalar("t_s", Dimension::ONE);
 pub const R_P: Symbol = Symbol::scalar("r_p", Dimension::ONE);
 /// Transmitted over incident electric field, p.
 pub const T_P: Symbol = Symbol::scalar("t_p", Dimension::ONE);
+
+/// Normal wave number behind the interface over that of the vacuum.
+pub const Q_2: Symbol = Symbol::scalar("q_2", Dimension::ONE);
+/// Reflectance at normal incidence.
+pub const R_0: Symbol = Symbol::scalar("R_0", Dimension::ONE);
+/// Reflectance of natural light.
+pub const R_N: Symbol = Symbol::scalar("R_n", Dimension::ONE);
