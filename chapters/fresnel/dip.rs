@@ -235,7 +235,7 @@ fn dips(setting: &Setting) -> Plot {
         Chart::new(
             title,
             Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
-            Axis::linear("R_n / R_n(0)", "").range(0.8, 1.2),
+            Axis::linear("R_n / R_n(0)", "").range(0.6, 1.2),
         )
         .at_y(1.0, "")
     };
