@@ -428,7 +428,7 @@ fn awkward_stacks() {
 #[test]
 fn a_thousand_random_layers() {
     let mut random = stream(3, "film/thousand");
-    let cases: Vec<_> = [999, 1000].map(|count| random_case(&mut random, count)).into();
+    let cases = [random_case(&mut random, 1000)];
     judge_all("1000 random layers", cases);
 }
 
@@ -605,15 +605,15 @@ fn byrnes_published_values_are_met() {
     let stack = Stack { n_i: 1.0, layers: &layers, substrate: Complex64::new(1.0, 0.1) };
     let [s, p] = BOTH.map(|polarisation| stack.response(100.0, Angle::Normal(0.1).incidence(), polarisation));
     let close = |ours: Complex64, theirs: Complex64| (ours - theirs).norm() < 1e-14;
-    assert!(close(s.r, Complex64::new(-0.60331226568845775, -0.093522181653632019)));
-    assert!(close(s.t, Complex64::new(0.44429533471192989, 0.16921936169383078)));
-    assert!(close(p.r, Complex64::new(0.60102654255772481, 0.094489146845323682)));
+    assert!(close(s.r, Complex64::new(-0.6033122656884577, -0.09352218165363202)));
+    assert!(close(s.t, Complex64::new(0.4442953347119299, 0.16921936169383078)));
+    assert!(close(p.r, Complex64::new(0.6010265425577248, 0.09448914684532368)));
     assert!(close(p.t, Complex64::new(0.4461816467503148, 0.17061408427088917)));
     let powers = [
         (s.reflectance, 0.37273208839139516),
-        (s.transmittance, 0.22604491247079261),
-        (p.reflectance, 0.37016110373044969),
-        (p.transmittance, 0.22824374314132009),
+        (s.transmittance, 0.2260449124707926),
+        (p.reflectance, 0.3701611037304497),
+        (p.transmittance, 0.2282437431413201),
     ];
     for (ours, theirs) in powers {
         assert!((ours - theirs).abs() < 4.0 * EPSILON, "{ours} {theirs}");
