@@ -69,16 +69,17 @@ impl<const L: usize> Carried<L> {
     }
 }
 
-/// The fields at the interface reached so far. The true ones are 2^`exponent` e^(decay) e^(−i phase) (−1)^`turns` times these.
+/// The fields at the interface reached so far: the true ones over 2^`exponent` e^(`decay` − i `phase`) (−1)^`turns`.
 pub(super) struct Sweep<const L: usize> {
     psi: Carried<L>,
     phi: Carried<L>,
-    /// Power absorbed so far, over |ψ|² of these fields.
+    /// 4Y₀ times this, over |2Y₀ incident ψ|², is the absorptance so far.
     absorbed: Lanes<L>,
     /// Σ Im δ and its carry.
     decay: (Lanes<L>, Lanes<L>),
-    /// Σ Re δ less half turns, and these.
+    /// Σ Re δ of absorbing layers, less half turns.
     phase: Lanes<L>,
+    /// Half turns taken out.
     turns: Lanes<L>,
     exponent: [i32; L],
 }
@@ -122,13 +123,8 @@ impl<const L: usize> Sweep<L> {
             }
             Coat::Absorbing { path, y, inverse, loss } => {
                 let delta = Complexes { re: wave_number * path.re, im: wave_number * path.im };
-                self.pass_absorbing(
-                    delta,
-                    Complexes::splat(y),
-                    Complexes::splat(inverse),
-                    |weight| wave_number * weight,
-                    loss,
-                );
+                let loss = (wave_number * loss.0, wave_number * loss.1);
+                self.pass_absorbing(delta, Complexes::splat(y), Complexes::splat(inverse), loss);
             }
         }
     }
@@ -167,8 +163,7 @@ impl<const L: usize> Sweep<L> {
         delta: Complexes<L>,
         y: Complexes<L>,
         inverse: Complexes<L>,
-        over_wavelength: impl Fn(f64) -> Lanes<L>,
-        loss: (f64, f64),
+        loss: (Lanes<L>, Lanes<L>),
     ) {
         let half = half_turn(delta.re);
         let decay = decay(delta.im * 2.0);
@@ -177,9 +172,7 @@ impl<const L: usize> Sweep<L> {
         self.fade(delta.im, &decay);
         let (psi, phi) = (self.psi.sum, self.phi.sum);
         let squares = MeanSquares::new(delta, &half, &decay);
-        let across = squares.of(psi, phi * inverse) * over_wavelength(loss.0);
-        let along = if loss.1 > 0.0 { squares.of(phi, y * psi) * over_wavelength(loss.1) } else { Lanes::ZERO };
-        self.absorbed = self.absorbed + (across + along);
+        self.absorbed = self.absorbed + squares.of(psi, phi * inverse) * loss.0 + squares.of(phi, y * psi) * loss.1;
 
         let sin2 = half.sin.squared();
         let u = Complexes { re: decay.exp_m1 * (-sin2 + 0.5) - sin2, im: decay.exp * (half.sin * half.cos) };
@@ -255,7 +248,7 @@ impl Sweep<1> {
         let Powers { reflectance, transmittance, absorptance } = powers;
         let (reflected, incident) = self.incident_waves(waves);
         let (reflected, incident) = (first(reflected), first(incident));
-        if incident == Complex64::ZERO {
+        if incident.norm_sqr() == 0.0 {
             let (r, t, ln_transmittance) = (Complex64::ZERO, Complex64::ONE, 0.0);
             return Response { r, t, reflectance, transmittance, absorptance, ln_transmittance };
         }
