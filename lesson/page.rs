@@ -75,14 +75,24 @@ impl Page {
         }
     }
 
-    /// A paragraph: the first line starts at column `first`, the others at `rest`.
+    /// A paragraph: the first line starts at column `first`, the others at `rest`. Lines break at spaces; spans that
+    /// touch stay together.
     pub fn wrap(&mut self, first: usize, rest: usize, spans: &[Span]) {
-        let mut line = Line { page: self, column: first, rest, empty: true, tone: Tone::Plain };
+        let mut line = Line { page: self, column: first, tone: Tone::Plain };
         line.page.spaces(first);
-        for &(tone, text) in spans {
-            for (at, word) in text.split(' ').enumerate() {
-                line.word(word, tone, at > 0);
+        let mut empty = true;
+        for word in words(spans) {
+            let wide: usize = word.iter().map(|(_, text)| text.width()).sum();
+            let blank = word.iter().all(|(_, text)| text.trim_start().is_empty());
+            if !empty && !blank && line.column + wide > line.page.width {
+                line.end();
+                line.page.spaces(rest);
+                line.column = rest;
+                word.iter().for_each(|(tone, text)| line.put(*tone, text.trim_start()));
+            } else {
+                word.iter().for_each(|(tone, text)| line.put(*tone, text));
             }
+            empty &= blank;
         }
         line.end();
     }
@@ -204,40 +214,45 @@ impl Page {
     }
 }
 
+/// The words of `spans`, each with the space before it, in pieces of one tone.
+fn words<'a>(spans: &[Span<'a>]) -> Vec<Vec<Span<'a>>> {
+    let mut words: Vec<Vec<Span>> = Vec::new();
+    for &(tone, text) in spans {
+        let mut start = 0;
+        while start < text.len() {
+            let next = text[start..].char_indices().skip(1).find(|(_, letter)| *letter == ' ');
+            let end = next.map_or(text.len(), |(at, _)| start + at);
+            let piece = (tone, &text[start..end]);
+            match words.last_mut() {
+                Some(word) if !piece.1.starts_with(' ') => word.push(piece),
+                _ => words.push(vec![piece]),
+            }
+            start = end;
+        }
+    }
+    words
+}
+
 /// The line being filled.
 struct Line<'a> {
     page: &'a mut Page,
     column: usize,
-    rest: usize,
-    empty: bool,
     tone: Tone,
 }
 
 impl Line<'_> {
-    /// Adds a word, on a new line if it does not fit. A word that follows no space joins the one before.
-    fn word(&mut self, word: &str, tone: Tone, spaced: bool) {
-        let wide = word.width();
-        if spaced && wide > 0 && !self.empty && self.column + 1 + wide > self.page.width {
-            self.end();
-            self.page.spaces(self.rest);
-            self.column = self.rest;
-            self.page.paint(Tone::Plain, tone);
-        } else {
-            self.page.paint(self.tone, tone);
-            let space = usize::from(spaced);
-            self.page.spaces(space);
-            self.column += space;
-        }
+    fn put(&mut self, tone: Tone, text: &str) {
+        self.page.paint(self.tone, tone);
         self.tone = tone;
-        self.page.text.push_str(word);
-        self.column += wide;
-        self.empty &= word.is_empty();
+        self.page.text.push_str(text);
+        self.column += text.width();
     }
 
     /// Ends the line: no spaces at its end, no colour beyond it.
     fn end(&mut self) {
         self.page.text.truncate(self.page.text.trim_end_matches(' ').len());
         self.page.paint(self.tone, Tone::Plain);
+        self.tone = Tone::Plain;
         self.page.text.push('\n');
     }
 }
@@ -289,6 +304,18 @@ mod tests {
     #[test]
     fn spans_that_touch_stay_together() {
         assert_eq!(set(40, &[(Tone::Plain, "see "), (Tone::Code, "x"), (Tone::Plain, ", then")]), "  see x, then\n");
+    }
+
+    #[test]
+    fn a_word_in_several_tones_wraps_as_one() {
+        let text = set(
+            40,
+            &[(Tone::Plain, "thirty-two columns are taken by this ("), (Tone::Code, "r_s"), (Tone::Plain, ").")],
+        );
+        assert_eq!(text, "  thirty-two columns are taken by this\n    (r_s).\n");
+        let text =
+            set(40, &[(Tone::Plain, "thirty-six columns are taken by this "), (Tone::Code, "r_s"), (Tone::Plain, ".")]);
+        assert_eq!(text, "  thirty-six columns are taken by this\n    r_s.\n");
     }
 
     #[test]
