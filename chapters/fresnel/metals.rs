@@ -217,7 +217,7 @@ fn carried_by_parts(polarisation: Polarisation, input: &Input, a: &Amplitudes) -
 }
 
 const NORMAL: Check = Check {
-    id: "normal_reflectance",
+    id: "at_normal_incidence",
     claim: "the program's R at normal incidence is the equation on the page",
     rows: &["C14"],
     route: "the equation above, as the object on the page, in 256-bit arithmetic",
@@ -256,7 +256,7 @@ fn against_equation(bench: &mut Bench, equation: &Expr) -> Measured {
 }
 
 const PHASE: Check = Check {
-    id: "ellipsometer",
+    id: "inversion",
     claim: "modulus and phase of r_p/r_s give the index back that they were computed from",
     rows: &["C14"],
     route: "the ellipsometer's closed inversion: no square root's branch, no continuity of fields",

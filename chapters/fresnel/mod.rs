@@ -8,6 +8,7 @@ mod dip;
 mod energy;
 mod extremes;
 mod fields;
+mod films;
 mod functions;
 mod grazing;
 mod metals;
@@ -48,6 +49,7 @@ pub const CHAPTER: Chapter = Chapter {
         total_reflection::STEP,
         metals::STEP,
         schlick::STEP,
+        films::STEP,
     ],
     functions: functions::FUNCTIONS,
 };
