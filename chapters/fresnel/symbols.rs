@@ -17,6 +17,8 @@ pub const THETA_2: Symbol = Symbol::scalar("theta_2", Dimension::ONE).within(0.2
 pub const K: Symbol = Symbol::scalar("k", Dimension::ONE).within(1.0, 2.0);
 /// Relative index n₂/n₁.
 pub const N_REL: Symbol = Symbol::scalar("n", Dimension::ONE).real(4.0, 9.0);
+/// Vacuum wave number.
+pub const K_0: Symbol = Symbol::scalar("k_0", Dimension::RADIAN_PER_METRE).within(1.0, 2.0);
 /// Angular frequency.
 pub const OMEGA: Symbol = Symbol::scalar("omega", Dimension::HERTZ).real(1.0, 2.0);
 /// Speed of light.
