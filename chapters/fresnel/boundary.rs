@@ -1,6 +1,6 @@
 //! E35, E38: what the boundary conditions say about the three amplitudes.
 
-use super::fields::{Polarisation, tangential_step, waves};
+use super::fields::{tangential_step, waves};
 use super::symbols::{E_1, E_1R, E_2, H_1, H_1R, H_2, THETA_1, THETA_2};
 use super::{INTERFACE, extremes, incidence, sample_inputs};
 use crate::setting::Setting;
@@ -9,6 +9,7 @@ use light::equation::derivation::Chain;
 use light::equation::expr::cos;
 use light::equation::{Equation, Expr, Symbol};
 use light::optics::Incidence;
+use light::optics::film::Polarisation;
 use light::optics::fresnel::{Amplitudes, amplitudes};
 
 pub(super) const STEP: Step = Step {

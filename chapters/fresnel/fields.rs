@@ -3,6 +3,7 @@
 
 use light::Complex64;
 use light::optics::Incidence;
+use light::optics::film::Polarisation;
 use light::optics::fresnel::Amplitudes;
 use light::optics::incidence::{normal_squared, outgoing_root};
 
@@ -16,15 +17,6 @@ pub struct Wave {
     pub e: Vector,
     /// Magnetic field times Z₀ [1].
     pub h: Vector,
-}
-
-/// Polarisation of the incident wave.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Polarisation {
-    /// E across the plane of incidence.
-    S,
-    /// E in it.
-    P,
 }
 
 /// Incident, reflected and transmitted wave for the amplitude ratios `a`.

@@ -1,6 +1,6 @@
 //! C14: media that absorb. The index becomes complex, and nothing else changes.
 
-use super::fields::{Polarisation, flow, waves};
+use super::fields::{flow, waves};
 use super::symbols::{N_1, N_2, Q_2, R_0, R_P, R_S, THETA_1};
 use super::{N_I, N_T, extremes, incidence, interface, over_angle, sample_media};
 use crate::figure::{Axis, Chart, Hue, Plot};
@@ -14,6 +14,7 @@ use light::equation::value::Bindings;
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::fresnel::{Exact, Input, NAMES};
 use light::evidence::order::slope;
+use light::optics::film::Polarisation;
 use light::optics::fresnel::{Amplitudes, Powers, amplitudes, brewster_angle, critical_angle, powers};
 use light::optics::incidence::{normal_squared, outgoing_root};
 use light::optics::material::{self, Medium};

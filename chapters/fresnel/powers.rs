@@ -1,7 +1,7 @@
 //! E41: what share of the power goes each way.
 
 use super::extremes::{cases, describe};
-use super::fields::{Polarisation, flow, waves};
+use super::fields::{flow, waves};
 use super::symbols::{E_1, E_2, N_1, N_2, T_S, THETA_1, THETA_2, Z_0};
 use super::{INTERFACE, incidence, interface, sample_inputs};
 use crate::setting::Setting;
@@ -10,6 +10,7 @@ use light::equation::derivation::Chain;
 use light::equation::expr::{abs, cos, dot};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::fresnel::Input;
+use light::optics::film::Polarisation;
 use light::optics::fresnel::{Amplitudes, Powers, amplitudes, powers};
 use light::optics::{Direction, Incidence};
 

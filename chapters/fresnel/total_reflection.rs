@@ -1,7 +1,7 @@
 //! C13: total internal reflection.
 
 use super::extremes::{cases, describe};
-use super::fields::{Polarisation, flow, waves};
+use super::fields::{flow, waves};
 use super::{incidence, interface};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
@@ -11,6 +11,7 @@ use light::equation::derivation::Chain;
 use light::equation::expr::{abs, asin, conj, i};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::fresnel::Input;
+use light::optics::film::Polarisation;
 use light::optics::fresnel::{amplitudes, critical_angle, evanescent_depth};
 use light::optics::{Direction, Incidence};
 use std::f64::consts::FRAC_PI_2;
