@@ -4,7 +4,6 @@
 use super::dimension::Dimension as U;
 use super::expr::*;
 use super::symbol::Symbol;
-use super::units::Mismatch;
 use super::{Equation, Expr};
 
 const fn scalar(name: &'static str, unit: U) -> Symbol {
@@ -247,6 +246,46 @@ fn every_equation_has_its_unit() {
         let found = equation.dimension().unwrap_or_else(|mismatch| panic!("{id}: {face}: {mismatch}"));
         assert_eq!(found.to_string(), unit, "{id}: {face}");
     }
+}
+
+#[test]
+fn the_coefficients_of_fresnel_are_typeset() {
+    let latex = |wanted: &str| -> Vec<String> {
+        displayed().iter().filter(|(id, ..)| *id == wanted).map(|(_, equation, ..)| equation.latex()).collect()
+    };
+    assert_eq!(latex("E36"), [r"r_{s} = -\frac{\sin(\theta_{1} - \theta_{2})}{\sin(\theta_{1} + \theta_{2})}"]);
+    assert_eq!(
+        latex("E40"),
+        [concat!(
+            r"t_{p} = \frac{2 \sin \theta_{2} \cos \theta_{1}}",
+            r"{\sin(\theta_{1} + \theta_{2}) \cos(\theta_{1} - \theta_{2})}"
+        )]
+    );
+    assert_eq!(
+        latex("E41"),
+        [
+            r"R = \left| \frac{\boldsymbol{n} \cdot \boldsymbol{S}_{r}}{\boldsymbol{n} \cdot \boldsymbol{S}_{i}} \right|",
+            r"T = \frac{n_{2} \cos \theta_{2}}{n_{1} \cos \theta_{1}} t^{2}",
+        ]
+    );
+    assert_eq!(
+        latex("E42"),
+        [concat!(
+            r"R_{n} = \tfrac{1}{2} \left( ",
+            r"\frac{\sin^{2}(\theta_{1} - \theta_{2})}{\sin^{2}(\theta_{1} + \theta_{2})} + ",
+            r"\frac{\tan^{2}(\theta_{1} - \theta_{2})}{\tan^{2}(\theta_{1} + \theta_{2})} \right)"
+        )]
+    );
+    let snell = Equation::new(sin(THETA_1) / 2, scalar("n_in'", U::ONE));
+    assert_eq!(
+        snell.mathml(),
+        concat!(
+            r#"<math display="block"><mrow><mfrac><mrow><mi>sin</mi><mo>"#,
+            "\u{2061}",
+            r#"</mo><mspace width="0.1667em"/><msub><mi>θ</mi><mn>1</mn></msub></mrow><mn>2</mn></mfrac>"#,
+            "<mo>=</mo><msubsup><mi>n</mi><mi>in</mi><mo>′</mo></msubsup></mrow></math>"
+        )
+    );
 }
 
 #[test]

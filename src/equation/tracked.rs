@@ -4,6 +4,7 @@ use super::expr::Function;
 use super::rational::Rational;
 use super::value::{Field, is_zero};
 use crate::precise::{self, Complex};
+use num_complex::Complex64;
 
 /// A number of arbitrary precision with a first-order bound of its rounding error (Higham, *Accuracy and Stability of
 /// Numerical Algorithms*, §3.3): `error` is in units of 2^−bits and never below the magnitude of the value.
@@ -30,6 +31,12 @@ impl Tracked {
     /// Whether nothing but rounding may be left of it.
     fn may_vanish(&self) -> bool {
         self.size <= self.error * (-(self.bits as f64) / 2.0).exp2()
+    }
+
+    /// Whether most digits are beyond doubt.
+    #[cfg(test)]
+    pub fn is_certain(&self) -> bool {
+        self.size.is_normal() && self.error < 1e9 * self.size
     }
 
     /// |`self` − `other`| over the size of the terms they were made of [1]; `None` where that leaves the range of `f64`.
@@ -103,14 +110,19 @@ impl Field for Tracked {
         if function == Function::Sqrt {
             return self.power(Rational::new(1, 2)?);
         }
-        let value = self.value.apply(function)?;
         let x = precise::to_complex64(&self.value);
         let slope = match function {
-            Function::Exp => precise::to_complex64(&value).norm(),
-            Function::Asin | Function::Acos => (1.0 - x * x).norm().sqrt().recip(),
-            Function::Atan => (1.0 + x * x).norm().recip(),
+            Function::Asin | Function::Acos => from_branch_point(1.0 - x * x)?.sqrt().recip(),
+            Function::Atan => from_branch_point(1.0 + x * x)?.recip(),
+            Function::Exp => x.re.exp(),
             _ => 1.0,
         };
+        let value = self.value.apply(function)?;
         Some(Self::inherit(value, slope * self.error, self.bits))
     }
+}
+
+/// The distance, if `f64` can tell it from zero: at a branch point itself the slope has no bound.
+fn from_branch_point(distance: Complex64) -> Option<f64> {
+    Some(distance.norm()).filter(|distance| *distance > 1e-12)
 }
