@@ -569,6 +569,29 @@ fn transmission_does_not_depend_on_the_side() {
 }
 
 #[test]
+fn what_an_opaque_layer_hides_does_not_matter() {
+    let mut random = stream(11, "film/hidden");
+    for i in 0..300 {
+        let hidden = awkward_case(&mut random, i % 7);
+        let metal = Complex64::new(0.08, 281.0);
+        let mut layers = vec![layer(1.7, 0.0, 1e-7), Layer { index: metal, thickness: 1e-5 }];
+        let bare = Case { layers: layers[..1].to_vec(), substrate: metal, ..hidden.clone() };
+        layers.extend(&hidden.layers);
+        let coated = Case { layers, ..hidden };
+        for polarisation in BOTH {
+            let kappa = condition(&bare.stack(), bare.wavelength, bare.angle, polarisation);
+            let [bare, coated] = [&bare, &coated]
+                .map(|case| case.stack().response(case.wavelength, case.angle.incidence(), polarisation));
+            let bound = LIMIT * EPSILON * (1.0 + kappa.reflectance);
+            assert!((bare.reflectance - coated.reflectance).abs() <= bound * bare.reflectance);
+            let difference = (bare.transmittance - coated.absorptance).abs();
+            let bound = LIMIT * EPSILON * (1.0 + kappa.transmittance);
+            assert!(difference <= bound * bare.transmittance, "{bare:?} {coated:?} {kappa:?}");
+        }
+    }
+}
+
+#[test]
 fn a_layer_cut_in_two_is_the_same_layer() {
     let mut random = stream(8, "film/split");
     for i in 0..200 {

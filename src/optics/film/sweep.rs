@@ -63,6 +63,14 @@ impl<const L: usize> Carried<L> {
         self.carry = Complexes { re: re_carry, im: im_carry };
     }
 
+    /// Takes the `lanes` of a new value instead.
+    fn replace(&mut self, lanes: [bool; L], value: Complexes<L>) {
+        for (i, _) in lanes.iter().enumerate().filter(|(_, replaced)| **replaced) {
+            (self.sum.re.0[i], self.sum.im.0[i]) = (value.re.0[i], value.im.0[i]);
+            (self.carry.re.0[i], self.carry.im.0[i]) = (0.0, 0.0);
+        }
+    }
+
     fn scale(&mut self, factor: Lanes<L>) {
         self.sum = self.sum.scaled(factor);
         self.carry = self.carry.scaled(factor);
@@ -155,6 +163,20 @@ impl<const L: usize> Sweep<L> {
         let change = backward.scaled(decay.exp_m1 * 0.5);
         self.psi.add(change);
         self.phi.add(Complexes { re: change.im * y, im: change.re * -y });
+        let opaque = decay.exp.0.map(|exp| exp < OPAQUE);
+        if opaque.contains(&true) {
+            let (y, inverse) = (Complex64::new(0.0, y), Complex64::new(0.0, -inverse));
+            let step = Complexes { re: decay.exp, im: Lanes::ZERO };
+            self.replace(opaque, &Split::new(psi, phi, Complexes::splat(inverse)), step, Complexes::splat(y));
+        }
+    }
+
+    /// The fields in front of opaque layers, from the two waves behind.
+    fn replace(&mut self, opaque: [bool; L], split: &Split<L>, step: Complexes<L>, y: Complexes<L>) {
+        let (forward, backward) = (split.forward, step * split.backward);
+        let half = Lanes::splat(0.5);
+        self.psi.replace(opaque, (forward + backward).scaled(half));
+        self.phi.replace(opaque, (y * (forward - backward)).scaled(half));
     }
 
     #[inline(always)]
@@ -171,14 +193,26 @@ impl<const L: usize> Sweep<L> {
         self.turns = self.turns + half.turns;
         self.fade(delta.im, &decay);
         let (psi, phi) = (self.psi.sum, self.phi.sum);
+        let split = Split::new(psi, phi, inverse);
+        let opaque = decay.exp.0.map(|exp| exp < OPAQUE);
         let squares = MeanSquares::new(delta, &half, &decay);
-        self.absorbed = self.absorbed + squares.of(psi, phi * inverse) * loss.0 + squares.of(phi, y * psi) * loss.1;
+        let mut absorbed = squares.of(psi, phi * inverse) * loss.0 + squares.of(phi, y * psi) * loss.1;
 
         let sin2 = half.sin.squared();
         let u = Complexes { re: decay.exp_m1 * (-sin2 + 0.5) - sin2, im: decay.exp * (half.sin * half.cos) };
-        let change = u * (psi - phi * inverse);
+        let change = u * split.backward;
         self.psi.add(change);
         self.phi.add(Complexes::ZERO - y * change);
+        if opaque.contains(&true) {
+            // e^(2iδ)
+            let step = Complexes { re: decay.exp * (sin2 * -2.0 + 1.0), im: u.im * 2.0 };
+            self.replace(opaque, &split, step, y);
+            let across = split.absorbed(delta, &half, &decay, loss, y);
+            for (i, _) in opaque.iter().enumerate().filter(|(_, opaque)| **opaque) {
+                absorbed.0[i] = across.0[i];
+            }
+        }
+        self.absorbed = self.absorbed + absorbed;
     }
 
     /// Brings fields that have left the room back to about 1, by a power of two.
@@ -280,6 +314,43 @@ fn faded(x: f64, decay: f64, exponent: i32) -> f64 {
         return x * (-decay - f64::from(exponent) * LN_2).exp();
     }
     x * (-decay).exp() * f64::from(-exponent).exp2()
+}
+
+/// e^(−2 Im δ) below which a layer counts as opaque. What it hides must not matter in front of it, not even by its
+/// rounding: there the fields and the absorption are made of the two waves, whose forward one alone remains.
+const OPAQUE: f64 = 1.0 / 16.0;
+
+/// Twice the forward and the backward wave at the back of a layer.
+struct Split<const L: usize> {
+    forward: Complexes<L>,
+    backward: Complexes<L>,
+}
+
+impl<const L: usize> Split<L> {
+    #[inline(always)]
+    fn new(psi: Complexes<L>, phi: Complexes<L>, inverse: Complexes<L>) -> Self {
+        let other = phi * inverse;
+        Self { forward: psi + other, backward: psi - other }
+    }
+
+    /// Absorption in the layer, as by [`MeanSquares`] where that does not cancel: the waves e^(∓iδ) give
+    /// (1 − e^(−2β))/(2β) and e^(−2β) times that, β = Im δ, and their interference e^(−2β) sinc(α) e^(iα), α = Re δ.
+    fn absorbed(
+        &self,
+        delta: Complexes<L>,
+        half: &HalfTurn<L>,
+        decay: &Decay<L>,
+        loss: (Lanes<L>, Lanes<L>),
+        y: Complexes<L>,
+    ) -> Lanes<L> {
+        let (f, b) = (self.forward, self.backward);
+        let alone =
+            (f.norm_sqr() + decay.exp * b.norm_sqr()) * (-decay.exp_m1).zip(delta.im, |m, beta| m / (2.0 * beta));
+        let sinc = half.sin.zip(delta.re, |sin, alpha| sin / alpha.max(f64::MIN_POSITIVE));
+        let (re, im) = (f.re * b.re + f.im * b.im, f.re * b.im - f.im * b.re);
+        let both = decay.exp * sinc * (re * half.cos - im * half.sin) * 2.0;
+        ((alone + both) * loss.0 + (alone - both) * y.norm_sqr() * loss.1) * 0.25
+    }
 }
 
 /// Means over a layer of the products of cos(k₀ q z) and sin(k₀ q z), times e^(−2 Im δ).
