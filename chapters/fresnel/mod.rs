@@ -4,17 +4,20 @@ mod amplitudes;
 mod boundary;
 mod brewster;
 mod digits;
-//TODO mod dip;
+mod dip;
 mod energy;
 mod extremes;
 mod fields;
-//TODO mod functions;
-//TODO mod grazing;
+mod films;
+mod functions;
+mod grazing;
+mod metals;
 mod natural;
 mod powers;
+mod schlick;
 mod snell;
 mod symbols;
-//TODO mod total_reflection;
+mod total_reflection;
 
 use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::Chapter;
@@ -41,11 +44,14 @@ pub const CHAPTER: Chapter = Chapter {
         energy::STEP,
         digits::STEP,
         brewster::STEP,
-        //TODO dip::STEP,
-        //TODO grazing::STEP,
-        //TODO total_reflection::STEP,
+        dip::STEP,
+        grazing::STEP,
+        total_reflection::STEP,
+        metals::STEP,
+        schlick::STEP,
+        films::STEP,
     ],
-    functions: &[],
+    functions: functions::FUNCTIONS,
 };
 
 /// The medium the light comes from.

@@ -15,6 +15,8 @@ pub const THETA_1R: Symbol = Symbol::scalar("theta_1'", Dimension::ONE).within(0
 pub const THETA_2: Symbol = Symbol::scalar("theta_2", Dimension::ONE).within(0.2, 1.2);
 /// n₁ sin θ₁ = n₂ sin θ₂ as one number times sin θ₁ sin θ₂: the symmetric parameter of Snell's law.
 pub const K: Symbol = Symbol::scalar("k", Dimension::ONE).within(1.0, 2.0);
+/// Relative index n₂/n₁.
+pub const N_REL: Symbol = Symbol::scalar("n", Dimension::ONE).real(4.0, 9.0);
 /// Vacuum wave number.
 pub const K_0: Symbol = Symbol::scalar("k_0", Dimension::RADIAN_PER_METRE).within(1.0, 2.0);
 /// Angular frequency.
@@ -49,3 +51,10 @@ pub const T_S: Symbol = Symbol::scalar("t_s", Dimension::ONE);
 pub const R_P: Symbol = Symbol::scalar("r_p", Dimension::ONE);
 /// Transmitted over incident electric field, p.
 pub const T_P: Symbol = Symbol::scalar("t_p", Dimension::ONE);
+
+/// Normal wave number behind the interface over that of the vacuum.
+pub const Q_2: Symbol = Symbol::scalar("q_2", Dimension::ONE);
+/// Reflectance at normal incidence.
+pub const R_0: Symbol = Symbol::scalar("R_0", Dimension::ONE);
+/// Reflectance of natural light.
+pub const R_N: Symbol = Symbol::scalar("R_n", Dimension::ONE);

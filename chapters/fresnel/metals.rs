@@ -1,0 +1,465 @@
+//! C14: media that absorb. The index becomes complex, and nothing else changes.
+
+use super::fields::{Polarisation, flow, waves};
+use super::symbols::{N_1, N_2, Q_2, R_0, R_P, R_S, THETA_1};
+use super::{N_I, N_T, extremes, incidence, interface, over_angle, sample_media};
+use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::setting::{Parameter, Setting, THETA, WAVELENGTH};
+use crate::vocabulary::{
+    ALLOWED_ULPS, Bench, Bound, Check, Extreme, Figure, Measured, Quantity, Statement, Step, Stress,
+};
+use light::Complex64;
+use light::equation::expr::{cos, i, sin, sqrt, tan};
+use light::equation::value::Bindings;
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::evidence::fresnel::{Exact, Input, NAMES};
+use light::evidence::order::slope;
+use light::optics::fresnel::{Amplitudes, Powers, amplitudes, brewster_angle, critical_angle, powers};
+use light::optics::incidence::{normal_squared, outgoing_root};
+use light::optics::material::{self, Medium};
+use light::optics::schlick::normal_reflectance;
+use light::optics::{Direction, Incidence};
+use light::precise;
+use light::sampling::uniform;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// The metal behind the interface.
+const METAL: Parameter = Parameter { default: "gold", ..N_T };
+
+/// Real part of a complex index.
+const N: Symbol = Symbol::scalar("n", Dimension::ONE).real(0.1, 4.0);
+/// Extinction: its imaginary part.
+const KAPPA: Symbol = Symbol::scalar("kappa", Dimension::ONE).real(0.0, 8.0);
+/// r_p/r_s, what an ellipsometer measures.
+const RHO: Symbol = Symbol::scalar("rho", Dimension::ONE);
+
+pub(super) const STEP: Step = Step {
+    id: "metals",
+    title: "Metals and other media that absorb",
+    says: "An absorbing medium has a complex index, and the same formulas hold.",
+    rows: &["C14"],
+    parameters: &[N_I, METAL, THETA, WAVELENGTH],
+    statements: &[
+        Statement {
+            id: "index",
+            says: "the wave in the medium decays as e^(−κk₀z)",
+            rows: &["C14"],
+            equation: || Equation::new(N_2, N + i() * KAPPA),
+        },
+        Statement {
+            id: "normal_wave",
+            says: "its normal wave number over that of the vacuum",
+            rows: &["C14"],
+            equation: || Equation::new(Q_2, sqrt(N_2.pow(2) - N_1.pow(2) * sin(THETA_1).pow(2))),
+        },
+        Statement {
+            id: "r_s",
+            says: "reflected over incident electric field, s",
+            rows: &["C14"],
+            equation: || Equation::new(R_S, contrast(N_1 * cos(THETA_1), Q_2.into())),
+        },
+        Statement {
+            id: "r_p",
+            says: "reflected over incident electric field, p",
+            rows: &["C14"],
+            equation: || Equation::new(R_P, contrast(N_2.pow(2) * cos(THETA_1), N_1 * Q_2)),
+        },
+        Statement {
+            id: "normal_reflectance",
+            says: "at normal incidence",
+            rows: &["C14"],
+            equation: || Equation::new(R_0, at_normal_incidence(KAPPA.pow(2))),
+        },
+        Statement {
+            id: "ellipsometer",
+            says: "modulus and phase of ρ = r_p/r_s at one angle give the index back",
+            rows: &["C14"],
+            equation: || Equation::new(N_2, from_ellipsometer()),
+        },
+    ],
+    derivations: &[],
+    readout: Some(readout),
+    checks: &[ENERGY, NORMAL, PHASE, TABLE, MIRRORS, CONTINUITY],
+    stress: &[
+        Stress {
+            id: "conductors",
+            claim: "reflected and transmitted power keep their digits for κ up to 1000, towards the normal and grazing",
+            rows: &["C14"],
+            textbook: "E36–E42 with complex θ₂ = asin(n₁ sin θ₁/n₂)",
+            reference: "the boundary conditions solved in 256 bits",
+            cases: |setting| extremes::cases(&["R_p", "T_p"], &[vec![interface(setting)], conductors()].concat()),
+        },
+        Stress {
+            id: "traces",
+            claim: "a trace of absorption is neither lost nor blown up at the critical angle and at Brewster's",
+            rows: &["C14"],
+            textbook: "E36–E42 with complex θ₂ = asin(n₁ sin θ₁/n₂)",
+            reference: "the boundary conditions solved in 256 bits",
+            cases: traces,
+        },
+    ],
+    races: &[],
+    figures: &[
+        Figure {
+            id: "colour",
+            says: "Why gold is yellow: reflectance at normal incidence over the visible.",
+            rows: &["C14"],
+            plot: over_the_visible,
+        },
+        Figure {
+            id: "angle",
+            says: "R_p dips at the pseudo-Brewster angle, and never to zero.",
+            rows: &["C14"],
+            plot: against_angle,
+        },
+        Figure {
+            id: "phase",
+            says: "No polarisation comes back in phase: linear light leaves a metal elliptical.",
+            rows: &["C14"],
+            plot: phases,
+        },
+    ],
+};
+
+fn contrast(near: Expr, far: Expr) -> Expr {
+    (&near - &far) / (near + far)
+}
+
+/// ((n − n₁)² + κ²)/((n + n₁)² + κ²), whose `absorbed` term the planted mistake takes with the wrong sign.
+fn at_normal_incidence(absorbed: Expr) -> Expr {
+    ((N - N_1).pow(2) + &absorbed) / ((N + N_1).pow(2) + absorbed)
+}
+
+/// n₁ sin θ₁ √(1 + tan² θ₁ ((1 − ρ)/(1 + ρ))²) (Azzam & Bashara, *Ellipsometry and Polarized Light*, §4.2).
+fn from_ellipsometer() -> Expr {
+    N_1 * sin(THETA_1) * sqrt(1 + tan(THETA_1).pow(2) * ((1 - RHO) / (1 + RHO)).pow(2))
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let Input { n_i, n_t, .. } = interface(setting);
+    let direction = incidence(setting);
+    let (a, p) = (amplitudes(direction, n_i, n_t), powers(direction, n_i, n_t));
+    let q_t = outgoing_root(normal_squared(direction, n_i, n_t));
+    let number = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
+    let angle = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "rad" };
+    vec![
+        number("n", "n", "real part of the index", n_t.re),
+        number("kappa", "κ", "extinction", n_t.im),
+        number("R_0", "R_0", "reflectance at normal incidence", normal_reflectance(n_i, n_t)),
+        number("R_s", "R_s", "reflectance, s", p.r_s),
+        number("R_p", "R_p", "reflectance, p", p.r_p),
+        number("R_n", "R_n", "reflectance of natural light", p.r_n()),
+        angle("phase_s", "arg r_s", "phase step of the reflected field, s", a.r_s.arg()),
+        angle("phase_p", "arg r_p", "phase step of the reflected field, p", a.r_p.arg()),
+        angle("pseudo_brewster", "θ_B", "where R_p is least", pseudo_brewster(n_i, n_t)),
+        Quantity {
+            key: "depth",
+            symbol: "d",
+            says: "depth at which 1/e of the power is left; infinite in a clear medium",
+            value: setting.wavelength() / (4.0 * PI * q_t.im),
+            unit: "m",
+        },
+    ]
+}
+
+/// The angle of incidence [rad] at which R_p is least: Brewster's in a clear medium.
+fn pseudo_brewster(n_i: f64, n_t: Complex64) -> f64 {
+    if n_t.im == 0.0 {
+        return brewster_angle(n_i, n_t.re);
+    }
+    let reflectance = |theta: f64| powers(Incidence::from_angle(theta), n_i, n_t).r_p;
+    super::golden_section(reflectance, 0.0, FRAC_PI_2)
+}
+
+const ENERGY: Check = Check {
+    id: "energy_flow",
+    claim: "what is not reflected flows into the metal: R + T = 1, although no wave keeps its power there",
+    rows: &["C14"],
+    route: "½ Re(E×H*) of the transmitted wave's full field vectors just behind the interface",
+    bound: Bound::AtMost {
+        limit: 32.0,
+        unit: "ε",
+        why: "a dozen roundings in R, in the amplitudes and in the vectors' products",
+    },
+    measure: |bench| imbalance(bench, carried),
+    spoiled: |bench| imbalance(bench, carried_by_parts),
+    slip: "Re n₂ · Re cos θ₂ is taken for Re(n₂ cos θ₂)",
+};
+
+/// R + T − 1 [ε] in absorbing media at every angle of a fan, with T from `through`.
+fn imbalance(bench: &mut Bench, through: fn(Polarisation, &Input, &Amplitudes) -> f64) -> Measured {
+    let own = interface(bench.setting);
+    let media = sample_media().into_iter().chain([(own.n_i, own.n_t)]).filter(|(_, n_t)| n_t.im > 0.0);
+    let fan = [0.0, 10.0, 45.0, 60.0, 75.0, 85.0, 89.9].map(|degrees: f64| Direction::Angle(degrees.to_radians()));
+    let inputs = media.flat_map(|(n_i, n_t)| fan.map(|direction| Input { direction, n_i, n_t }));
+    Measured::worst(inputs.flat_map(|input| {
+        let incidence = Incidence::from(input.direction);
+        let (a, p) = (amplitudes(incidence, input.n_i, input.n_t), powers(incidence, input.n_i, input.n_t));
+        [(Polarisation::S, p.r_s), (Polarisation::P, p.r_p)].map(|(polarisation, reflected)| {
+            let sum = reflected + through(polarisation, &input, &a);
+            ((sum - 1.0) / f64::EPSILON, format!("{polarisation:?}, {}", extremes::describe(&input)))
+        })
+    }))
+}
+
+/// T by the flow of the fields.
+fn carried(polarisation: Polarisation, input: &Input, a: &Amplitudes) -> f64 {
+    let [incident, _, transmitted] = waves(polarisation, input.direction.into(), input.n_i, input.n_t, a);
+    flow(&transmitted) / flow(&incident)
+}
+
+/// T as E41 has it for clear media, with real parts put in.
+fn carried_by_parts(polarisation: Polarisation, input: &Input, a: &Amplitudes) -> f64 {
+    let incidence = Incidence::from(input.direction);
+    let cos_t = outgoing_root(normal_squared(incidence, input.n_i, input.n_t)) / input.n_t;
+    let t = if polarisation == Polarisation::S { a.t_s } else { a.t_p };
+    input.n_t.re * cos_t.re / (input.n_i * incidence.cos()) * t.norm_sqr()
+}
+
+const NORMAL: Check = Check {
+    id: "at_normal_incidence",
+    claim: "the program's R at normal incidence is the equation on the page",
+    rows: &["C14"],
+    route: "the equation above, as the object on the page, in 256-bit arithmetic",
+    bound: Bound::AtMost {
+        limit: ALLOWED_ULPS,
+        unit: "ε(1+κ)",
+        why: "the project's promise: no more than a few roundings beyond what the inputs' own rounding does",
+    },
+    measure: |bench| against_equation(bench, &at_normal_incidence(KAPPA.pow(2))),
+    spoiled: |bench| against_equation(bench, &at_normal_incidence(-KAPPA.pow(2))),
+    slip: "the complex index is squared where its modulus should be",
+};
+
+/// Error of the program's R_n at normal incidence against `equation`, in ε(1 + κ): random metals, some with indices
+/// near the incident one, and the setting's own.
+fn against_equation(bench: &mut Bench, equation: &Expr) -> Measured {
+    let own = interface(bench.setting);
+    let mut media = vec![(own.n_i, own.n_t)];
+    media.extend((0..10).map(|_| {
+        let n_i = uniform(&mut bench.stream, 1.0, 2.0);
+        let n = n_i * (1.0 + 10f64.powf(uniform(&mut bench.stream, -9.0, 0.5)));
+        (n_i, Complex64::new(n, 10f64.powf(uniform(&mut bench.stream, -9.0, 3.0))))
+    }));
+    let at = NAMES.iter().position(|name| *name == "R_n").expect("an output");
+    Measured::worst(media.into_iter().map(|(n_i, n_t)| {
+        let input = Input { direction: Direction::Angle(0.0), n_i, n_t };
+        let mut bindings = Bindings::new();
+        for (symbol, value) in [(N_1, n_i), (N, n_t.re), (KAPPA, n_t.im)] {
+            bindings.bind(symbol.name(), precise::from_real(precise::real(value)));
+        }
+        let program = powers(Incidence::NORMAL, n_i, n_t).r_n();
+        let exact = equation.evaluate(&bindings);
+        let error = exact.map_or(f64::NAN, |exact| precise::relative_error(program, &exact.into_parts().0));
+        (error / (f64::EPSILON * (1.0 + Exact::new(&input).conditions()[at])), extremes::describe(&input))
+    }))
+}
+
+const PHASE: Check = Check {
+    id: "inversion",
+    claim: "modulus and phase of r_p/r_s give the index back that they were computed from",
+    rows: &["C14"],
+    route: "the ellipsometer's closed inversion: no square root's branch, no continuity of fields",
+    bound: Bound::AtMost {
+        limit: 32.0,
+        unit: "ε/|1+ρ|",
+        why: "a dozen roundings in each ratio, and 1 + ρ, small for good metals, magnifies them",
+    },
+    measure: |bench| index_from_ratio(bench, |ratio| ratio),
+    spoiled: |bench| index_from_ratio(bench, |ratio| ratio.conj()),
+    slip: "the phase has the sign of the other time convention",
+};
+
+fn index_from_ratio(bench: &mut Bench, amend: fn(Complex64) -> Complex64) -> Measured {
+    let own = interface(bench.setting);
+    let media = sample_media().into_iter().chain([(own.n_i, own.n_t)]).filter(|(_, n_t)| n_t.im > 0.01);
+    let cases = media.flat_map(|media| [50.0, 60.0, 70.0, 80.0].map(|degrees: f64| (media, degrees.to_radians())));
+    Measured::worst(cases.map(|((n_i, n_t), theta)| {
+        let a = amplitudes(Incidence::from_angle(theta), n_i, n_t);
+        let mut bindings = Bindings::new();
+        bindings.bind(N_1.name(), Complex64::from(n_i));
+        bindings.bind(THETA_1.name(), Complex64::from(theta));
+        let ratio = amend(a.r_p / a.r_s);
+        bindings.bind(RHO.name(), ratio);
+        let back = from_ellipsometer().evaluate(&bindings).unwrap_or(Complex64::new(f64::NAN, f64::NAN));
+        let error = (back - n_t).norm() / n_t.norm();
+        (error * (1.0 + ratio).norm() / f64::EPSILON, format!("n {n_i} → {n_t}, θ = {:.0}°", theta.to_degrees()))
+    }))
+}
+
+const TABLE: Check = Check {
+    id: "handbook",
+    claim: "the indices and reflectances of a printed table belong together",
+    rows: &["C14"],
+    route: "Born & Wolf, Principles of Optics (7th ed.), table 14.1: n, nκ and R at 589.3 nm",
+    bound: Bound::AtMost { limit: 0.006, unit: "1", why: "R is printed to 0.01, and n to two or three digits" },
+    measure: |_| printed(|n_t| powers(Incidence::NORMAL, 1.0, n_t).r_n()),
+    spoiled: |_| printed(|n_t| powers(Incidence::NORMAL, 1.0, Complex64::new(n_t.re, n_t.re * n_t.im)).r_n()),
+    slip: "the printed nκ is taken for κ, and multiplied by n once more",
+};
+
+/// Sodium, silver, magnesium, gold, copper, aluminium: n, nκ, R.
+const PRINTED: [(&str, f64, f64, f64); 6] = [
+    ("sodium", 0.044, 2.42, 0.97),
+    ("silver", 0.20, 3.44, 0.94),
+    ("magnesium", 0.37, 4.42, 0.93),
+    ("gold", 0.47, 2.83, 0.82),
+    ("copper", 0.62, 2.57, 0.73),
+    ("aluminium", 1.44, 5.23, 0.83),
+];
+
+fn printed(reflectance: fn(Complex64) -> f64) -> Measured {
+    let error = |(metal, n, k, printed): (&str, f64, f64, f64)| {
+        (reflectance(Complex64::new(n, k)) - printed, format!("{metal}, n = {n}, nκ = {k}"))
+    };
+    Measured::worst(PRINTED.map(error))
+}
+
+const MIRRORS: Check = Check {
+    id: "mirrors",
+    claim: "the program's metals reflect as much as mirrors do",
+    rows: &["C14"],
+    route: "photometry of freshly evaporated mirrors: G. Hass, in American Institute of Physics Handbook (3rd ed.), §6g",
+    bound: Bound::AtMost {
+        limit: 0.05,
+        unit: "1",
+        why: "evaporated films differ by a few hundredths with their grain and roughness, off the absorption edges",
+    },
+    measure: |_| against_mirrors(|n_t| powers(Incidence::NORMAL, 1.0, n_t).r_n()),
+    spoiled: |_| against_mirrors(|n_t| powers(Incidence::NORMAL, 1.0, n_t.re.into()).r_n()),
+    slip: "the index without its imaginary part",
+};
+
+/// Metal, vacuum wavelength [nm], R.
+const MEASURED_MIRRORS: [(&str, f64, f64); 12] = [
+    ("aluminium", 500.0, 0.918),
+    ("aluminium", 550.0, 0.915),
+    ("aluminium", 600.0, 0.911),
+    ("silver", 500.0, 0.979),
+    ("silver", 550.0, 0.983),
+    ("silver", 600.0, 0.986),
+    ("gold", 500.0, 0.477),
+    ("gold", 600.0, 0.919),
+    ("gold", 650.0, 0.955),
+    ("copper", 500.0, 0.600),
+    ("copper", 650.0, 0.966),
+    ("copper", 700.0, 0.975),
+];
+
+fn against_mirrors(reflectance: fn(Complex64) -> f64) -> Measured {
+    Measured::worst(MEASURED_MIRRORS.map(|(name, nanometres, measured)| {
+        let index = material::named(name).and_then(|metal| metal.index(nanometres * 1e-9).ok());
+        (index.map_or(f64::NAN, reflectance) - measured, format!("{name}, {nanometres} nm"))
+    }))
+}
+
+const CONTINUITY: Check = Check {
+    id: "vanishing_absorption",
+    claim: "as κ → 0 the amplitudes go over into those of the clear medium, in proportion to κ",
+    rows: &["C14"],
+    route: "the same function with κ = 0; slope of the difference over six decades of κ",
+    bound: Bound::AtMost {
+        limit: 0.01,
+        unit: "1",
+        why: "r is analytic in the index away from the critical angle; the slope is off by what is left of κ² = 1e−4",
+    },
+    measure: |_| approach(|r| r),
+    spoiled: |_| approach(|r| r.conj()),
+    slip: "the root on the other branch behind total reflection",
+};
+
+/// How far the slope of |r(κ) − r(0)| is from 1, in partial and in total reflection.
+fn approach(amend: fn(Complex64) -> Complex64) -> Measured {
+    let cases = [(1.0, 1.5, 0.3), (1.0, 1.5, 1.3), (1.5, 1.0, 0.3), (1.5, 1.0, 0.9), (1.5, 1.0, 1.3)];
+    Measured::worst(cases.into_iter().flat_map(|(n_i, n, theta)| {
+        let at = |k: f64| amplitudes(Incidence::from_angle(theta), n_i, Complex64::new(n, k));
+        let clear = at(0.0);
+        let points = |r: fn(&Amplitudes) -> Complex64| -> Vec<(f64, f64)> {
+            let trace = (2..=8).map(|decade| 10f64.powi(-decade));
+            trace.map(|k| (k, (amend(r(&at(k))) - r(&clear)).norm())).collect()
+        };
+        let ratios: [fn(&Amplitudes) -> Complex64; 4] = [|a| a.r_s, |a| a.t_s, |a| a.r_p, |a| a.t_p];
+        ratios
+            .map(|ratio| (slope(&points(ratio)).unwrap_or(f64::NAN) - 1.0, format!("n {n_i} → {n} + iκ, θ = {theta}")))
+    }))
+}
+
+/// Metals from nearly clear to nearly perfect, along the normal and beside it, oblique, and grazing.
+fn conductors() -> Vec<Input> {
+    let metals = [(0.05, 1e3), (3.0, 3.0), (1e3, 1e3), (4.0, 0.03)];
+    let directions = [Direction::Angle(0.0), Direction::Angle(1e-9), Direction::Angle(1.2), Direction::Grazing(1e-30)];
+    let each = |(n, k)| directions.map(|direction| Input { direction, n_i: 1.0, n_t: Complex64::new(n, k) });
+    metals.into_iter().flat_map(each).collect()
+}
+
+/// A clear medium with a trace of absorption, at its special angles and a little beside them.
+fn traces(_: &Setting) -> Vec<Extreme> {
+    let critical = critical_angle(1.5, 1.0).expect("into the rarer medium");
+    let brewster = brewster_angle(1.0, 1.5);
+    let grid = [1e-300, 1e-12, 1e-6].into_iter().flat_map(|k| [0.0, 1e-12].map(|offset| (k, offset)));
+    grid.flat_map(|(k, offset)| {
+        let input = |n_i, n, theta| Input { direction: Direction::Angle(theta), n_i, n_t: Complex64::new(n, k) };
+        let beyond = [input(1.5, 1.0, critical + offset), input(1.5, 1.0, critical + offset + 0.1)];
+        let mut cases = extremes::cases(&["T_s"], &beyond);
+        cases.extend(extremes::cases(&["r_p_re"], &[input(1.0, 1.5, brewster + offset)]));
+        cases
+    })
+    .collect()
+}
+
+/// Curves of normal-incidence reflectance: four metals, and the setting's medium if it is another.
+fn over_the_visible(setting: &Setting) -> Plot {
+    let (from, own) = (setting.medium("n_i"), setting.medium("n_t"));
+    let metals = ["silver", "aluminium", "gold", "copper"].map(|name| material::named(name).expect("a listed metal"));
+    let mut media: Vec<(&str, Medium)> = metals.iter().map(|metal| (metal.name, Medium::Material(metal))).collect();
+    if media.iter().all(|(_, medium)| *medium != own) {
+        media.push((if let Medium::Material(material) = own { material.name } else { "n_2" }, own));
+    }
+    let mut chart = Chart::new(
+        "",
+        Axis::linear("vacuum wavelength λ", "nm").range(380.0, 750.0).tick(50.0),
+        Axis::linear("reflectance R_0", "").range(0.0, 1.0),
+    );
+    for (place, (name, medium)) in (0..).zip(media) {
+        let reflectance = |nanometres: f64| {
+            let wavelength = nanometres * 1e-9;
+            let (n_i, n_t) = (from.index(wavelength).ok()?, medium.index(wavelength).ok()?);
+            Some(powers(Incidence::NORMAL, n_i.re, n_t).r_n())
+        };
+        let wavelengths = (0..=185).map(|step| 380.0 + 2.0 * f64::from(step));
+        let curve = wavelengths.map(|nanometres| [nanometres, reflectance(nanometres).unwrap_or(f64::NAN)]);
+        chart = chart.line(Hue::Nth(place), name, curve.collect());
+    }
+    Plot::of("Metals at normal incidence", chart)
+}
+
+fn against_angle(setting: &Setting) -> Plot {
+    let Input { n_i, n_t, .. } = interface(setting);
+    let curve = |power: fn(&Powers) -> f64| over_angle(|incidence| power(&powers(incidence, n_i, n_t)));
+    let chart = Chart::new(
+        format!("n {n_i:.4} → {:.4} + {:.4}i", n_t.re, n_t.im),
+        Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
+        Axis::linear("reflectance R", "").range(0.0, 1.0),
+    )
+    .line(Hue::S, "R_s", curve(|p| p.r_s))
+    .line(Hue::P, "R_p", curve(|p| p.r_p))
+    .line(Hue::Natural, "R_n", curve(|p| p.r_n()))
+    .at_x(pseudo_brewster(n_i, n_t).to_degrees(), "R_p least");
+    Plot::of("Reflectance of an absorbing medium", chart)
+}
+
+fn phases(setting: &Setting) -> Plot {
+    let Input { n_i, n_t, .. } = interface(setting);
+    let curve = |ratio: fn(&Amplitudes) -> Complex64| {
+        over_angle(|incidence| ratio(&amplitudes(incidence, n_i, n_t)).arg().to_degrees())
+    };
+    let chart = Chart::new(
+        format!("n {n_i:.4} → {:.4} + {:.4}i", n_t.re, n_t.im),
+        Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
+        Axis::linear("phase of the reflected field", "°").range(-180.0, 180.0).tick(60.0),
+    )
+    .line(Hue::S, "arg r_s", curve(|a| a.r_s))
+    .line(Hue::P, "arg r_p", curve(|a| a.r_p))
+    .at_x(pseudo_brewster(n_i, n_t).to_degrees(), "R_p least");
+    Plot::of("Phase on reflection", chart)
+}
