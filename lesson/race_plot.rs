@@ -63,7 +63,7 @@ fn legend(lane: &LaneReport) -> String {
     }
 }
 
-/// The asserted order as a dashed line through the lane's first point, down to its lowest.
+/// The asserted order as a dotted line through the lane's first point, down to its lowest.
 fn guide(points: &[[f64; 2]], order: f64) -> Option<Mark> {
     let drawn: Vec<_> =
         points.iter().filter(|point| point[0] > 0.0 && point[1].is_finite() && point[1] > 0.0).collect();
@@ -76,7 +76,7 @@ fn guide(points: &[[f64; 2]], order: f64) -> Option<Mark> {
     let end = last[0].min(first[0] * (first[1] / lowest).powf(1.0 / order));
     let error = first[1] * (end / first[0]).powf(-order);
     let points = vec![**first, [end, error]];
-    Some(Mark::Line { label: String::new(), hue: Hue::Reference, dash: Dash::Dashed, points })
+    Some(Mark::Line { label: String::new(), hue: Hue::Reference, dash: Dash::Dotted, points })
 }
 
 fn shape(at: u8) -> Shape {

@@ -1,5 +1,6 @@
 //! Bad input: one clear message that names the place and what would be valid, exit 2, nothing half-written.
 
+#[allow(dead_code, reason = "each test file uses its part")]
 mod common;
 
 use common::{command, folder, lesson};

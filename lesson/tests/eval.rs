@@ -1,5 +1,6 @@
 //! `lesson eval` as scripts use it.
 
+#[allow(dead_code, reason = "each test file uses its part")]
 mod common;
 
 use common::{command, lesson, lesson_fed};

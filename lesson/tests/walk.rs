@@ -1,5 +1,6 @@
 //! What a reader sees, and what a script gets, from the real binary.
 
+#[allow(dead_code, reason = "each test file uses its part")]
 mod common;
 
 use common::{command, folder, lesson};
