@@ -567,20 +567,19 @@ fn critical() -> Vec<Extreme> {
 }
 
 fn many() -> Vec<Extreme> {
+    let mut tinted = quarter_wave_mirror(1000, 2.6, 1.35);
+    for layer in &mut tinted.layers {
+        layer.index.im = 1e-6;
+    }
+    let gaps =
+        (0..1000).map(|at| film(if at % 2 == 0 { 1.0 } else { 1.5 }, 0.0, if at % 2 == 0 { 1e-6 } else { 1e-7 }));
+    let gaps = Films { n_i: 1.5, layers: gaps.collect(), substrate: 1.5.into() };
     let case = |name: &str, films: &Films, theta, output| {
         extreme(name, films, Angle::Normal(theta), Polarisation::S, output, characteristic_matrix)
     };
-    let strong = quarter_wave_mirror(1000, 2.6, 1.35);
-    let mut tinted = strong.clone();
-    for layer in &mut tinted.layers {
-        layer.index.im = 1e-3;
-    }
-    let gaps = (0..1000).map(|at| film(if at % 2 == 0 { 1.0 } else { 1.5 }, 0.0, 200e-9));
-    let gaps = Films { n_i: 1.5, layers: gaps.collect(), substrate: 1.5.into() };
     vec![
-        case("1000 quarter waves of 2.6 and 1.35", &strong, 0.4, Output::LnTransmittance),
-        case("the same with κ = 0.001", &tinted, 0.4, Output::Reflectance),
-        case("500 air gaps of 200 nm, θ = 60°", &gaps, 1.0472, Output::LnTransmittance),
+        case("1000 quarter waves of 2.6 and 1.35, κ = 1e−6", &tinted, 0.0, Output::Reflectance),
+        case("500 air gaps of 1 µm between films of glass, θ = 60°", &gaps, 1.0472, Output::LnTransmittance),
     ]
 }
 
