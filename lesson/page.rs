@@ -75,17 +75,26 @@ impl Page {
         }
     }
 
-    /// A paragraph: the first line starts at column `first`, the others at `rest`.
+    /// A paragraph: the first line starts at column `first`, the others at `rest`. Lines break at spaces; spans that
+    /// touch stay together.
     pub fn wrap(&mut self, first: usize, rest: usize, spans: &[Span]) {
-        let mut line = Line { page: self, column: first, empty: true };
-        line.page.text.extend(std::iter::repeat_n(' ', first));
-        for &(tone, text) in spans {
-            for (at, word) in text.split(' ').enumerate() {
-                line.word(word, tone, at > 0, rest);
+        let mut line = Line { page: self, column: first, tone: Tone::Plain };
+        line.page.spaces(first);
+        let mut empty = true;
+        for word in words(spans) {
+            let wide: usize = word.iter().map(|(_, text)| text.width()).sum();
+            let blank = word.iter().all(|(_, text)| text.trim_start().is_empty());
+            if !empty && !blank && line.column + wide > line.page.width {
+                line.end();
+                line.page.spaces(rest);
+                line.column = rest;
+                word.iter().for_each(|(tone, text)| line.put(*tone, text.trim_start()));
+            } else {
+                word.iter().for_each(|(tone, text)| line.put(*tone, text));
             }
+            empty &= blank;
         }
-        self.text.truncate(self.text.trim_end_matches(' ').len());
-        self.text.push('\n');
+        line.end();
     }
 
     /// A paragraph in one tone at column `indent`.
@@ -99,23 +108,26 @@ impl Page {
         self.text.push('\n');
     }
 
-    /// Cells padded to `widths` (right-aligned where negative), at column `indent`; one line, as wide as it gets.
+    /// Cells padded to `widths` (right-aligned where negative), at column `indent`; the last one is wrapped.
     pub fn row(&mut self, indent: usize, widths: &[i32], cells: &[Span]) {
-        self.text.extend(std::iter::repeat_n(' ', indent));
+        let mut column = indent;
+        let mut padded = Vec::new();
         for (&(tone, cell), &width) in cells.iter().zip(widths) {
-            let padding = (width.unsigned_abs() as usize).saturating_sub(cell.width());
-            let spaces = |page: &mut Self| page.text.extend(std::iter::repeat_n(' ', padding));
-            if width < 0 {
-                spaces(self);
-            }
-            self.paint(tone, cell);
-            if width >= 0 {
-                spaces(self);
-            }
-            self.text.push_str("  ");
+            let padding = " ".repeat((width.unsigned_abs() as usize).saturating_sub(cell.width()));
+            let (before, after) = if width < 0 { (padding, String::new()) } else { (String::new(), padding) };
+            padded.push((tone, before + cell + &after));
         }
-        self.text.truncate(self.text.trim_end_matches(' ').len());
-        self.text.push('\n');
+        let mut spans: Vec<Span> = Vec::new();
+        for (at, (tone, cell)) in padded.iter().enumerate() {
+            if at > 0 {
+                spans.push((Tone::Plain, "  "));
+            }
+            spans.push((*tone, cell));
+            if at + 1 < padded.len() {
+                column += cell.width() + 2;
+            }
+        }
+        self.wrap(indent, column, &spans);
     }
 
     /// Markdown, simply: paragraphs, lists, emphasis, code, the text of links. Headings that repeat `title` are left out.
@@ -184,40 +196,64 @@ impl Page {
         block.clear();
     }
 
-    fn paint(&mut self, tone: Tone, text: &str) {
-        if self.colour && tone != Tone::Plain && !text.is_empty() {
-            self.text.push_str(&format!("\x1b[{}m{text}\x1b[0m", tone.ansi()));
-        } else {
-            self.text.push_str(text);
+    fn spaces(&mut self, count: usize) {
+        self.text.extend(std::iter::repeat_n(' ', count));
+    }
+
+    /// Changes the colour from one tone's to another's.
+    fn paint(&mut self, from: Tone, to: Tone) {
+        if !self.colour || from == to {
+            return;
+        }
+        if from != Tone::Plain {
+            self.text.push_str("\x1b[0m");
+        }
+        if to != Tone::Plain {
+            self.text.push_str(&format!("\x1b[{}m", to.ansi()));
         }
     }
+}
+
+/// The words of `spans`, each with the space before it, in pieces of one tone.
+fn words<'a>(spans: &[Span<'a>]) -> Vec<Vec<Span<'a>>> {
+    let mut words: Vec<Vec<Span>> = Vec::new();
+    for &(tone, text) in spans {
+        let mut start = 0;
+        while start < text.len() {
+            let next = text[start..].char_indices().skip(1).find(|(_, letter)| *letter == ' ');
+            let end = next.map_or(text.len(), |(at, _)| start + at);
+            let piece = (tone, &text[start..end]);
+            match words.last_mut() {
+                Some(word) if !piece.1.starts_with(' ') => word.push(piece),
+                _ => words.push(vec![piece]),
+            }
+            start = end;
+        }
+    }
+    words
 }
 
 /// The line being filled.
 struct Line<'a> {
     page: &'a mut Page,
     column: usize,
-    empty: bool,
+    tone: Tone,
 }
 
 impl Line<'_> {
-    /// Adds a word, on a new line if it does not fit. A word that follows no space joins the one before.
-    fn word(&mut self, word: &str, tone: Tone, spaced: bool, rest: usize) {
-        let wide = word.width();
-        if spaced && !self.empty {
-            if self.column + 1 + wide > self.page.width && wide > 0 {
-                self.page.text.truncate(self.page.text.trim_end_matches(' ').len());
-                self.page.text.push('\n');
-                self.page.text.extend(std::iter::repeat_n(' ', rest));
-                self.column = rest;
-            } else {
-                self.page.text.push(' ');
-                self.column += 1;
-            }
-        }
-        self.page.paint(tone, word);
-        self.column += wide;
-        self.empty &= word.is_empty();
+    fn put(&mut self, tone: Tone, text: &str) {
+        self.page.paint(self.tone, tone);
+        self.tone = tone;
+        self.page.text.push_str(text);
+        self.column += text.width();
+    }
+
+    /// Ends the line: no spaces at its end, no colour beyond it.
+    fn end(&mut self) {
+        self.page.text.truncate(self.page.text.trim_end_matches(' ').len());
+        self.page.paint(self.tone, Tone::Plain);
+        self.tone = Tone::Plain;
+        self.page.text.push('\n');
     }
 }
 
@@ -271,6 +307,32 @@ mod tests {
     }
 
     #[test]
+    fn a_word_in_several_tones_wraps_as_one() {
+        let text = set(
+            40,
+            &[(Tone::Plain, "thirty-two columns are taken by this ("), (Tone::Code, "r_s"), (Tone::Plain, ").")],
+        );
+        assert_eq!(text, "  thirty-two columns are taken by this\n    (r_s).\n");
+        let text =
+            set(40, &[(Tone::Plain, "thirty-six columns are taken by this "), (Tone::Code, "r_s"), (Tone::Plain, ".")]);
+        assert_eq!(text, "  thirty-six columns are taken by this\n    r_s.\n");
+    }
+
+    #[test]
+    fn rows_align_and_wrap_their_last_cell() {
+        let mut page = Page::new(40, false);
+        let cells =
+            [(Tone::Plain, "θ_B"), (Tone::Plain, "1.5"), (Tone::Plain, "the angle that is called after Brewster")];
+        page.row(2, &[4, -5, 0], &cells);
+        page.row(0, &[-6, 0], &[(Tone::Plain, "16"), (Tone::Plain, "x")]);
+        page.row(0, &[-6, 0], &[(Tone::Plain, "123456"), (Tone::Plain, "x")]);
+        assert_eq!(
+            page.into_text(),
+            "  θ_B     1.5  the angle that is called\n               after Brewster\n    16  x\n123456  x\n"
+        );
+    }
+
+    #[test]
     fn markdown_becomes_paragraphs_and_lists() {
         let mut page = Page::new(60, false);
         page.markdown("## Title\n\nSome *soft* and\n`hard` text.\n\n- one\n- two\n  more\n\nend", "Title");
@@ -278,10 +340,10 @@ mod tests {
     }
 
     #[test]
-    fn colour_is_only_ever_added_around_words() {
+    fn colour_ends_where_its_meaning_does() {
         let mut page = Page::new(60, true);
-        page.line(0, Tone::Good, "holds");
-        assert_eq!(page.into_text(), "\x1b[32mholds\x1b[0m\n");
+        page.wrap(2, 2, &[(Tone::Good, "it holds"), (Tone::Plain, " so")]);
+        assert_eq!(page.into_text(), "  \x1b[32mit holds\x1b[0m so\n");
     }
 
     #[test]

@@ -285,6 +285,28 @@ pub fn seventeen_digits(value: &Real) -> String {
     format!("{sign}{}.{tail}e{magnitude}", &digits[..1])
 }
 
+/// Up to six significant digits.
+pub fn short(x: f64) -> String {
+    if let Some(name) = Number(x).non_finite() {
+        return name.to_owned();
+    }
+    // Adding zero takes the sign off a negative one.
+    let x = x + 0.0;
+    let magnitude = x.abs();
+    if magnitude != 0.0 && !(1e-4..1e6).contains(&magnitude) {
+        return trimmed(&format!("{x:.5e}"));
+    }
+    let whole_digits = if magnitude < 1.0 { 0 } else { magnitude.log10() as usize + 1 };
+    trimmed(&format!("{x:.*}", 6_usize.saturating_sub(whole_digits)))
+}
+
+/// Without the zeros at the end of its fraction.
+fn trimmed(text: &str) -> String {
+    let (mantissa, exponent) = text.split_at(text.find('e').unwrap_or(text.len()));
+    let mantissa = if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
+    format!("{mantissa}{exponent}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -305,5 +327,11 @@ mod tests {
         let tiny = precise::real(1e-300);
         let tinier = &(&tiny * &tiny) * &tiny;
         assert!(seventeen_digits(&tinier).ends_with("e-900"), "{}", seventeen_digits(&tinier));
+    }
+
+    #[test]
+    fn short_numbers_keep_six_digits() {
+        let texts: Vec<_> = [-0.0, 1.0, 56.309_932_474, 0.04, 1e-12, 123_456.789, -2.5e7, f64::NAN].map(short).into();
+        assert_eq!(texts, ["0", "1", "56.3099", "0.04", "1e-12", "123457", "-2.5e7", "nan"]);
     }
 }

@@ -139,11 +139,11 @@ fn check(check: &Check, setting: &Setting, address: String) -> CheckReport {
     let seconds = started.elapsed().as_secs_f64();
     let tests = chapters::statistical_checks();
     let (bound, limit, unit, why) = match check.bound {
-        Bound::AtMost { limit, unit, why } => (format!("at most {limit} {unit}"), limit, unit, why),
+        Bound::AtMost { limit, unit, why } => (format!("at most {} {unit}", short(limit)), limit, unit, why),
         Bound::Order { order, tolerance, why } => (format!("order {order} ± {tolerance}"), order, "1", why),
         Bound::PValue { significance } => {
             let limit = sidak(significance, tests);
-            (format!("p at least {limit:.1e}"), limit, "1", "Šidák's share of the curriculum's significance")
+            (format!("p at least {}", short(limit)), limit, "1", "Šidák's share of the curriculum's significance")
         }
     };
     CheckReport {
@@ -250,8 +250,8 @@ fn run_lane(lane: &Lane, chosen: &Chosen, address: String, patience: Duration) -
 fn expectation(expects: Expects) -> String {
     match expects {
         Expects::Order { order, tolerance } => format!("order {order} ± {tolerance}"),
-        Expects::Within { limit, why } => format!("error at most {limit:.1e}: {why}"),
-        Expects::Breaks { limit, why } => format!("error above {limit:.1e}: {why}"),
+        Expects::Within { limit, why } => format!("error at most {}: {why}", short(limit)),
+        Expects::Breaks { limit, why } => format!("error above {}: {why}", short(limit)),
     }
 }
 

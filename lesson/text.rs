@@ -5,6 +5,7 @@ use crate::report::*;
 use crate::run::Parts;
 use chapters::lecture::LECTURE;
 use chapters::{CURRICULUM, Chapter, Step};
+use unicode_width::UnicodeWidthStr;
 
 /// The contents: every chapter, its steps, and what each checks.
 pub fn contents(page: &mut Page) {
@@ -204,19 +205,17 @@ fn numbers(page: &mut Page, found: &StepReport) {
         page.wrap(2, 4, &[(Tone::Plain, "At "), (Tone::Code, &setting.join(", ")), (Tone::Plain, ":")]);
     }
     let symbols: Vec<String> = found.readout.iter().map(|quantity| label(quantity.symbol)).collect();
-    let widest =
-        |texts: &mut dyn Iterator<Item = &str>| texts.map(unicode_width::UnicodeWidthStr::width).max().unwrap_or(0);
-    let symbol_width = widest(&mut symbols.iter().map(String::as_str)) as i32;
     let values: Vec<String> = found.readout.iter().map(|quantity| value(quantity.value.0, quantity.unit)).collect();
-    let value_width = widest(&mut values.iter().map(String::as_str)) as i32;
+    let widths = [widest(&symbols), widest(&values), 0];
     for ((quantity, symbol), value) in found.readout.iter().zip(&symbols).zip(&values) {
-        page.row(
-            4,
-            &[symbol_width, value_width, 0],
-            &[(Tone::Equation, symbol), (Tone::Strong, value), (Tone::Plain, quantity.says)],
-        );
+        let cells = [(Tone::Equation, symbol.as_str()), (Tone::Strong, value), (Tone::Plain, quantity.says)];
+        page.row(4, &widths, &cells);
     }
     page.gap();
+}
+
+fn widest(texts: &[String]) -> i32 {
+    texts.iter().map(|text| text.width()).max().unwrap_or(0) as i32
 }
 
 /// A value with its unit as people read it: angles in degrees, lengths of light in nanometres.
@@ -227,28 +226,6 @@ fn value(value: f64, unit: &str) -> String {
         "1" | "" => short(value),
         _ => format!("{} {unit}", short(value)),
     }
-}
-
-/// Up to six significant digits.
-pub fn short(x: f64) -> String {
-    if let Some(name) = Number(x).non_finite() {
-        return name.to_owned();
-    }
-    // Adding zero takes the sign off a negative one.
-    let x = x + 0.0;
-    let magnitude = x.abs();
-    if magnitude != 0.0 && !(1e-4..1e6).contains(&magnitude) {
-        return trimmed(&format!("{x:.5e}"));
-    }
-    let whole_digits = if magnitude < 1.0 { 0 } else { magnitude.log10() as usize + 1 };
-    trimmed(&format!("{x:.*}", 6_usize.saturating_sub(whole_digits)))
-}
-
-/// Without the zeros at the end of its fraction.
-fn trimmed(text: &str) -> String {
-    let (mantissa, exponent) = text.split_at(text.find('e').unwrap_or(text.len()));
-    let mantissa = if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
-    format!("{mantissa}{exponent}")
 }
 
 fn show_check(page: &mut Page, check: &CheckReport) {
@@ -409,11 +386,5 @@ mod tests {
     fn sections_run_from_marker_to_marker() {
         let prose = "intro\n<!-- step: a -->\nfirst\n<!-- step: b -->\nsecond\n";
         assert_eq!((section(prose, "a"), section(prose, "b"), section(prose, "c")), ("first", "second", ""));
-    }
-
-    #[test]
-    fn short_numbers_keep_six_digits() {
-        let texts: Vec<_> = [-0.0, 1.0, 56.309_932_474, 0.04, 1e-12, 123_456.789, -2.5e7, f64::NAN].map(short).into();
-        assert_eq!(texts, ["0", "1", "56.3099", "0.04", "1e-12", "123457", "-2.5e7", "nan"]);
     }
 }

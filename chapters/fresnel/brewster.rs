@@ -137,8 +137,8 @@ const RIGHT_ANGLE: Check = Check {
     route: "Snell's law at the angle that the arctangent gives",
     bound: Bound::AtMost { limit: 8.0, unit: "ε", why: "a handful of roundings of angles below π/2" },
     measure: |_| out_of_square(brewster_angle),
-    spoiled: |_| out_of_square(|n_i, n_t| (n_t / n_i).atan2(1.0) + 1e-9),
-    slip: "an angle off by a nanoradian",
+    spoiled: |_| out_of_square(|n_i, n_t| (n_t.min(n_i) / n_t.max(n_i)).asin()),
+    slip: "the arcsine, as for the critical angle",
 };
 
 fn out_of_square(angle: fn(f64, f64) -> f64) -> Measured {

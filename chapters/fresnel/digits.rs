@@ -1,10 +1,10 @@
 //! C10: where the formulas as written lose their digits, and the form that does not.
 
-use super::extremes::{describe, families, ours, worst_cases};
+use super::extremes::{families, ours, worst_cases};
 use super::{INTERFACE, interface};
 use crate::figure::{Axis, Map, Panel, Plot, Ramp};
 use crate::setting::Setting;
-use crate::vocabulary::{Expects, Extreme, Figure, Heat, Lane, Quantity, Race, Step, Stress, digits};
+use crate::vocabulary::{Bench, Expects, Figure, Heat, Lane, Quantity, Race, Step, Stress, digits};
 use light::Complex64;
 use light::evidence::fresnel::{Exact, Input, NAMES};
 use light::optics::fresnel::{natural_reflectance, natural_reflectance_absorbing, powers};
@@ -166,19 +166,19 @@ fn by_angles(theta: f64, n_t: f64) -> f64 {
     0.5 * (s * s + p * p)
 }
 
-fn clear(bench: &mut crate::vocabulary::Bench, work: u64, fill: fn(&[f64], f64, &mut [f64])) -> Heat {
+fn clear(bench: &mut Bench, work: u64, fill: fn(&[f64], f64, &mut [f64])) -> Heat {
     let media = [1.5, 2.4, 1.0 + 1e-9, 4.0].map(|n_t| (n_t, 0.0));
     heat(bench, work, &media, move |cosines, n_t, out| fill(cosines, n_t.re, out))
 }
 
-fn absorbing(bench: &mut crate::vocabulary::Bench, work: u64, fill: fn(&[f64], Complex64, &mut [f64])) -> Heat {
+fn absorbing(bench: &mut Bench, work: u64, fill: fn(&[f64], Complex64, &mut [f64])) -> Heat {
     heat(bench, work, &[(0.42, 2.47), (1.0 + 1e-9, 1e-12), (2.0, 100.0), (1.5, 1e-6)], fill)
 }
 
 /// A batch of evenly and of logarithmically spread angles for each medium in turn; the error is the worst over a
 /// sample of them.
 fn heat(
-    bench: &mut crate::vocabulary::Bench,
+    bench: &mut Bench,
     work: u64,
     media: &[(f64, f64)],
     mut fill: impl FnMut(&[f64], Complex64, &mut [f64]) + 'static,
@@ -262,6 +262,8 @@ fn digits_lost(_: &Setting) -> Plot {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fresnel::extremes::describe;
+    use crate::vocabulary::Extreme;
 
     #[test]
     fn the_grid_is_as_large_as_it_claims() {

@@ -4,20 +4,20 @@ mod amplitudes;
 mod boundary;
 mod brewster;
 mod digits;
-//TODO mod dip;
+mod dip;
 mod energy;
 mod extremes;
 mod fields;
 mod films;
 mod functions;
-//TODO mod grazing;
+mod grazing;
 mod metals;
 mod natural;
 mod powers;
 mod schlick;
 mod snell;
 mod symbols;
-//TODO mod total_reflection;
+mod total_reflection;
 
 use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::Chapter;
@@ -44,9 +44,9 @@ pub const CHAPTER: Chapter = Chapter {
         energy::STEP,
         digits::STEP,
         brewster::STEP,
-        //TODO dip::STEP,
-        //TODO grazing::STEP,
-        //TODO total_reflection::STEP,
+        dip::STEP,
+        grazing::STEP,
+        total_reflection::STEP,
         metals::STEP,
         schlick::STEP,
         films::STEP,

@@ -15,6 +15,8 @@ pub const THETA_1R: Symbol = Symbol::scalar("theta_1'", Dimension::ONE).within(0
 pub const THETA_2: Symbol = Symbol::scalar("theta_2", Dimension::ONE).within(0.2, 1.2);
 /// n₁ sin θ₁ = n₂ sin θ₂ as one number times sin θ₁ sin θ₂: the symmetric parameter of Snell's law.
 pub const K: Symbol = Symbol::scalar("k", Dimension::ONE).within(1.0, 2.0);
+/// Relative index n₂/n₁.
+pub const N_REL: Symbol = Symbol::scalar("n", Dimension::ONE).real(4.0, 9.0);
 /// Vacuum wave number.
 pub const K_0: Symbol = Symbol::scalar("k_0", Dimension::RADIAN_PER_METRE).within(1.0, 2.0);
 /// Angular frequency.

@@ -5,10 +5,11 @@ use super::canvas::{Anchor, Canvas, Frame, Place};
 use super::ink::{Ink, Survey};
 use super::key::{Key, Side};
 use super::marks::{self, Plane};
-use super::palette::AID;
+use super::palette::{AID, PAPER};
 use super::ticks::Extent;
 use super::{TEXT, text};
 use chapters::figure::{Axis, Chart, Mark};
+use plotters::style::RGBColor;
 use plotters::style::text_anchor::{HPos, VPos};
 
 /// Free space around a key or a name.
@@ -26,7 +27,7 @@ pub fn draw(canvas: &Canvas, chart: &Chart, room: &Frame) {
     axes.draw(canvas);
     marks::draw(canvas, &axes.frame, &axes.plane, &chart.marks, false);
     for (label, place) in names {
-        canvas.text(label, place, Anchor(HPos::Left, VPos::Bottom), TEXT, AID);
+        draw_name(canvas, label, place, AID);
     }
     if let Some((key, place)) = key {
         key.draw(canvas, place);
@@ -34,11 +35,11 @@ pub fn draw(canvas: &Canvas, chart: &Chart, room: &Frame) {
 }
 
 /// Where everything goes.
-struct Arrangement<'a> {
-    axes: Axes<'a>,
+pub struct Arrangement<'a> {
+    pub axes: Axes<'a>,
     /// Names of horizontal reference lines and the starts of their baselines.
-    names: Vec<(&'a str, Place)>,
-    key: Option<(Key<'a>, Place)>,
+    pub names: Vec<(&'a str, Place)>,
+    pub key: Option<(Key<'a>, Place)>,
 }
 
 /// What the frame makes room for.
@@ -50,46 +51,73 @@ struct Outside<'a> {
 
 /// Tries to fit names and key among the curves, and moves out of the frame what does not fit, one at a time, since
 /// the frame shrinks with each.
-fn arrange<'a>(chart: &'a Chart, room: &Frame) -> Arrangement<'a> {
+pub fn arrange<'a>(chart: &'a Chart, room: &Frame) -> Arrangement<'a> {
     let plane = plane(&chart.x, &chart.y, &chart.marks);
-    let key = Key::new(&chart.marks);
     let mut outside = Outside { names: Vec::new(), key: None };
-    'again: loop {
+    loop {
         let axes = Axes::new(&chart.x, &chart.y, plane, &chart.marks, room, spare(chart, &outside));
         let mut ink = Ink::none(axes.frame);
         marks::ink(&mut ink, &axes.frame, &plane, &chart.marks);
-        let mut names = Vec::new();
-        for (index, mark) in chart.marks.iter().enumerate() {
-            let Some((y, label)) = at_y(&plane, mark) else { continue };
-            let height = axes.frame.place(0.0, y).1;
-            let width = text::width(label, TEXT);
-            let place = if outside.names.contains(&index) {
-                (axes.frame.right + CLEARANCE, height + text::CAPITAL / 2.0 * TEXT)
-            } else if let Some(place) = name_place(&ink.survey(), &axes.frame, height, width) {
-                place
-            } else if width < NAMES_BESIDE * room.width() {
+        let names = match place_names(chart, &axes, &mut ink, &outside, room) {
+            Ok(names) => names,
+            Err(index) => {
                 outside.names.push(index);
-                continue 'again;
-            } else {
-                (axes.frame.right - width - CLEARANCE, height - CLEARANCE)
-            };
-            ink.rectangle(&name_box(place, width));
-            names.push((label, place));
-        }
-        spread(&mut names, axes.frame.right);
-        let key = if key.is_empty() {
-            None
-        } else if let Some(key) = &outside.key {
-            let place = outside_place(key, &axes.frame, room, names_width(chart, &outside.names));
-            Some((key.clone(), place))
-        } else if let Some(found) = key_place(&key, &ink, &axes.frame) {
-            Some(found)
-        } else {
-            outside.key = Some(key.outside(room, KEY_BESIDE));
-            continue;
+                continue;
+            }
         };
-        return Arrangement { axes, names, key };
+        match place_key(chart, &axes, &ink, &outside, room) {
+            Ok(key) => return Arrangement { axes, names, key },
+            Err(key) => outside.key = Some(key),
+        }
     }
+}
+
+/// The names of horizontal reference lines and where they start, inked; or the mark whose name must go outside.
+fn place_names<'a>(
+    chart: &'a Chart,
+    axes: &Axes,
+    ink: &mut Ink,
+    outside: &Outside,
+    room: &Frame,
+) -> Result<Vec<(&'a str, Place)>, usize> {
+    let frame = &axes.frame;
+    let mut names = Vec::new();
+    for (index, mark) in chart.marks.iter().enumerate() {
+        let Some((y, label)) = at_y(&axes.plane, mark) else { continue };
+        let (height, width) = (frame.place(0.0, y).1, text::width(label, TEXT));
+        let place = if outside.names.contains(&index) {
+            (frame.right + CLEARANCE, height + text::CAPITAL / 2.0 * TEXT)
+        } else if let Some(place) = name_place(&ink.survey(), frame, height, width) {
+            place
+        } else if width < NAMES_BESIDE * room.width() {
+            return Err(index);
+        } else {
+            (frame.right - width - CLEARANCE, height - CLEARANCE)
+        };
+        ink.rectangle(&name_box(place, width));
+        names.push((label, place));
+    }
+    spread(&mut names, frame.right);
+    Ok(names)
+}
+
+/// The key and its place, if there is anything to explain; or the key that must go outside.
+fn place_key<'a>(
+    chart: &'a Chart,
+    axes: &Axes,
+    ink: &Ink,
+    outside: &Outside<'a>,
+    room: &Frame,
+) -> Result<Option<(Key<'a>, Place)>, Key<'a>> {
+    let key = Key::new(&chart.marks);
+    if key.is_empty() {
+        return Ok(None);
+    }
+    if let Some(key) = &outside.key {
+        let place = outside_place(key, &axes.frame, room, names_width(chart, &outside.names));
+        return Ok(Some((key.clone(), place)));
+    }
+    key_place(&key, ink, &axes.frame).map(Some).ok_or_else(|| key.outside(room, KEY_BESIDE))
 }
 
 /// The axes in numbers: as given, or else as the marks need them.
@@ -98,7 +126,7 @@ pub fn plane(x: &Axis, y: &Axis, marks: &[Mark]) -> Plane {
     let xs = marks::points(marks).filter(|[_, y]| y.is_finite()).map(|[x, _]| x);
     let at_x = marks.iter().filter_map(|mark| if let Mark::AtX { x, .. } = mark { Some(*x) } else { None });
     let x = Extent::new(x, xs.chain(at_x), if dots { 0.04 } else { 0.0 });
-    let shown = |[along, _]: &[f64; 2]| (-1e-9..=1.0 + 1e-9).contains(&x.fraction(*along));
+    let shown = |[along, _]: &[f64; 2]| (0.0..=1.0).contains(&x.fraction(*along));
     let at_y = marks.iter().filter_map(|mark| if let Mark::AtY { y, .. } = mark { Some(*y) } else { None });
     let ys = marks::points(marks).filter(shown).map(|[_, y]| y).chain(at_y);
     Plane { x, y: Extent::new(y, ys, 0.05) }
@@ -111,14 +139,25 @@ pub fn at_y<'a>(plane: &Plane, mark: &'a Mark) -> Option<(f64, &'a str)> {
     ((0.0..=1.0).contains(&fraction) && !label.is_empty()).then_some((fraction, label.as_str()))
 }
 
-fn name_box((left, bottom): Place, width: f64) -> Frame {
+/// What a name covers that starts at a place.
+pub fn name_box((left, bottom): Place, width: f64) -> Frame {
     Frame { left, right: left + width, top: bottom - text::CAPITAL * TEXT, bottom: bottom + text::DESCENT * TEXT }
+}
+
+/// Baselines of a name just over and just under a line at a height.
+pub fn beside_line(height: f64) -> [f64; 2] {
+    [height - CLEARANCE - text::DESCENT * TEXT, height + CLEARANCE + text::CAPITAL * TEXT]
+}
+
+/// Writes a name on a white plate, which keeps it readable over grid lines and maps.
+pub fn draw_name(canvas: &Canvas, label: &str, place: Place, colour: RGBColor) {
+    canvas.fill(&name_box(place, text::width(label, TEXT)).grown(2.0), PAPER, 0.85);
+    canvas.text(label, place, Anchor(HPos::Left, VPos::Bottom), TEXT, colour);
 }
 
 /// A place for a name just over or under its line, as far to the right as can be; none if all are taken.
 fn name_place(survey: &Survey, frame: &Frame, height: f64, width: f64) -> Option<Place> {
-    let over = height - CLEARANCE - text::DESCENT * TEXT;
-    let under = height + CLEARANCE + text::CAPITAL * TEXT;
+    let [over, under] = beside_line(height);
     let steps = ((frame.width() - width - 2.0 * CLEARANCE) / 6.0).max(-1.0) as i64;
     let along = (0..=steps).map(|k| frame.right - CLEARANCE - width - 6.0 * k as f64);
     let places = along.flat_map(|left| [(left, over), (left, under)]);

@@ -168,6 +168,75 @@ pub fn spheres() -> Plot {
     )
 }
 
+/// Five curves that cross all over the frame, with names that need more than one row.
+pub fn metals() -> Plot {
+    let curve = |edge: f64, low: f64, high: f64| -> Vec<[f64; 2]> {
+        let step = |nm: f64| low + (high - low) / (1.0 + (-(nm - edge) / 18.0).exp());
+        (0..=200).map(|k| 380.0 + 2.0 * f64::from(k)).map(|nm| [nm, step(nm)]).collect()
+    };
+    let chart = Chart::new(
+        "",
+        Axis::linear("wavelength in vacuum λ", "nm"),
+        Axis::linear("reflectance at normal incidence", "").range(0.0, 1.0),
+    )
+    .line(Hue::Nth(0), "silver", curve(330.0, 0.1, 0.97))
+    .line(Hue::Nth(1), "gold", curve(510.0, 0.36, 0.96))
+    .line(Hue::Nth(2), "copper", curve(565.0, 0.48, 0.93))
+    .line(Hue::Nth(3), "chromium (Johnson and Christy)", curve(700.0, 0.68, 0.62))
+    .line(Hue::Nth(4), "aluminium", curve(820.0, 0.92, 0.70))
+    .dashed(
+        Hue::Nth(5),
+        "glass, rising",
+        (0..=20).map(|k| [380.0 + 20.0 * f64::from(k), 0.02 + 0.045 * f64::from(k)]).collect(),
+    )
+    .at_x(532.0, "frequency-doubled Nd:YAG")
+    .at_x(543.5, "green He–Ne")
+    .at_x(632.8, "He–Ne")
+    .at_y(0.04, "window glass")
+    .at_y(0.5, "one half");
+    Plot::of("How metals reflect over the visible: where each takes its colour from, and why glass has none", chart)
+}
+
+/// Three in a row: phases, a narrow logarithmic axis, and an axis far from zero.
+pub fn row() -> Plot {
+    let phase = |n: f64| -> Vec<[f64; 2]> {
+        let sin_c = 1.0 / n;
+        (0..=900)
+            .map(|k| f64::from(k) / 10.0)
+            .map(|deg| {
+                let (sin, cos) = deg.to_radians().sin_cos();
+                let root = sin * sin - sin_c * sin_c;
+                [deg, if root < 0.0 { f64::NAN } else { -2.0 * (root.sqrt() / cos).atan().to_degrees() }]
+            })
+            .collect()
+    };
+    let phases = Chart::new(
+        "Phase under total reflection",
+        Axis::linear("θ_i", "°").range(0.0, 90.0).tick(30.0),
+        Axis::linear("arg r", "°").range(-180.0, 0.0).tick(45.0),
+    )
+    .line(Hue::S, "r_s", phase(1.5))
+    .line(Hue::P, "r_p", phase(1.9))
+    .at_x(41.81, "θ_c");
+    let narrow = Chart::new("A narrow range", Axis::log("x", "m"), Axis::log("f(x)", ""))
+        .with(Mark::Points {
+            label: "measured".into(),
+            hue: Hue::Ours,
+            shape: Shape::Ring,
+            joined: true,
+            points: (1..9).map(|k| [f64::from(k), 1.2 + 0.1 * f64::from(k)]).collect(),
+        })
+        .line(Hue::Reference, "fit", (1..9).map(|k| [f64::from(k), 1.1 + 0.11 * f64::from(k)]).collect());
+    let far = Chart::new("Far from zero", Axis::linear("n", ""), Axis::linear("c", "m/s")).with(Mark::Points {
+        label: String::new(),
+        hue: Hue::Textbook,
+        shape: Shape::Diamond,
+        joined: false,
+        points: (0..8).map(|k| [f64::from(k), 299_792_458.0 + f64::from(k * k)]).collect(),
+    });
+    Plot::grid("", 3, vec![phases.into(), narrow.into(), far.into()])
+}
+
 /// Every figure with its file name.
 pub fn all() -> Vec<(&'static str, Plot)> {
     vec![
@@ -176,5 +245,7 @@ pub fn all() -> Vec<(&'static str, Plot)> {
         ("digits", digits()),
         ("grid", grid()),
         ("spheres", spheres()),
+        ("metals", metals()),
+        ("row", row()),
     ]
 }

@@ -45,10 +45,10 @@ pub fn draw(canvas: &Canvas, map: &Map, room: &Frame) {
 fn name_lines(canvas: &Canvas, frame: &Frame, plane: &Plane, marks: &[Mark]) {
     for (y, label) in marks.iter().filter_map(|mark| chart::at_y(plane, mark)) {
         let (right, height) = frame.place(1.0, y);
-        let over = height - 6.0 - text::DESCENT * TEXT;
-        let under = height + 6.0 + text::CAPITAL * TEXT;
-        let place = (right - 8.0, if over - TEXT > frame.top { over } else { under });
-        canvas.text(label, place, Anchor(HPos::Right, VPos::Bottom), TEXT, INK);
+        let width = text::width(label, TEXT);
+        let [over, under] = chart::beside_line(height).map(|baseline| (right - 8.0 - width, baseline));
+        let place = if chart::name_box(over, width).top > frame.top { over } else { under };
+        chart::draw_name(canvas, label, place, INK);
     }
 }
 
@@ -85,37 +85,23 @@ fn shade(extent: &Extent, ramp: Ramp, value: f64) -> Option<[u8; 3]> {
 fn hatch(canvas: &Canvas, frame: &Frame, columns: usize, rows: usize, is_broken: impl Fn(usize, usize) -> bool) {
     let (width, height) = (frame.width(), frame.height());
     let (wide, high) = (width / columns as f64, height / rows as f64);
-    let strokes = ((width + height) / HATCH) as usize;
-    for k in 1..=strokes {
+    let cell = |at: f64, size: f64, count: usize| ((at / size) as usize).min(count - 1);
+    for k in 1..=((width + height) / HATCH) as usize {
         // The stroke runs through the points (x, offset − x) from the lower left corner, y upwards.
         let offset = k as f64 * HATCH;
+        let place = |x: f64| (frame.left + x, frame.bottom - (offset - x));
         let (from, to) = ((offset - height).max(0.0), offset.min(width));
         let across = (1..columns).map(|column| column as f64 * wide);
         let up = (1..rows).map(|row| offset - row as f64 * high);
         let mut stops: Vec<f64> = across.chain(up).filter(|x| from < *x && *x < to).chain([from, to]).collect();
         stops.sort_by(f64::total_cmp);
-        let cell = |at: f64, size: f64, count: usize| ((at / size) as usize).min(count - 1);
-        let mut start = None;
-        for pair in stops.windows(2) {
+        let is_broken = |pair: &[f64]| {
             let middle = (pair[0] + pair[1]) / 2.0;
-            let broken = is_broken(cell(middle, wide, columns), cell(offset - middle, high, rows));
-            let place = |x: f64| (frame.left + x, frame.bottom - (offset - x));
-            match (broken, start) {
-                (true, None) => start = Some(pair[0]),
-                (false, Some(first)) => {
-                    canvas.line(place(first), place(pair[0]), BROKEN.0, 1.0);
-                    start = None;
-                }
-                _ => {}
-            }
-        }
-        if let Some(first) = start {
-            canvas.line(
-                (frame.left + first, frame.bottom - (offset - first)),
-                (frame.left + to, frame.bottom - (offset - to)),
-                BROKEN.0,
-                1.0,
-            );
+            is_broken(cell(middle, wide, columns), cell(offset - middle, high, rows))
+        };
+        let parts: Vec<(&[f64], bool)> = stops.windows(2).map(|pair| (pair, is_broken(pair))).collect();
+        for run in parts.chunk_by(|a, b| a.1 == b.1).filter(|run| run[0].1) {
+            canvas.line(place(run[0].0[0]), place(run[run.len() - 1].0[1]), BROKEN.0, 1.0);
         }
     }
 }
@@ -131,7 +117,7 @@ struct Bar<'a> {
 impl<'a> Bar<'a> {
     fn new(map: &'a Map, height: f64) -> Self {
         let extent = Extent::new(&map.colour, map.values.iter().copied(), 0.0);
-        let ticks = axes::ticks(&extent, &map.colour, 0.7 * height, Direction::Up);
+        let ticks = axes::ticks(&extent, &map.colour, 0.85 * height, Direction::Up);
         let is_broken = map.values.iter().any(|value| extent.position(*value).is_nan());
         Self { map, extent, ticks, is_broken }
     }

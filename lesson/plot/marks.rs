@@ -36,6 +36,17 @@ impl Plane {
         (self.x.fraction(x), self.y.fraction(y))
     }
 
+    /// The line that a mark draws, if only as an empty one.
+    fn stroke(&self, mark: &Mark) -> Stroke {
+        let pieces = match mark {
+            Mark::Line { points, .. } | Mark::Points { points, joined: true, .. } => self.pieces(points),
+            Mark::Points { .. } => Vec::new(),
+            Mark::AtX { x, .. } => reference(self.x.fraction(*x), |along, across| (along, across)),
+            Mark::AtY { y, .. } => reference(self.y.fraction(*y), |along, across| (across, along)),
+        };
+        Stroke { pieces, look: look(mark) }
+    }
+
     /// The curve through points, broken where one cannot be shown, cut off at the frame.
     pub fn pieces(&self, points: &[[f64; 2]]) -> Vec<Vec<Place>> {
         let mut pieces: Vec<Vec<Place>> = Vec::new();
@@ -66,12 +77,34 @@ impl Plane {
     }
 }
 
+/// A line in pieces, in fractions of the axes.
+struct Stroke {
+    pieces: Vec<Vec<Place>>,
+    look: Look,
+}
+
+/// How a line looks: colour, width, and the lengths of its dashes.
+type Look = (RGBColor, f64, &'static [f32]);
+
+fn look(mark: &Mark) -> Look {
+    match mark {
+        Mark::Line { hue, dash, .. } => (palette::colour(*hue), CURVE, palette::dashes(*dash)),
+        Mark::Points { hue, .. } => (palette::colour(*hue), JOIN, &[]),
+        Mark::AtX { .. } | Mark::AtY { .. } => (palette::AID, AID, &[]),
+    }
+}
+
+/// A line through the whole frame at a fraction of one axis, if that is within it.
+fn reference(at: f64, place: fn(f64, f64) -> Place) -> Vec<Vec<Place>> {
+    if (0.0..=1.0).contains(&at) { vec![vec![place(at, 0.0), place(at, 1.0)]] } else { Vec::new() }
+}
+
 fn is_finite((x, y): Place) -> bool {
     x.is_finite() && y.is_finite()
 }
 
 fn is_inside((x, y): Place) -> bool {
-    let unit = -1e-9..=1.0 + 1e-9;
+    let unit = 0.0..=1.0;
     unit.contains(&x) && unit.contains(&y)
 }
 
@@ -91,60 +124,27 @@ fn cut(from: Place, to: Place) -> Option<(Place, Place)> {
             leave = leave.min(room / slope);
         }
     }
-    if !(enter <= leave) {
+    if enter > leave {
         return None;
     }
     let at = |t: f64| ((from.0 + t * dx).clamp(0.0, 1.0), (from.1 + t * dy).clamp(0.0, 1.0));
     Some((if enter > 0.0 { at(enter) } else { from }, if leave < 1.0 { at(leave) } else { to }))
 }
 
-/// Draws the marks in order; `cased` puts white around them, for dark ground.
+/// Draws the marks in order; `cased` puts white around lines, for dark ground.
 pub fn draw(canvas: &Canvas, frame: &Frame, plane: &Plane, marks: &[Mark], cased: bool) {
     for mark in marks {
-        match mark {
-            Mark::Line { hue, dash, points, .. } => {
-                let pieces = plane.pieces(points);
-                let colour = palette::colour(*hue);
-                stroke(canvas, frame, &pieces, colour, CURVE, palette::dashes(*dash), cased);
-            }
-            Mark::Points { hue, shape, joined, points, .. } => {
-                let colour = palette::colour(*hue);
-                if *joined {
-                    stroke(canvas, frame, &plane.pieces(points), colour, JOIN, &[], cased);
-                }
-                for place in apart(frame, plane.inside(points)) {
-                    draw_point(canvas, place, radius(points.len()), *shape, colour);
-                }
-            }
-            Mark::AtX { x, .. } => {
-                let x = plane.x.fraction(*x);
-                if is_inside((x, 0.0)) {
-                    stroke(canvas, frame, &[vec![(x, 0.0), (x, 1.0)]], palette::AID, AID, &[], cased);
-                }
-            }
-            Mark::AtY { y, .. } => {
-                let y = plane.y.fraction(*y);
-                if is_inside((0.0, y)) {
-                    stroke(canvas, frame, &[vec![(0.0, y), (1.0, y)]], palette::AID, AID, &[], cased);
-                }
+        let Stroke { pieces, look: (colour, width, dashes) } = plane.stroke(mark);
+        if cased {
+            canvas.curves(frame, &pieces, PAPER, width + CASING, &[]);
+        }
+        canvas.curves(frame, &pieces, colour, width, dashes);
+        if let Mark::Points { shape, points, .. } = mark {
+            for place in apart(frame, plane.inside(points)) {
+                draw_point(canvas, place, radius(points.len()), *shape, colour);
             }
         }
     }
-}
-
-fn stroke(
-    canvas: &Canvas,
-    frame: &Frame,
-    pieces: &[Vec<Place>],
-    colour: RGBColor,
-    width: f64,
-    dashes: &[f32],
-    cased: bool,
-) {
-    if cased {
-        canvas.curves(frame, pieces, PAPER, width + CASING, &[]);
-    }
-    canvas.curves(frame, pieces, colour, width, dashes);
 }
 
 /// Places on the sheet, without those that would hide another to within half a pixel.
@@ -159,9 +159,9 @@ fn radius(count: usize) -> f64 {
     (POINT.0 * (FEW / count as f64).sqrt()).clamp(POINT.1, POINT.0)
 }
 
-/// A point with a thin white rim, so that neighbours stay apart.
+/// A point, with a thin white rim unless it is one of a crowd, so that neighbours stay apart.
 fn draw_point(canvas: &Canvas, (x, y): Place, radius: f64, shape: Shape, colour: RGBColor) {
-    let rim = 0.2 * radius;
+    let rim = if radius > 0.6 * POINT.0 { 0.2 * radius } else { 0.0 };
     let polygon = |grow: f64, colour: RGBColor| {
         let r = radius + grow;
         let corners: &[Place] = match shape {
@@ -178,7 +178,9 @@ fn draw_point(canvas: &Canvas, (x, y): Place, radius: f64, shape: Shape, colour:
             polygon(0.0, colour);
         }
         Shape::Disc | Shape::Ring => {
-            canvas.disc((x, y), radius + rim, PAPER);
+            if rim > 0.0 {
+                canvas.disc((x, y), radius + rim, PAPER);
+            }
             canvas.disc((x, y), radius, colour);
             if shape == Shape::Ring {
                 canvas.disc((x, y), 0.6 * radius, PAPER);
@@ -194,19 +196,14 @@ fn draw_point(canvas: &Canvas, (x, y): Place, radius: f64, shape: Shape, colour:
     }
 }
 
-/// How a mark looks in a key, from `from` to the right over `width`.
-pub fn draw_sample(canvas: &Canvas, mark: &Mark, (x, y): Place, width: f64) {
-    let line = |colour, thick, dashes| canvas.curve(&[(x, y), (x + width, y)], colour, thick, dashes);
-    match mark {
-        Mark::Line { hue, dash, .. } => line(palette::colour(*hue), CURVE, palette::dashes(*dash)),
-        Mark::Points { hue, shape, joined, .. } => {
-            let colour = palette::colour(*hue);
-            if *joined {
-                line(colour, JOIN, &[]);
-            }
-            draw_point(canvas, (x + width / 2.0, y), POINT.0, *shape, colour);
-        }
-        Mark::AtX { .. } | Mark::AtY { .. } => line(palette::AID, AID, &[]),
+/// How a mark looks in a key, to the right of a place.
+pub fn draw_sample(canvas: &Canvas, mark: &Mark, (x, y): Place, length: f64) {
+    let (colour, width, dashes) = look(mark);
+    if !matches!(mark, Mark::Points { joined: false, .. }) {
+        canvas.curve(&[(x, y), (x + length, y)], colour, width, dashes);
+    }
+    if let Mark::Points { shape, .. } = mark {
+        draw_point(canvas, (x + length / 2.0, y), POINT.0, *shape, colour);
     }
 }
 
@@ -220,29 +217,16 @@ pub fn entry(mark: &Mark) -> Option<&str> {
 
 /// Inks all that the marks cover.
 pub fn ink(ink: &mut Ink, frame: &Frame, plane: &Plane, marks: &[Mark]) {
-    let mut line = |pieces: Vec<Vec<Place>>, width: f64| {
+    for mark in marks {
+        let Stroke { pieces, look: (_, width, _) } = plane.stroke(mark);
         for piece in pieces {
             let places: Vec<Place> = piece.into_iter().map(|(x, y)| frame.place(x, y)).collect();
-            places.first().into_iter().for_each(|&lone| ink.line(lone, lone, width));
+            ink.line(places[0], places[0], width);
             places.windows(2).for_each(|pair| ink.line(pair[0], pair[1], width));
         }
-    };
-    for mark in marks {
-        match mark {
-            Mark::Line { points, .. } => line(plane.pieces(points), CURVE),
-            Mark::Points { points, joined, .. } => {
-                line(plane.inside(points).into_iter().map(|place| vec![place]).collect(), 2.5 * radius(points.len()));
-                if *joined {
-                    line(plane.pieces(points), JOIN);
-                }
-            }
-            Mark::AtX { x, .. } => {
-                let x = plane.x.fraction(*x);
-                line(if is_inside((x, 0.0)) { vec![vec![(x, 0.0), (x, 1.0)]] } else { vec![] }, AID);
-            }
-            Mark::AtY { y, .. } => {
-                let y = plane.y.fraction(*y);
-                line(if is_inside((0.0, y)) { vec![vec![(0.0, y), (1.0, y)]] } else { vec![] }, AID);
+        if let Mark::Points { points, .. } = mark {
+            for place in apart(frame, plane.inside(points)) {
+                ink.line(place, place, 2.5 * radius(points.len()));
             }
         }
     }

@@ -20,26 +20,21 @@ const fn rgb(code: u32) -> RGBColor {
     RGBColor((code >> 16) as u8, (code >> 8) as u8, code as u8)
 }
 
-/// The colour of a role. Chosen by search so that any two differ by at least 0.12 in OKLab (B. Ottosson, 2020) to
-/// normal and to protan, deutan and tritan eyes (G. Machado et al., IEEE TVCG 15, 2009), and each from white.
+/// The colour of a role. Found by search: any two differ by 0.13 or more in OKLab (B. Ottosson, 2020) to normal and to
+/// protan, deutan and tritan eyes (G. Machado et al., IEEE TVCG 15, 2009), and each has a contrast of 3 to white.
 pub fn colour(hue: Hue) -> RGBColor {
     match hue {
-        Hue::S => rgb(0x2952CC),
-        Hue::P => rgb(0xBA3D00),
+        Hue::S => rgb(0x3F4CCD),
+        Hue::P => rgb(0xAD2312),
         Hue::Natural => rgb(0x1A1A1A),
-        Hue::Transmitted => rgb(0x6DA167),
-        Hue::Ours => rgb(0x81007C),
-        Hue::Textbook => rgb(0xE86F04),
+        Hue::Transmitted => rgb(0x059AD8),
+        Hue::Ours => rgb(0x68076F),
+        Hue::Textbook => rgb(0xCC8400),
         Hue::Reference => rgb(0x808080),
-        Hue::Nth(k) => match k % 7 {
-            0 => colour(Hue::S),
-            1 => colour(Hue::Textbook),
-            2 => colour(Hue::Ours),
-            3 => colour(Hue::Transmitted),
-            4 => colour(Hue::P),
-            5 => rgb(0x04B7EF),
-            _ => colour(Hue::Natural),
-        },
+        Hue::Nth(k) => {
+            let equals = [Hue::S, Hue::Textbook, Hue::Transmitted, Hue::P, Hue::Ours, Hue::Natural];
+            colour(equals[usize::from(k) % equals.len()])
+        }
     }
 }
 
@@ -84,4 +79,107 @@ pub fn encoded(linear: f32) -> u8 {
     let linear = linear.clamp(0.0, 1.0);
     let display = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
     (255.0 * display).round() as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type Rows = [[f64; 3]; 3];
+
+    /// What is left of linear sRGB to normal, protan, deutan and tritan eyes (Machado et al. 2009, severity 1).
+    const EYES: [Rows; 4] = [
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
+        [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
+        [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]],
+    ];
+
+    fn times(rows: &Rows, v: [f64; 3]) -> [f64; 3] {
+        rows.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+    }
+
+    fn linear(RGBColor(red, green, blue): RGBColor) -> [f64; 3] {
+        [red, green, blue].map(|code| {
+            let display = f64::from(code) / 255.0;
+            if display <= 0.04045 { display / 12.92 } else { ((display + 0.055) / 1.055).powf(2.4) }
+        })
+    }
+
+    /// OKLab of linear sRGB (Ottosson 2020).
+    fn oklab(rgb: [f64; 3]) -> [f64; 3] {
+        let cones = times(
+            &[
+                [0.4122214708, 0.5363325363, 0.0514459929],
+                [0.2119034982, 0.6806995451, 0.1073969566],
+                [0.0883024619, 0.2817188376, 0.6299787005],
+            ],
+            rgb.map(|component| component.clamp(0.0, 1.0)),
+        );
+        times(
+            &[
+                [0.2104542553, 0.7936177850, -0.0040720468],
+                [1.9779984951, -2.4285922050, 0.4505937099],
+                [0.0259040371, 0.7827717662, -0.8086757660],
+            ],
+            cones.map(f64::cbrt),
+        )
+    }
+
+    fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+        a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
+    }
+
+    #[test]
+    fn hues_differ_to_every_eye_and_from_white() {
+        let roles = [Hue::S, Hue::P, Hue::Natural, Hue::Transmitted, Hue::Ours, Hue::Textbook, Hue::Reference];
+        for (k, a) in roles.iter().enumerate() {
+            for eye in &EYES {
+                let seen = |hue: Hue| oklab(times(eye, linear(colour(hue))));
+                for b in &roles[..k] {
+                    let apart = distance(seen(*a), seen(*b));
+                    assert!(apart > 0.13, "{a:?} and {b:?} are {apart:.3} apart");
+                }
+            }
+            // The contrast that WCAG 2.1 (criterion 1.4.11) asks of graphics.
+            let luminance: f64 = linear(colour(*a)).iter().zip([0.2126, 0.7152, 0.0722]).map(|(c, w)| c * w).sum();
+            assert!(1.05 / (luminance + 0.05) > 3.0, "{a:?} is pale");
+        }
+    }
+
+    #[test]
+    fn equals_differ() {
+        for k in 0..6u8 {
+            assert!((0..k).all(|j| colour(Hue::Nth(j)) != colour(Hue::Nth(k))));
+        }
+    }
+
+    #[test]
+    fn ramps_are_even_in_lightness() {
+        let lightness = |kind: Ramp, t: f64| {
+            let [red, green, blue] = ramp(kind, t).unwrap();
+            oklab(linear(RGBColor(red, green, blue)))[0]
+        };
+        let whole = lightness(Ramp::Sequential, 1.0) - lightness(Ramp::Sequential, 0.0);
+        for k in 0..16 {
+            let t = f64::from(k) / 16.0;
+            let step = lightness(Ramp::Sequential, t + 1.0 / 16.0) - lightness(Ramp::Sequential, t);
+            assert!((step * 16.0 / whole - 1.0).abs() < 0.45, "step {k}: {:.2} of the mean", step * 16.0 / whole);
+            let arm = t / 2.0;
+            assert!(lightness(Ramp::Diverging, arm + 1.0 / 32.0) > lightness(Ramp::Diverging, arm));
+            let mirrored = lightness(Ramp::Diverging, arm) - lightness(Ramp::Diverging, 1.0 - arm);
+            assert!(mirrored.abs() < 0.08, "the arms differ by {mirrored:.3} at {arm}");
+        }
+        assert_eq!(ramp(Ramp::Diverging, 0.5), Some([255; 3]));
+        assert_eq!(ramp(Ramp::Sequential, f64::NAN), None);
+        assert_eq!(ramp(Ramp::Sequential, 7.0), Some([0xfd, 0xe7, 0x25]));
+    }
+
+    /// By IEC 61966-2-1, code 128 displays ((128/255 + 0.055)/1.055)^2.4 = 0.21586.
+    #[test]
+    fn display_codes_follow_the_standard() {
+        assert_eq!([0.0, 1.0, 2.0, -1.0, f32::NAN].map(encoded), [0, 255, 255, 0, 0]);
+        assert_eq!(encoded(0.215_86), 128);
+        assert_eq!(encoded(0.002), 7);
+    }
 }

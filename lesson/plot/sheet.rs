@@ -1,7 +1,7 @@
 //! The sheet a figure is drawn on: a `plotters` backend that keeps what it is told as vector shapes.
 //!
 //! `plotters` counts in whole pixels. The sheet therefore tells it that it is [`FINE`] times finer than it is, which
-//! places everything to a sixteenth of a pixel; the writers [`png`](super::png) and [`svg`](super::svg) read the result.
+//! places everything to a 64th of a pixel; the writers [`png`](super::png) and [`svg`](super::svg) read the result.
 
 use super::text;
 use plotters::style::FontTransform;
@@ -11,7 +11,7 @@ use std::convert::Infallible;
 use tiny_skia::{Path, PathBuilder, Rect};
 
 /// Steps of `plotters` to a pixel of the sheet.
-pub const FINE: f64 = 16.0;
+pub const FINE: f64 = 64.0;
 
 /// A number of `plotters` steps in pixels.
 fn coarse(steps: impl Into<f64>) -> f32 {
@@ -58,7 +58,7 @@ pub enum Item {
         /// Lengths of strokes and gaps in turn; unbroken if empty.
         dashes: Vec<f32>,
     },
-    /// A line of text with a white rim.
+    /// A line of text.
     Text(Text),
     /// A picture of square-cornered cells.
     Image(Image),

@@ -1,6 +1,6 @@
 //! A sheet as an SVG, its text as text.
 
-use super::png::{self, RIM};
+use super::png;
 use super::sheet::{Image, Item, Sheet, Text};
 use super::text;
 use plotters_backend::BackendColor;
@@ -13,7 +13,7 @@ pub fn write(sheet: &Sheet, title: &str, description: &str) -> String {
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
          role=\"img\">\n<title>{}</title>\n<desc>{}</desc>\n<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n\
-         <g font-family=\"{}\" stroke-linejoin=\"round\">\n",
+         <g font-family=\"{}\" font-stretch=\"condensed\" stroke-linejoin=\"round\">\n",
         escaped(title),
         escaped(description),
         text::FAMILIES,
@@ -85,33 +85,28 @@ fn data(path: &Path) -> String {
     data
 }
 
-/// Text keeps the width it was laid out with, whichever of the families the reader has.
+/// Each run of one size stands where it was laid out and keeps its width, whichever of the families is found. (A width
+/// for several runs at once is read differently by different programs.) Runs of one label form a group.
 fn set(svg: &mut String, text: &Text) {
-    let [x, y] = text.start.map(short);
-    let size = f64::from(text.size);
-    let (width, height) = (short(text::width(&text.label, size) as f32), short(text.size));
-    let turn = if text.upwards { format!(" transform=\"rotate(-90 {x} {y})\"") } else { String::new() };
-    let mut spans = String::new();
-    let mut baseline = 0.0;
-    for run in text::runs(&text.label) {
-        let drop = baseline - run.rise;
-        baseline = run.rise;
-        let written = escaped(&run.text);
-        if drop == 0.0 && run.size == 1.0 {
-            spans.push_str(&written);
-        } else {
-            let (drop, size) = (short((drop * size) as f32), short((run.size * size) as f32));
-            spans.push_str(&format!("<tspan dy=\"{drop}\" font-size=\"{size}\">{written}</tspan>"));
-        }
+    let [x, y] = text.start;
+    let runs = text::runs(&text.label);
+    let [x0, y0] = text.start.map(short);
+    let turn = if text.upwards { format!(" transform=\"rotate(-90 {x0} {y0})\"") } else { String::new() };
+    let paint = paint("fill", text.colour);
+    let written = runs.iter().map(|run| {
+        let [dx, dy, size] = [run.x, run.rise, run.size].map(|ems| ems as f32 * text.size);
+        let width = short(text::width(&run.text, f64::from(size)) as f32);
+        let (x, y, size, content) = (short(x + dx), short(y - dy), short(size), escaped(&run.text));
+        format!(
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" textLength=\"{width}\" \
+             lengthAdjust=\"spacingAndGlyphs\"{turn}{paint} xml:space=\"preserve\">{content}</text>"
+        )
+    });
+    let written: String = written.collect();
+    match runs.len() {
+        1 => push(svg, format_args!("{written}")),
+        _ => push(svg, format_args!("<g aria-label=\"{}\">{written}</g>", escaped(&text.label))),
     }
-    let (paint, rim) = (paint("fill", text.colour), short(RIM));
-    push(
-        svg,
-        format_args!(
-            "<text x=\"{x}\" y=\"{y}\" font-size=\"{height}\" textLength=\"{width}\" lengthAdjust=\"spacingAndGlyphs\"{turn}{paint} \
-         stroke=\"#fff\" stroke-width=\"{rim}\" paint-order=\"stroke\" xml:space=\"preserve\">{spans}</text>"
-        ),
-    );
 }
 
 fn embed(svg: &mut String, image: &Image) {
@@ -150,6 +145,7 @@ fn escaped(text: &str) -> String {
             '&' => safe.push_str("&amp;"),
             '<' => safe.push_str("&lt;"),
             '>' => safe.push_str("&gt;"),
+            '"' => safe.push_str("&quot;"),
             '\u{FFFE}' | '\u{FFFF}' => {}
             _ if character.is_control() && !matches!(character, '\t' | '\n' | '\r') => {}
             _ => safe.push(character),

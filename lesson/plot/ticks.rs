@@ -6,6 +6,8 @@ use chapters::figure::{Axis, Scale};
 const NARROWEST: f64 = 1e-12;
 /// Ranges narrower than this are a single value: their ticks would be denormal numbers.
 const SMALLEST: f64 = 1e-300;
+/// Fractions of an axis this close to an end are on it.
+const BESIDE: f64 = 1e-9;
 /// No axis has room for more labelled ticks.
 const MOST: f64 = 60.0;
 
@@ -57,7 +59,8 @@ impl Extent {
         Self { scale, first, last }
     }
 
-    /// Where a value lies, from 0 (first) to 1 (last), beyond if outside; NaN if it cannot be shown.
+    /// Where a value lies, from 0 (first) to 1 (last), beyond if outside; NaN if it cannot be shown. What rounding put
+    /// beside an end is on it, and what is far out of sight stays within reach of arithmetic.
     pub fn fraction(&self, value: f64) -> f64 {
         let (first, last, value) = match self.scale {
             Scale::Log if value > 0.0 => (self.first.log10(), self.last.log10(), value.log10()),
@@ -69,7 +72,8 @@ impl Extent {
         }
         // Divided first, so that neither the ends of the f64 range overflow nor small values vanish.
         let unit = first.abs().max(last.abs());
-        (value / unit - first / unit) / (last / unit - first / unit)
+        let at = (value / unit - first / unit) / (last / unit - first / unit);
+        if (at - at.round()).abs() < BESIDE { at.round() } else { at.clamp(-1e100, 1e100) }
     }
 
     /// The same with infinities and, on a logarithmic axis, zero at the ends; NaN for what has no place even so.
@@ -89,7 +93,7 @@ impl Extent {
             Scale::Linear => self.even_ticks(count, step),
             Scale::Log => self.log_ticks(count),
         };
-        ticks.retain(|tick| (-1e-9..=1.0 + 1e-9).contains(&tick.at));
+        ticks.retain(|tick| (0.0..=1.0).contains(&tick.at));
         ticks.sort_by(|a, b| a.at.total_cmp(&b.at));
         ticks
     }
@@ -105,11 +109,18 @@ impl Extent {
     /// Labelled ticks at even steps of the value.
     fn even_ticks(&self, count: usize, step: Option<f64>) -> Vec<Tick> {
         let given = step.and_then(Decimal::exactly).filter(|step| self.multiples(*step).is_some());
-        let step = given.unwrap_or_else(|| Decimal::nice(self.high() / count as f64 - self.low() / count as f64));
+        let step = given.unwrap_or_else(|| self.nice_step(count));
         let Some(multiples) = self.multiples(step) else { return Vec::new() };
         let numbers: Vec<Decimal> = multiples.map(|k| Decimal { digits: k * step.digits, power: step.power }).collect();
         let top = numbers.iter().filter_map(|number| number.magnitude()).max().unwrap_or(0);
         numbers.iter().map(|n| Tick { at: self.fraction(n.value()), label: Some(n.label(top)) }).collect()
+    }
+
+    /// A round step for about `count` ticks: 1, 2 or 5 times a power of ten, or 2.5 times one where 5 leaves too few.
+    fn nice_step(&self, count: usize) -> Decimal {
+        let nice = Decimal::nice(self.high() / count as f64 - self.low() / count as f64);
+        let few = self.multiples(nice).is_some_and(|multiples| multiples.count() < 3);
+        if few && nice.digits == 5 { Decimal { digits: 25, power: nice.power - 1 } } else { nice }
     }
 
     /// The multiples of a step within the extent, unless they are too many to show.

@@ -40,7 +40,8 @@ fn values_outside_their_domain() {
     refused("fresnel brewster --set n_t=nan", &["n_t", "valid"]);
     refused("fresnel brewster --set n_t=1e400", &["n_t", "valid"]);
     refused("fresnel brewster --set n_t=unobtainium", &["n_t", "unobtainium", "gold"]);
-    refused("fresnel brewster --set n_t=gold", &["n_t", "absorbs"]);
+    refused("fresnel brewster --set n_i=gold", &["n_i", "absorbs"]);
+    refused("fresnel --set n_i=gold", &["n_i", "absorbs"]);
     refused("fresnel brewster --set theta=95deg", &["theta", "95deg", "0deg to 90deg"]);
     refused("fresnel brewster --set theta=nan", &["theta", "valid"]);
     refused("fresnel natural --set n_t=gold --set wavelength=900um", &["gold"]);

@@ -23,7 +23,7 @@ fn contents_list_written_and_coming_chapters() {
 
 #[test]
 fn text_fits_eighty_columns_and_carries_no_escapes_into_a_pipe() {
-    for arguments in ["", "fresnel", "fresnel --check --stress", "coverage", "eval --list"] {
+    for arguments in ["", "fresnel", "fresnel --check", "fresnel brewster --stress", "coverage", "eval --list"] {
         let run = lesson(arguments);
         assert!(!run.out.contains('\x1b'), "{arguments}");
         for line in run.out.lines() {
@@ -53,21 +53,21 @@ fn an_item_is_run_alone() {
 
 #[test]
 fn every_run_ends_with_the_tally_that_its_exit_code_and_report_agree_with() {
-    for flags in ["", "--check", "--stress", "--check --stress"] {
-        let run = lesson(&format!("fresnel {flags}"));
+    for arguments in ["fresnel", "fresnel --check", "fresnel brewster --stress", "fresnel brewster --check --stress"] {
+        let run = lesson(arguments);
         let last = run.out.lines().last().unwrap();
-        let report = json(&format!("fresnel {flags} --json"));
+        let report = json(&format!("{arguments} --json"));
         assert_eq!(last, format!("{} passed, {} failed", report["passed"], report["failed"]));
         assert_eq!(run.code == 0, report["failed"] == 0);
         let marks = |sign: char| run.out.lines().filter(|line| line.trim_start().starts_with(sign)).count() as u64;
-        assert_eq!(marks('✗') > 0, report["failed"].as_u64() > Some(0), "{flags}");
-        assert!(marks('✓') <= report["passed"].as_u64().unwrap(), "{flags}");
+        assert_eq!(marks('✗') > 0, report["failed"].as_u64() > Some(0), "{arguments}");
+        assert!(marks('✓') <= report["passed"].as_u64().unwrap(), "{arguments}");
     }
 }
 
 #[test]
 fn the_json_report_keeps_its_contract() {
-    let report = json("fresnel --check --stress --json");
+    let report = json("fresnel brewster --check --stress --json");
     for key in ["schema", "version", "machine", "chapters", "passed", "failed"] {
         assert!(!report[key].is_null(), "{key}");
     }
@@ -94,7 +94,7 @@ fn the_json_report_keeps_its_contract() {
 #[test]
 fn the_same_seed_gives_the_same_numbers_on_any_number_of_threads() {
     let report = |threads: &str| {
-        let output = command(&["fresnel", "--check", "--stress", "--json"]).env("RAYON_NUM_THREADS", threads).output();
+        let output = command(&["fresnel", "--check", "--json"]).env("RAYON_NUM_THREADS", threads).output();
         let mut report: Value = serde_json::from_slice(&output.unwrap().stdout).unwrap();
         forget(&mut report, "seconds");
         report["chapters"].take()
@@ -160,9 +160,7 @@ fn figures_are_written_where_asked_and_their_paths_printed() {
 
 #[test]
 fn a_closed_pipe_ends_quietly() {
-    for arguments in
-        [&["fresnel"][..], &["coverage", "--json"], &["eval", "--list"], &["fresnel", "--json", "--stress"]]
-    {
+    for arguments in [&["fresnel"][..], &["coverage", "--json"], &["eval", "--list"], &["fresnel", "--json"]] {
         let mut child = command(arguments).spawn().unwrap();
         let mut first = String::new();
         BufReader::with_capacity(1, child.stdout.take().unwrap()).read_line(&mut first).unwrap();

@@ -16,6 +16,8 @@ pub mod value;
 
 #[cfg(test)]
 mod lecture;
+#[cfg(test)]
+mod properties;
 
 pub use dimension::Dimension;
 pub use expr::Expr;

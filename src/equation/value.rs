@@ -7,8 +7,6 @@ use super::expr::{Expr, Function, Node};
 use super::rational::Rational;
 use super::symbol::Symbol;
 use crate::precise::{self, Complex, Real};
-use dashu_cmplx::CfpResult;
-use dashu_float::round::mode::HalfEven;
 use num_complex::Complex64;
 use std::collections::HashMap;
 use std::fmt;
@@ -325,6 +323,8 @@ fn unsigned(z: &Complex64) -> Complex64 {
 
 /// Beyond it exp leaves any range that an equation of physics needs, and the time it takes grows with it.
 const LARGEST_EXPONENT: f64 = 1e6;
+/// Beyond it a sine says nothing about an `f64` argument, and reducing the argument takes ever longer.
+const LARGEST_ANGLE: f64 = 1e18;
 
 impl Field for Complex {
     fn number(value: Rational, bits: usize) -> Self {
@@ -349,7 +349,7 @@ impl Field for Complex {
     }
 
     fn over(&self, other: &Self) -> Option<Self> {
-        (!is_zero(other)).then(|| self / other)
+        if is_zero(other) { None } else { finite(self / other, self.precision()) }
     }
 
     fn negated(&self) -> Self {
@@ -357,55 +357,53 @@ impl Field for Complex {
     }
 
     fn power(&self, exponent: Rational) -> Option<Self> {
+        let bits = self.precision();
         match (exponent.numerator(), exponent.denominator()) {
+            (0, _) => Some(Self::number(Rational::ONE, bits)),
             (1, 2) => self.apply(Function::Sqrt),
             (n, _) if is_zero(self) => (n > 0).then(|| self.clone()),
-            (n, 1) => finite(self.powi(n.into())),
-            (..) => {
-                let context = self.context();
-                let exponent = Self::number(exponent, context.precision());
-                answer(context.powf(self, &exponent, None))
-            }
+            (n, d) => finite(root(self, usize::try_from(d).ok()?)?.powi(n.into()), bits),
         }
     }
 
     fn sine_cosine(&self) -> Option<(Self, Self)> {
         let (re, im) = self.clone().into_parts();
+        if precise::to_f64(&re).abs() > LARGEST_ANGLE {
+            return None;
+        }
+        let bits = self.precision();
         let (sin, cos) = re.sin_cos();
         if is_real_zero(&im) {
-            return Some((precise::from_real(sin), precise::from_real(cos)));
+            return Some((finite(sin.into(), bits)?, finite(cos.into(), bits)?));
         }
         let (sinh, cosh) = sinh_cosh(&im)?;
-        Some((Self::from_parts(&sin * &cosh, &cos * &sinh), Self::from_parts(cos * cosh, -(sin * sinh))))
+        let sine = Self::from_parts(&sin * &cosh, &cos * &sinh);
+        Some((finite(sine, bits)?, finite(Self::from_parts(cos * cosh, -(sin * sinh)), bits)?))
     }
 
     fn apply(&self, function: Function) -> Option<Self> {
         let (re, im) = self.clone().into_parts();
         let is_real = is_real_zero(&im);
-        match function {
-            Function::Sqrt if is_real => Some(real_root(re)),
-            Function::Sqrt => finite(self.sqrt()),
-            Function::Exp => exponential(&re, &im),
-            Function::Sin => self.sine_cosine().map(|pair| pair.0),
-            Function::Cos => self.sine_cosine().map(|pair| pair.1),
-            Function::Tan => self.sine_cosine().and_then(|(sin, cos)| sin.over(&cos)),
-            Function::Asin if is_real && is_cosine(&re) => Some(precise::from_real(re.asin())),
-            Function::Acos if is_real && is_cosine(&re) => Some(precise::from_real(re.acos())),
-            Function::Atan if is_real => Some(precise::from_real(re.atan())),
-            Function::Asin => answer(self.context().asin(self, None)),
-            Function::Acos => answer(self.context().acos(self, None)),
-            Function::Atan => answer(self.context().atan(self, None)),
-            Function::Conj => Some(self.conj()),
-            Function::Abs => Some(precise::from_real(self.abs())),
-            Function::Re => Some(precise::from_real(re)),
-            Function::Im => Some(precise::from_real(im)),
-        }
+        let value = match function {
+            Function::Sqrt if is_real => real_root(re),
+            Function::Sqrt => self.sqrt(),
+            Function::Exp => exponential(&re, &im)?,
+            Function::Sin => self.sine_cosine()?.0,
+            Function::Cos => self.sine_cosine()?.1,
+            Function::Tan => self.sine_cosine().and_then(|(sin, cos)| sin.over(&cos))?,
+            Function::Asin if is_real && is_cosine(&re) => re.asin().into(),
+            Function::Acos if is_real && is_cosine(&re) => re.acos().into(),
+            Function::Atan if is_real => re.atan().into(),
+            Function::Asin => self.context().asin(self, None).ok()?.value(),
+            Function::Acos => self.context().acos(self, None).ok()?.value(),
+            Function::Atan => self.context().atan(self, None).ok()?.value(),
+            Function::Conj => self.conj(),
+            Function::Abs => self.abs().into(),
+            Function::Re => re.into(),
+            Function::Im => im.into(),
+        };
+        finite(value, self.precision())
     }
-}
-
-/// The value of an operation that may have none.
-fn answer(result: CfpResult<HalfEven, 2>) -> Option<Complex> {
-    result.ok().and_then(|rounded| finite(rounded.value()))
 }
 
 fn is_real_zero(x: &Real) -> bool {
@@ -418,8 +416,14 @@ pub(super) fn is_zero(z: &Complex) -> bool {
     is_real_zero(&re) && is_real_zero(&im)
 }
 
-fn finite(z: Complex) -> Option<Complex> {
-    z.is_finite().then_some(z)
+/// `z` where it is finite, carried at `bits` again: the library gives values such as e⁰ and 0/x as exact, and an exact
+/// operand stops the precision from spreading.
+fn finite(z: Complex, bits: usize) -> Option<Complex> {
+    if !z.is_finite() {
+        return None;
+    }
+    let (re, im) = z.into_parts();
+    Some(Complex::from_parts(re.with_precision(bits).value(), im.with_precision(bits).value()))
 }
 
 fn is_cosine(x: &Real) -> bool {
@@ -430,7 +434,22 @@ fn is_cosine(x: &Real) -> bool {
 fn real_root(x: Real) -> Complex {
     let bits = x.precision();
     let zero = precise::real_at(0.0, bits);
-    if x >= zero { precise::from_real(x.sqrt()) } else { Complex::from_parts(zero, (-x).sqrt()) }
+    if x >= zero { x.sqrt().into() } else { Complex::from_parts(zero, (-x).sqrt()) }
+}
+
+/// The principal `degree`-th root of a `z` that is not 0. Through modulus and angle, because the library's complex power
+/// does not return where a part of the result is exact (as of (−1)^(1/3)).
+fn root(z: &Complex, degree: usize) -> Option<Complex> {
+    match degree {
+        1 => Some(z.clone()),
+        2 => z.apply(Function::Sqrt),
+        _ => {
+            let size = z.abs().nth_root(degree);
+            let whole = Real::from(degree).with_precision(size.precision()).value();
+            let (sin, cos) = (z.arg() / whole).sin_cos();
+            Some(Complex::from_parts(&size * cos, size * sin))
+        }
+    }
 }
 
 /// sinh and cosh from one exponential, a third of the time of asking for them; 64 more bits make up for what
@@ -456,7 +475,7 @@ fn exponential(re: &Real, im: &Real) -> Option<Complex> {
     }
     let size = re.exp();
     if is_real_zero(im) {
-        return Some(precise::from_real(size));
+        return Some(size.into());
     }
     let (sin, cos) = im.sin_cos();
     Some(Complex::from_parts(&size * cos, size * sin))

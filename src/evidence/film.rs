@@ -126,10 +126,12 @@ pub fn condition(stack: &Stack, wavelength: f64, angle: Angle, polarisation: Pol
         fields.push(kinds[kind].matrix.times(behind));
     }
     let front = fields.pop().expect("the substrate's");
-    let waves = Waves { reflected: &y_i * &front.0 - &front.1, incident: &y_i * &front.0 + &front.1 };
+    let (reflected, incident) = (&y_i * &front.0 - &front.1, &y_i * &front.0 + &front.1);
+    let waves =
+        Waves { by_reflected: (!reflected.is_zero()).then(|| &one / &reflected), by_incident: &one / &incident };
     let mut rows = [(y_i.clone(), -one.clone()), (y_i.clone(), one.clone())];
 
-    let mut sums = Sums::new(&scene, &waves, &y_s);
+    let mut sums = Sums::new(&scene, &reflected, &incident, &y_s);
     let (mut scale, mut tangential) = (sums.none(), sums.none());
     for &kind in &scene.order {
         let Matrices { matrix, by_n, by_k, by_thickness, by_tangential } = &kinds[kind];
@@ -384,10 +386,10 @@ impl Matrices {
     }
 }
 
-/// Y₀ψ ∓ φ at the entrance.
+/// 1/(Y₀ψ − φ) at the entrance, `None` if nothing is reflected, and 1/(Y₀ψ + φ).
 struct Waves {
-    reflected: Complex,
-    incident: Complex,
+    by_reflected: Option<Complex>,
+    by_incident: Complex,
 }
 
 /// Changes of ln R and of ln T.
@@ -399,11 +401,11 @@ struct Gradient {
 impl Waves {
     /// From the changes of the reflected and the incident wave. R = |reflected/incident|², T ∝ 1/|incident|².
     fn gradient(&self, [reflected, incident]: [Complex; 2]) -> Gradient {
-        let two = real_at(2.0, BITS);
-        let by_incident = &two * re(&(incident / &self.incident));
-        let by_reflected =
-            if self.reflected.is_zero() { real_at(0.0, BITS) } else { two * re(&(reflected / &self.reflected)) };
-        Gradient { ln_reflectance: by_reflected - &by_incident, ln_transmittance: -by_incident }
+        let relative = |change: &Complex, inverse: &Complex| real_at(2.0, BITS) * re(&(change * inverse));
+        let by_incident = relative(&incident, &self.by_incident);
+        let by_reflected = self.by_reflected.as_ref().map(|inverse| relative(&reflected, inverse));
+        let ln_reflectance = by_reflected.unwrap_or_else(|| real_at(0.0, BITS)) - &by_incident;
+        Gradient { ln_reflectance, ln_transmittance: -by_incident }
     }
 }
 
@@ -431,12 +433,12 @@ struct Sums {
 }
 
 impl Sums {
-    fn new(scene: &Scene, waves: &Waves, y_s: &Complex) -> Self {
+    fn new(scene: &Scene, reflected: &Complex, incident: &Complex, y_s: &Complex) -> Self {
         let y_s = re(y_s);
         let zero = real_at(0.0, BITS);
-        let incident = waves.incident.norm();
+        let incident = incident.norm();
         Self {
-            reflectance: waves.reflected.norm() / &incident,
+            reflectance: reflected.norm() / &incident,
             transmittance: real_at(4.0, BITS) * &scene.y_i * &y_s / incident,
             y_s,
             ln_reflectance: zero.clone(),

@@ -233,6 +233,34 @@ pub fn evanescent_depth(incidence: Incidence, n_i: f64, n_t: f64) -> f64 {
     1.0 / (std::f64::consts::TAU * q_t.im)
 }
 
+/// The least reflectance of natural light, where that is not at normal incidence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dip {
+    /// Angle of incidence [rad].
+    pub theta: f64,
+    /// R_n there [1].
+    pub r_n: f64,
+}
+
+/// The dip of R_n between clear media of relative index `n` = n_t/n_i (C11); `None` for 2−√3 ≤ n ≤ 2+√3, where R_n
+/// rises from normal incidence on. In x = q_t/q_i, R_n is stationary at x + n²/x = (n⁴ − 6n² + 1)/(n² + 1), and
+/// there equals ½ − 2n²/(n² − 1)².
+pub fn dip(n: f64) -> Option<Dip> {
+    let n2 = n * n;
+    let sum = (n2 * n2 - 6.0 * n2 + 1.0) / (n2 + 1.0);
+    // (n² + 1)(sum − 2n) = (n² − 4n + 1)(n + 1)²: what is under the root vanishes at the threshold.
+    let excess = (n2 - 4.0 * n + 1.0) * (n + 1.0) * (n + 1.0) / (n2 + 1.0);
+    if excess <= 0.0 {
+        return None;
+    }
+    let root = (excess * (sum + 2.0 * n)).sqrt();
+    // cos² θ = (n² − 1)/(x² − 1): from outside x > n grows towards grazing, from inside x < n falls.
+    let x = if n > 1.0 { 0.5 * (sum + root) } else { 2.0 * n2 / (sum + root) };
+    let cos2 = (n2 - 1.0) / (x * x - 1.0);
+    let half = (n2 - 1.0) * (n2 - 1.0);
+    Some(Dip { theta: cos2.sqrt().acos(), r_n: 0.5 - 2.0 * n2 / half })
+}
+
 /// Reflectance [1] of a plane interface under diffuse light from a rarer clear medium, 2∫R_n cos θ d(cos θ), for the
 /// relative index n > 1 in closed form (Walsh 1926, *The reflection factor of a polished glass surface for diffused
 /// light*; Duntley 1942, J. Opt. Soc. Am. 32, 61). A reference: it cancels as n → 1.

@@ -26,6 +26,12 @@ impl<const L: usize> Lanes<L> {
         Self(from_fn(|i| f(self.0[i], other.0[i])))
     }
 
+    /// These where `x` < 1, `others` elsewhere.
+    #[inline(always)]
+    pub fn where_below_one(self, x: Self, others: Self) -> Self {
+        Self(from_fn(|i| if x.0[i] < 1.0 { self.0[i] } else { others.0[i] }))
+    }
+
     #[inline(always)]
     pub fn squared(self) -> Self {
         self * self
@@ -153,6 +159,8 @@ pub(super) struct HalfTurn<const L: usize> {
     pub sin: Lanes<L>,
     /// cos(remainder) = ± cos α, with the same sign.
     pub cos: Lanes<L>,
+    /// 1 − cos(remainder), with all its digits.
+    pub versine: Lanes<L>,
 }
 
 // π in three parts (Cody & Waite 1980): the first two have 29 bits, so that a multiple of either below 2²⁴ is exact.
@@ -192,7 +200,8 @@ pub(super) fn half_turn<const L: usize>(alpha: Lanes<L>) -> HalfTurn<L> {
     let z = h.squared();
     let sin_h = h + h * z * z.polynomial(&SIN);
     let cos_h = -(z * 0.5 - z.squared() * z.polynomial(&COS)) + 1.0;
-    let mut half = HalfTurn { remainder, turns, sin: sin_h * cos_h * 2.0, cos: -(sin_h.squared() * 2.0) + 1.0 };
+    let versine = sin_h.squared() * 2.0;
+    let mut half = HalfTurn { remainder, turns, sin: sin_h * cos_h * 2.0, cos: -versine + 1.0, versine };
     if alpha.0.iter().any(|&a| a > PHASE_LIMIT) {
         half.replace_far(alpha);
     }
@@ -209,6 +218,7 @@ impl<const L: usize> HalfTurn<L> {
             let (sin, cos) = if turned { (-sin, -cos) } else { (sin, cos) };
             self.sin.0[i] = sin;
             self.cos.0[i] = cos;
+            self.versine.0[i] = sin * sin / (1.0 + cos);
             self.remainder.0[i] = sin.atan2(cos);
             self.turns.0[i] = f64::from(turned);
         }

@@ -1,15 +1,19 @@
 //! Stacks of plane coherent films: what a multilayer reflects, transmits and absorbs.
 //!
-//! One unknown serves both polarisations: ψ = E, φ = qψ (s) or ψ = H, φ = (q/n²)ψ (p) for a wave that runs into
-//! the stack, q = n cos θ being the normal wave number over that of vacuum; both are continuous at every interface.
-//! The characteristic matrix of a layer (Abelès 1950; Born & Wolf, 7th ed., §1.6.2) has the eigenvectors (1, ±Y),
-//! Y = q or q/n², and the eigenvalues e^(∓iδ), δ = k₀ d q. With e^(−iδ), which is what grows, factored out it is
+//! One pair of unknowns serves both polarisations: ψ = E, φ = qψ (s) or ψ = H, φ = (q/n²)ψ (p) for a wave that runs
+//! into the stack, q = n cos θ being the normal wave number over that of vacuum. Both are continuous at every
+//! interface, and a layer takes them from its back to its front by the characteristic matrix (Abelès 1950; Born &
+//! Wolf, 7th ed., §1.6.2) M = [[cos δ, −i sin δ/Y], [−i Y sin δ, cos δ]], Y = q or q/n², δ = k₀ d q. What is done to
+//! keep its digits:
 //!
-//!   M e^(iδ) = I + u (1, −Y)ᵀ (1, −1/Y),   u = (e^(2iδ) − 1)/2,
-//!
-//! bounded however thick or opaque the layer is, the identity when it is thin, and free of 0/0 at the critical
-//! angle, where u/Y → i k₀ d (s) stays finite. The sweep runs from the substrate to the light, the direction in
-//! which the wanted solution grows, and adds each layer's small change with the rounding carried along.
+//! - e^(Im δ), which grows without bound, is factored out of each layer and only its exponent is summed.
+//! - The rest is written as the identity and a change, which vanishes with the layer, and the change is added with
+//!   the rounding carried along: a thousand thin layers are as exact as one. In an absorbing layer the change is
+//!   u (1, −Y)ᵀ (1, −1/Y), u = (e^(2iδ) − 1)/2, of M e^(iδ): it leaves the wave that runs forward untouched.
+//! - Nothing divides by q: at the critical angle sin δ/Y → k₀ d (s) or n² k₀ d (p).
+//! - The sweep runs from the substrate to the light, the direction in which the wanted solution grows, and powers
+//!   of two taken out on the way keep the fields within range.
+//! - Absorption is the integral of Im(n²) |E|² in closed form, and of R and T the larger is what the others leave.
 
 use crate::optics::incidence::{Incidence, normal_squared, outgoing_root};
 use num_complex::Complex64;
@@ -139,8 +143,8 @@ impl Admittance {
                 Self { q, y: q / n_squared, inverse: inverse_q * n_squared, q_over_y: n_squared, loss: (0.0, 0.0) }
             }
             Polarisation::P => {
-                // q/n² and n²/q with n² = q² + S², S the tangential index, so that sums of positive terms stand where
-                // the sign is fixed: Re = q_r (|q|² + S²), Im = ± q_i (Re n² − 2 q_r²), over |n|⁴ and over |q|².
+                // q/n² and n²/q with n² = q² + S², S the tangential index, so that terms of one sign stand where the
+                // sign is fixed: Re = q_r (|q|² + S²), Im = ± q_i (Re n² − 2 q_r²), over |n|⁴ and over |q|².
                 let (s2, n2) = (tangential * tangential, n.norm_sqr());
                 let (re, im) = (q.norm_sqr() + s2, (n.re - n.im) * (n.re + n.im) - 2.0 * q.re * q.re);
                 let y = Complex64::new(q.re * re, q.im * im) / (n2 * n2);

@@ -3,7 +3,6 @@
 use super::lanes::{Complexes, Decay, HalfTurn, Lanes, decay, half_turn};
 use super::{Admittance, Layer, Powers, Response, Waves};
 use num_complex::Complex64;
-use std::array::from_fn;
 use std::f64::consts::{LN_2, TAU};
 
 /// A layer reduced to what its kind needs. `path` is 2π d q [m]: over the wavelength it is the phase δ.
@@ -70,16 +69,17 @@ impl<const L: usize> Carried<L> {
     }
 }
 
-/// The fields at the interface reached so far. The true ones are 2^`exponent` e^(decay) e^(−i phase) (−1)^`turns` times these.
+/// The fields at the interface reached so far: the true ones over 2^`exponent` e^(`decay` − i `phase`) (−1)^`turns`.
 pub(super) struct Sweep<const L: usize> {
     psi: Carried<L>,
     phi: Carried<L>,
-    /// Power absorbed so far, over |ψ|² of these fields.
+    /// 4Y₀ times this, over |2Y₀ incident ψ|², is the absorptance so far.
     absorbed: Lanes<L>,
     /// Σ Im δ and its carry.
     decay: (Lanes<L>, Lanes<L>),
-    /// Σ Re δ less half turns, and these.
+    /// Σ Re δ of absorbing layers, less half turns.
     phase: Lanes<L>,
+    /// Half turns taken out.
     turns: Lanes<L>,
     exponent: [i32; L],
 }
@@ -123,21 +123,10 @@ impl<const L: usize> Sweep<L> {
             }
             Coat::Absorbing { path, y, inverse, loss } => {
                 let delta = Complexes { re: wave_number * path.re, im: wave_number * path.im };
-                self.pass_absorbing(
-                    delta,
-                    Complexes::splat(y),
-                    Complexes::splat(inverse),
-                    |weight| wave_number * weight,
-                    loss,
-                );
+                let loss = (wave_number * loss.0, wave_number * loss.1);
+                self.pass_absorbing(delta, Complexes::splat(y), Complexes::splat(inverse), loss);
             }
         }
-    }
-
-    #[inline(always)]
-    fn turn(&mut self, half: &HalfTurn<L>) {
-        self.phase = self.phase + half.remainder;
-        self.turns = self.turns + half.turns;
     }
 
     #[inline(always)]
@@ -150,13 +139,11 @@ impl<const L: usize> Sweep<L> {
     #[inline(always)]
     fn pass_clear(&mut self, delta: Lanes<L>, y: f64, inverse: f64) {
         let half = half_turn(delta);
-        self.turn(&half);
-        // u = (e^(2iδ) − 1)/2 = i sin δ e^(iδ)
-        let u = Complexes { re: -half.sin.squared(), im: half.sin * half.cos };
+        self.turns = self.turns + half.turns;
+        let (across, along) = (half.sin * inverse, half.sin * y);
         let (psi, phi) = (self.psi.sum, self.phi.sum);
-        let change = u * Complexes { re: psi.re - phi.re * inverse, im: psi.im - phi.im * inverse };
-        self.psi.add(change);
-        self.phi.add(Complexes { re: change.re * -y, im: change.im * -y });
+        self.psi.add(phi.times_minus_i().scaled(across) - psi.scaled(half.versine));
+        self.phi.add(psi.times_minus_i().scaled(along) - phi.scaled(half.versine));
     }
 
     #[inline(always)]
@@ -176,18 +163,16 @@ impl<const L: usize> Sweep<L> {
         delta: Complexes<L>,
         y: Complexes<L>,
         inverse: Complexes<L>,
-        over_wavelength: impl Fn(f64) -> Lanes<L>,
-        loss: (f64, f64),
+        loss: (Lanes<L>, Lanes<L>),
     ) {
         let half = half_turn(delta.re);
         let decay = decay(delta.im * 2.0);
-        self.turn(&half);
+        self.phase = self.phase + half.remainder;
+        self.turns = self.turns + half.turns;
         self.fade(delta.im, &decay);
         let (psi, phi) = (self.psi.sum, self.phi.sum);
         let squares = MeanSquares::new(delta, &half, &decay);
-        let across = squares.of(psi, phi * inverse) * over_wavelength(loss.0);
-        let along = if loss.1 > 0.0 { squares.of(phi, y * psi) * over_wavelength(loss.1) } else { Lanes::ZERO };
-        self.absorbed = self.absorbed + (across + along);
+        self.absorbed = self.absorbed + squares.of(psi, phi * inverse) * loss.0 + squares.of(phi, y * psi) * loss.1;
 
         let sin2 = half.sin.squared();
         let u = Complexes { re: decay.exp_m1 * (-sin2 + 0.5) - sin2, im: decay.exp * (half.sin * half.cos) };
@@ -263,7 +248,7 @@ impl Sweep<1> {
         let Powers { reflectance, transmittance, absorptance } = powers;
         let (reflected, incident) = self.incident_waves(waves);
         let (reflected, incident) = (first(reflected), first(incident));
-        if incident == Complex64::ZERO {
+        if incident.norm_sqr() == 0.0 {
             let (r, t, ln_transmittance) = (Complex64::ZERO, Complex64::ONE, 0.0);
             return Response { r, t, reflectance, transmittance, absorptance, ln_transmittance };
         }
@@ -311,22 +296,16 @@ impl<const L: usize> MeanSquares<L> {
     fn new(delta: Complexes<L>, half: &HalfTurn<L>, decay: &Decay<L>) -> Self {
         let alpha = delta.re.map(|x| x.max(f64::MIN_POSITIVE));
         let beta = delta.im.map(|x| x.max(f64::MIN_POSITIVE));
+        let (sinc, turn) = (half.sin.zip(alpha, |sin, a| sin / a), alpha * 2.0);
+        let (slope, fall) = (decay.exp_m1.zip(beta, |m, b| m / b), beta * 2.0);
         // 1 − sin(2α)/(2α) and (sinh(2β)/(2β) − 1) e^(−2β): both ≥ 0, by series where they are small.
-        let sinc_gap = Lanes(from_fn(|i| {
-            let x = 2.0 * alpha.0[i];
-            if x < 1.0 { cubic_gap(-x * x) } else { 1.0 - half.sin.0[i] * half.cos.0[i] / alpha.0[i] }
-        })) * decay.exp;
-        let sinhc_gap = Lanes(from_fn(|i| {
-            let (x, exp, exp_m1) = (2.0 * beta.0[i], decay.exp.0[i], decay.exp_m1.0[i]);
-            if x < 1.0 { -cubic_gap(x * x) * exp } else { -exp_m1 * (1.0 + exp) / (2.0 * x) - exp }
-        }));
+        let sinc_gap = cubic_gap(-turn.squared()).where_below_one(turn, -(sinc * half.cos) + 1.0) * decay.exp;
+        let sinhc_gap = (-cubic_gap(fall.squared()) * decay.exp)
+            .where_below_one(fall, -(slope * (decay.exp + 1.0) * 0.25) - decay.exp);
         Self {
             cos_cos: decay.exp + (sinhc_gap - sinc_gap) * 0.5,
             sin_sin: (sinhc_gap + sinc_gap) * 0.5,
-            cos_sin: Complexes {
-                re: half.sin * half.sin.zip(alpha, |sin, a| sin / a) * decay.exp * 0.5,
-                im: decay.exp_m1 * decay.exp_m1.zip(beta, |m, b| m / b) * 0.125,
-            },
+            cos_sin: Complexes { re: half.sin * sinc * decay.exp * 0.5, im: decay.exp_m1 * slope * 0.125 },
         }
     }
 
@@ -339,7 +318,8 @@ impl<const L: usize> MeanSquares<L> {
 }
 
 /// −Σ xᵏ/(2k+1)! from k = 1: 1 − sin(y)/y at x = −y², 1 − sinh(y)/y at x = y², for |x| ≤ 1.
-fn cubic_gap(x: f64) -> f64 {
+#[inline(always)]
+fn cubic_gap<const L: usize>(x: Lanes<L>) -> Lanes<L> {
     const TERMS: [f64; 8] = [
         1.0 / 6.0,
         1.0 / 120.0,
@@ -350,5 +330,5 @@ fn cubic_gap(x: f64) -> f64 {
         1.0 / 1307674368000.0,
         1.0 / 355687428096000.0,
     ];
-    -x * Lanes([x]).polynomial(&TERMS).0[0]
+    -x * x.polynomial(&TERMS)
 }

@@ -69,8 +69,8 @@ pub fn transfer_matrix(stack: &Stack, wavelength: f64, incidence: Incidence, pol
     powers((backward / forward).norm_sqr(), y_s.re / y_i.re / forward.norm_sqr())
 }
 
-/// Rouard's (Parratt's) recursion r ← (ρ + r e^(2iδ))/(1 + ρ r e^(2iδ)) of Fresnel's coefficients (Born & Wolf, 7th ed., §1.6.4):
-/// no exponential grows, but beside a layer at its critical angle ρ = ±1 and the recursion becomes 0/0.
+/// Rouard's (Parratt's) recursion r ← (ρ + r e^(2iδ))/(1 + ρ r e^(2iδ)) of Fresnel's coefficients (Born & Wolf, 7th
+/// ed., §1.6.4): no exponential grows, but beside a layer at its critical angle ρ = ±1 and it becomes 0/0.
 pub fn recursion(stack: &Stack, wavelength: f64, incidence: Incidence, polarisation: Polarisation) -> Powers {
     let media = media(stack, incidence, polarisation);
     let (y_i, y_s) = (media[0].1, media[media.len() - 1].1);

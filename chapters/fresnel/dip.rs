@@ -1,0 +1,271 @@
+//! C11, second half: reflectance does not always rise with the angle.
+
+use super::symbols::N_REL;
+use super::{INTERFACE, golden_section, interface};
+use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
+use crate::setting::Setting;
+use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
+use light::Complex64;
+use light::equation::derivation::Chain;
+use light::equation::expr::{ratio, sqrt};
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::evidence::fresnel::{Exact, Input, NAMES};
+use light::optics::fresnel::{Dip, dip, powers};
+use light::optics::{Direction, Incidence};
+use light::precise::{self, Real};
+use std::f64::consts::FRAC_PI_2;
+
+const X: Symbol = Symbol::scalar("x", Dimension::ONE).within(1.5, 3.0);
+const X_DIP: Symbol = Symbol::scalar("x_d", Dimension::ONE).within(4.0, 9.0);
+const R_MIN: Symbol = Symbol::scalar("R_d", Dimension::ONE);
+
+pub(super) const STEP: Step = Step {
+    id: "dip",
+    title: "Where reflectance falls first",
+    says: "Above n₂/n₁ = 2+√3, or from inside below 2−√3, natural light is reflected least at an oblique angle.",
+    rows: &["C11"],
+    parameters: INTERFACE,
+    statements: &[
+        Statement {
+            id: "threshold",
+            says: "the least relative index that dips",
+            rows: &["C11"],
+            equation: || Equation::new(N_REL.pow(2) - 4 * N_REL + 1, Expr::from(0)),
+        },
+        Statement {
+            id: "place",
+            says: "the dip, where x = n₂cosθ₂/(n₁cosθ₁) and n = n₂/n₁",
+            rows: &["C11"],
+            equation: || {
+                Equation::new(X_DIP + N_REL.pow(2) / X_DIP, (N_REL.pow(4) - 6 * N_REL.pow(2) + 1) / (N_REL.pow(2) + 1))
+            },
+        },
+        Statement { id: "depth", says: "its value", rows: &["C11"], equation: || Equation::new(R_MIN, depth()) },
+    ],
+    derivations: &[
+        Derivation {
+            id: "stationary",
+            says: "½dR_n/dx over its obvious factors: normal incidence x² = n², or the dip",
+            rows: &["C11"],
+            chain: || {
+                stationary(
+                    (X.pow(2) - N_REL.pow(2))
+                        * ((N_REL.pow(2) + 1) * (X.pow(2) + N_REL.pow(2)) - (N_REL.pow(4) - 6 * N_REL.pow(2) + 1) * X),
+                )
+            },
+            spoiled: || {
+                stationary(
+                    (X.pow(2) - N_REL.pow(2))
+                        * ((N_REL.pow(2) + 1) * (X.pow(2) + N_REL.pow(2)) - (N_REL.pow(4) - 4 * N_REL.pow(2) + 1) * X),
+                )
+            },
+            slip: "4n² for 6n²",
+        },
+        Derivation {
+            id: "depth",
+            says: "R_n at the dip's x",
+            rows: &["C11"],
+            chain: || at_the_dip(depth()),
+            spoiled: || at_the_dip(ratio(1, 2) - 2 * N_REL.pow(2) / (N_REL.pow(2) + 1).pow(2)),
+            slip: "n² + 1 for n² − 1",
+        },
+    ],
+    readout: Some(readout),
+    checks: &[THRESHOLD, FLAT, PLACE_AND_DEPTH],
+    stress: &[],
+    races: &[],
+    figures: &[Figure {
+        id: "dip",
+        says: "R_n relative to normal incidence: below 2+√3 it only rises, above it dips first; metals may do so too.",
+        rows: &["C11"],
+        plot: dips,
+    }],
+};
+
+fn depth() -> Expr {
+    ratio(1, 2) - 2 * N_REL.pow(2) / (N_REL.pow(2) - 1).pow(2)
+}
+
+/// R_n as a function of x: r_s = (1 − x)/(1 + x), r_p = (n² − x)/(n² + x).
+fn natural(x: &Expr) -> Expr {
+    let square = N_REL.pow(2);
+    ratio(1, 2) * (((1 - x) / (1 + x)).pow(2) + ((&square - x) / (&square + x)).pow(2))
+}
+
+/// The zero of dR_n/dx, cleared of fractions.
+fn stationary(last: Expr) -> Chain {
+    let square = N_REL.pow(2);
+    let slope = (X - 1) * (&square + X).pow(3) - &square * (&square - X) * (1 + X).pow(3);
+    Chain::new(slope)
+        .because("½ dR_n/dx · (1 + x)³(n² + x)³")
+        .then(
+            (&square + 1) * (X.pow(4) - N_REL.pow(4)) - (N_REL.pow(4) - 6 * &square + 1) * X * (X.pow(2) - &square),
+            ["expand", "collect"],
+        )
+        .then(last, ["factor x² − n²"])
+}
+
+/// With n² expressed by the dip's own x is awkward; x by n is a square root, taken as it stands.
+fn at_the_dip(last: Expr) -> Chain {
+    let square = N_REL.pow(2);
+    let sum = (N_REL.pow(4) - 6 * &square + 1) / (&square + 1);
+    let place = (&sum + sqrt(sum.pow(2) - 4 * &square)) / 2;
+    Chain::new(natural(&Expr::from(X_DIP)))
+        .because("R_n(x) at the larger root of x + n²/x = (n⁴ − 6n² + 1)/(n² + 1)")
+        .given(X_DIP, place, "the dip's place")
+        .then(last, ["quadratic formula"])
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let input = interface(setting);
+    let normal = powers(Incidence::NORMAL, input.n_i, input.n_t).r_n();
+    let (theta, least) = least(input.n_i, input.n_t);
+    let all = [
+        ("R_0", "R_0", "R_n at normal incidence", normal, "1"),
+        ("R_min", "R_{min}", "its least value over all angles", least, "1"),
+        ("theta_min", "θ_{min}", "where that is", theta, "rad"),
+    ];
+    all.map(|(key, symbol, says, value, unit)| Quantity { key, symbol, says, value, unit }).into()
+}
+
+/// Place [rad] and value of the least R_n, by search.
+fn least(n_i: f64, n_t: Complex64) -> (f64, f64) {
+    let natural = |theta: f64| powers(Incidence::from_angle(theta), n_i, n_t).r_n();
+    // Within √ε of normal incidence the curve is flat to rounding: the search starts from the best of a fan.
+    let step = FRAC_PI_2 / 400.0;
+    let best =
+        (0..400).map(|at| f64::from(at) * step).min_by(|a, b| natural(*a).total_cmp(&natural(*b))).unwrap_or(0.0);
+    if best == 0.0 {
+        return (0.0, natural(0.0));
+    }
+    let theta = golden_section(natural, best - step, (best + step).min(FRAC_PI_2));
+    (theta, natural(theta))
+}
+
+/// R_n in arbitrary precision at the angle `theta`, clear media.
+fn exact(theta: f64, n: f64) -> Real {
+    let at = NAMES.iter().position(|name| *name == "R_n").expect("an output");
+    Exact::new(&Input { direction: Direction::Angle(theta), n_i: 1.0, n_t: n.into() }).outputs[at].clone()
+}
+
+const SMALL: f64 = 1e-10;
+
+const THRESHOLD: Check = Check {
+    id: "threshold",
+    claim: "the dip begins at n₂/n₁ = 2+√3 into a medium, 2−√3 out of it",
+    rows: &["C11"],
+    route: "bisection for the index at which R_n(1e−10) − R_n(0) changes sign, in 256-bit arithmetic",
+    bound: Bound::AtMost {
+        limit: 1e-14, unit: "1", why: "bisection to rounding; the finite angle moves it by 1e−20"
+    },
+    measure: |_| threshold([2.0 + 3f64.sqrt(), 2.0 - 3f64.sqrt()]),
+    spoiled: |_| threshold([2.0 + 2f64.sqrt(), 2.0 - 2f64.sqrt()]),
+    slip: "√2 for √3",
+};
+
+fn threshold(claimed: [f64; 2]) -> Measured {
+    let rises = |n: f64| exact(SMALL, n) > exact(0.0, n);
+    let bisect = |mut rising: f64, mut falling: f64| {
+        for _ in 0..60 {
+            let middle = 0.5 * (rising + falling);
+            *(if rises(middle) { &mut rising } else { &mut falling }) = middle;
+        }
+        0.5 * (rising + falling)
+    };
+    Measured::worst([
+        (bisect(2.0, 6.0) - claimed[0], "into the medium".into()),
+        (bisect(0.5, 0.2) - claimed[1], "out of it".into()),
+    ])
+}
+
+const FLAT: Check = Check {
+    id: "flat",
+    claim: "near normal incidence the θ² terms of R_s and R_p cancel: R_n = R₀ + O(θ⁴)",
+    rows: &["C11"],
+    route: "order of R_n(θ) − R₀ between θ = 1e−6 and 1e−10 in 256-bit arithmetic",
+    bound: Bound::Order { order: 4.0, tolerance: 1e-6, why: "the next term is θ², 1e−12 at most" },
+    measure: |_| order_at_normal("R_n"),
+    spoiled: |_| order_at_normal("R_s"),
+    slip: "R_s alone, whose θ² term stays",
+};
+
+fn order_at_normal(name: &str) -> Measured {
+    let at = NAMES.iter().position(|known| *known == name).expect("an output");
+    let rise = |theta: f64, n: f64| {
+        let value = |theta| {
+            Exact::new(&Input { direction: Direction::Angle(theta), n_i: 1.0, n_t: n.into() }).outputs[at].clone()
+        };
+        precise::to_f64(&(value(theta) - value(0.0))).abs()
+    };
+    let orders = [1.33, 1.5, 2.4, 4.0, 0.8].map(|n| ((rise(1e-6, n) / rise(1e-10, n)).log10() / 4.0, n));
+    let farthest = orders.into_iter().max_by(|a, b| (a.0 - 4.0).abs().total_cmp(&(b.0 - 4.0).abs()));
+    farthest.map_or_else(
+        || Measured::worst([]),
+        |(order, n)| Measured { value: order, at: format!("n = {n}"), cases: orders.len() },
+    )
+}
+
+const PLACE_AND_DEPTH: Check = Check {
+    id: "place_and_depth",
+    claim: "the dip lies where the closed form says, as deep as ½ − 2n²/(n²−1)²",
+    rows: &["C11"],
+    route: "golden-section search over the angle",
+    bound: Bound::AtMost {
+        limit: 1e-6,
+        unit: "1",
+        why: "the place of a flat minimum is known to √ε over the curvature; the depth, to rounding",
+    },
+    measure: |_| dip_found(dip),
+    spoiled: |_| {
+        dip_found(|n| dip(n).map(|dip| Dip { r_n: 0.5 - 2.0 * n * n / ((n * n + 1.0) * (n * n + 1.0)), ..dip }))
+    },
+    slip: "n² + 1 for n² − 1 in the depth",
+};
+
+fn dip_found(closed: fn(f64) -> Option<Dip>) -> Measured {
+    Measured::worst([4.5, 5.0, 6.0, 10.0, 0.2, 0.1].into_iter().flat_map(|n: f64| {
+        let (theta, value) = least(1.0, n.into());
+        let closed = closed(n).unwrap_or(Dip { theta: f64::NAN, r_n: f64::NAN });
+        [(theta - closed.theta, format!("place, n = {n}")), (value - closed.r_n, format!("depth, n = {n}"))]
+    }))
+}
+
+fn dips(setting: &Setting) -> Plot {
+    let axes = |title: &str| {
+        Chart::new(
+            title,
+            Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
+            Axis::linear("R_n / R_n(0)", "").range(0.6, 1.2),
+        )
+        .at_y(1.0, "")
+    };
+    let relative = |n_i: f64, n_t: Complex64| {
+        let normal = powers(Incidence::NORMAL, n_i, n_t).r_n();
+        super::over_angle(move |incidence| powers(incidence, n_i, n_t).r_n() / normal)
+    };
+    let mut clear = axes("clear media, n_2/n_1");
+    let mut lowest = Vec::new();
+    for (at, n) in [1.5, 2.4, 2.0 + 3f64.sqrt(), 5.0, 7.0, 12.0].into_iter().enumerate() {
+        let label = if at == 2 { "2+√3".to_owned() } else { format!("{n}") };
+        clear = clear.line(Hue::Nth(at as u8), label, relative(1.0, n.into()));
+        let normal = powers(Incidence::NORMAL, 1.0, n.into()).r_n();
+        lowest.extend(dip(n).map(|dip| [dip.theta.to_degrees(), dip.r_n / normal]));
+    }
+    let clear = clear.with(Mark::Points {
+        label: "least, closed form".into(),
+        hue: Hue::Reference,
+        shape: Shape::Ring,
+        joined: false,
+        points: lowest,
+    });
+    let own = interface(setting);
+    let mut absorbing = axes("metals at 550 nm");
+    for (at, name) in ["gold", "aluminium", "chromium", "silicon"].into_iter().enumerate() {
+        let medium = light::optics::material::named(name).and_then(|material| material.index(550e-9).ok());
+        if let Some(index) = medium {
+            absorbing = absorbing.line(Hue::Nth(at as u8), name, relative(1.0, index));
+        }
+    }
+    let absorbing = absorbing.dashed(Hue::Natural, "the setting", relative(own.n_i, own.n_t));
+    Plot::grid("Reflectance of natural light relative to normal incidence", 2, vec![clear.into(), absorbing.into()])
+}

@@ -1,0 +1,281 @@
+//! C13: total internal reflection.
+
+use super::extremes::{cases, describe};
+use super::fields::{Polarisation, flow, waves};
+use super::{incidence, interface};
+use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
+use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, Stress};
+use light::Complex64;
+use light::equation::derivation::Chain;
+use light::equation::expr::{abs, asin, conj, i};
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::evidence::fresnel::Input;
+use light::optics::fresnel::{amplitudes, critical_angle, evanescent_depth};
+use light::optics::{Direction, Incidence};
+use std::f64::consts::FRAC_PI_2;
+
+use super::symbols::{N_1, N_2};
+
+const THETA_C: Symbol = Symbol::scalar("theta_c", Dimension::ONE);
+const R: Symbol = Symbol::scalar("r_s", Dimension::ONE);
+const Q_1: Symbol = Symbol::scalar("q_1", Dimension::ONE).real(0.2, 1.5);
+const KAPPA: Symbol = Symbol::scalar("kappa", Dimension::ONE).real(0.1, 1.5);
+
+const N_I: Parameter = Parameter { default: "1.5", says: "the denser medium, where the light is", ..super::N_I };
+const N_T: Parameter =
+    Parameter { name: "n_t", symbol: "n_2", says: "the rarer medium", default: "1", kind: Kind::ClearMedium };
+
+pub(super) const STEP: Step = Step {
+    id: "total_reflection",
+    title: "Total reflection",
+    says: "Beyond the critical angle |r| = 1; what remains is a phase, and a wave that clings to the surface.",
+    rows: &["C13"],
+    parameters: &[N_I, N_T, Parameter { default: "50deg", ..THETA }, WAVELENGTH],
+    statements: &[
+        Statement {
+            id: "critical",
+            says: "the critical angle",
+            rows: &["C13"],
+            equation: || Equation::new(THETA_C, asin(N_2 / N_1)),
+        },
+        Statement {
+            id: "modulus",
+            says: "with q₁ = n₁cosθ₁ and n₂cosθ₂ = iκ",
+            rows: &["C13"],
+            equation: || Equation::new(abs(R), Expr::from(1)),
+        },
+    ],
+    derivations: &[Derivation {
+        id: "modulus",
+        says: "r r* for an imaginary normal wave number behind the interface",
+        rows: &["C13"],
+        chain: || modulus(Expr::from(1)),
+        spoiled: || modulus((Q_1 - KAPPA).pow(2) / (Q_1 + KAPPA).pow(2)),
+        slip: "iκ taken as κ",
+    }],
+    readout: Some(readout),
+    checks: &[RHOMB, PHASE, NO_FLOW],
+    stress: &[Stress {
+        id: "about_the_critical_angle",
+        claim: "the complex amplitudes keep their digits down to the last unit on either side of the critical angle",
+        rows: &["C13"],
+        textbook: "E36, E39 with complex θ₂",
+        reference: "256 bits",
+        cases: |setting| {
+            let own = interface(setting);
+            let offsets = [-1e-6, -1e-12, -1e-15, 0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 0.3];
+            let near = |n_i: f64, n_t: f64| {
+                let critical = critical_angle(n_i, n_t).unwrap_or(FRAC_PI_2);
+                offsets.map(|offset| Input {
+                    direction: Direction::Angle((critical + offset).min(FRAC_PI_2)),
+                    n_i,
+                    n_t: n_t.into(),
+                })
+            };
+            let inputs: Vec<Input> = [own].into_iter().chain(near(1.5, 1.0)).chain(near(1.0, 1.0 - 1e-6)).collect();
+            cases(&["r_s_re", "r_s_im", "r_p_re", "r_p_im"], &inputs)
+        },
+    }],
+    races: &[],
+    figures: &[
+        Figure {
+            id: "phase",
+            says: "Phases of r_s and r_p and their difference beyond the critical angle.",
+            rows: &["C13"],
+            plot: phases,
+        },
+        Figure {
+            id: "depth",
+            says: "How deep the evanescent field reaches, in wavelengths.",
+            rows: &["C13"],
+            plot: depths,
+        },
+    ],
+};
+
+fn modulus(last: Expr) -> Chain {
+    let r = (Q_1 - i() * KAPPA) / (Q_1 + i() * KAPPA);
+    Chain::new(&r * conj(r.clone()))
+        .because("|r_s|² with r_s = (q₁ − iκ)/(q₁ + iκ)")
+        .then((Q_1 - i() * KAPPA) * (Q_1 + i() * KAPPA) / ((Q_1 + i() * KAPPA) * (Q_1 - i() * KAPPA)), ["conjugate"])
+        .then(last, ["cancel"])
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let input = interface(setting);
+    let a = amplitudes(incidence(setting), input.n_i, input.n_t);
+    let depth = evanescent_depth(incidence(setting), input.n_i, input.n_t.re) * setting.wavelength();
+    vec![
+        Quantity {
+            key: "theta_c",
+            symbol: "θ_c",
+            says: "critical angle (nan into a denser medium)",
+            value: critical_angle(input.n_i, input.n_t.re).unwrap_or(f64::NAN),
+            unit: "rad",
+        },
+        Quantity { key: "phase_s", symbol: "δ_s", says: "phase of r_s", value: a.r_s.arg(), unit: "rad" },
+        Quantity { key: "phase_p", symbol: "δ_p", says: "phase of r_p", value: a.r_p.arg(), unit: "rad" },
+        Quantity {
+            key: "retardation",
+            symbol: "δ_p−δ_s",
+            says: "phase of p relative to s",
+            value: (a.r_p / a.r_s).arg(),
+            unit: "rad",
+        },
+        Quantity {
+            key: "depth",
+            symbol: "d",
+            says: "1/e depth of the field behind the interface",
+            value: depth,
+            unit: "m",
+        },
+    ]
+}
+
+/// Phase of p relative to s [rad] under total reflection.
+fn retardation(theta: f64, n: f64) -> f64 {
+    let a = amplitudes(Incidence::from_angle(theta), n, Complex64::from(1.0));
+    (a.r_p / a.r_s).arg()
+}
+
+const RHOMB: Check = Check {
+    id: "fresnel_rhomb",
+    claim: "glass of n = 1.51 turns p against s by an eighth of a period at 48°37′ and at 54°37′",
+    rows: &["C13"],
+    route: "Born & Wolf, Principles of Optics (7th ed.), §1.5.4: Fresnel's rhomb",
+    bound: Bound::AtMost {
+        limit: 0.1,
+        unit: "°",
+        why: "the angles are printed to a minute of arc, over which the phase moves by up to 0.05°",
+    },
+    measure: |_| rhomb(|phase| phase),
+    spoiled: |_| rhomb(|phase| 2.0 * phase),
+    slip: "the phase of the power in place of the field's",
+};
+
+fn rhomb(amend: fn(f64) -> f64) -> Measured {
+    let angles = [48.0 + 37.0 / 60.0, 54.0 + 37.0 / 60.0];
+    Measured::worst(angles.map(|degrees: f64| {
+        let phase = amend(retardation(degrees.to_radians(), 1.51).abs());
+        (phase.to_degrees() - 45.0, format!("θ = {degrees:.3}°"))
+    }))
+}
+
+const PHASE: Check = Check {
+    id: "relative_phase",
+    claim: "tan(δ/2) = cosθ √(sin²θ − n²)/sin²θ for the phase δ of p against s",
+    rows: &["C13"],
+    route: "Born & Wolf §1.5.4, eq. (60), in real arithmetic; the program's route is complex",
+    bound: Bound::AtMost { limit: 64.0, unit: "ε", why: "a dozen roundings, and √ next to its zero" },
+    measure: |_| against_phase_formula(|sin| sin * sin),
+    spoiled: |_| against_phase_formula(|sin| sin),
+    slip: "sin θ for sin² θ in the denominator",
+};
+
+fn against_phase_formula(denominator: fn(f64) -> f64) -> Measured {
+    let media = [1.33, 1.5, 2.4];
+    let cases = media.into_iter().flat_map(|n| (1..20).map(move |step| (n, f64::from(step) / 20.0)));
+    Measured::worst(cases.filter_map(|(n, share)| {
+        let critical = critical_angle(n, 1.0)?;
+        let theta = critical + share * (FRAC_PI_2 - critical);
+        let (sin, cos) = theta.sin_cos();
+        let closed = 2.0 * (cos * (sin * sin - 1.0 / (n * n)).sqrt() / denominator(sin)).atan();
+        Some(((retardation(theta, n).abs() - closed) / f64::EPSILON, format!("n = {n}, θ = {theta:.4}")))
+    }))
+}
+
+const NO_FLOW: Check = Check {
+    id: "no_flow",
+    claim: "the evanescent wave is there and carries no energy across",
+    rows: &["C13"],
+    route: "Re(E×H*)·n of the transmitted field vectors, over |E||H|",
+    bound: Bound::AtMost { limit: 8.0, unit: "ε", why: "E and H are a quarter period apart up to rounding" },
+    measure: |bench| flow_behind(bench, |r| r),
+    spoiled: |bench| flow_behind(bench, |r| Complex64::new(r.re, r.im) * Complex64::new(1.0, 1e-6)),
+    slip: "an index with a trace of absorption",
+};
+
+fn flow_behind(bench: &mut Bench, amend: fn(Complex64) -> Complex64) -> Measured {
+    let own = interface(bench.setting);
+    let cases = [(1.5, 1.0), (2.4, 1.0), (1.52, 1.33), (own.n_i, own.n_t.re)];
+    let inputs = cases.into_iter().filter_map(|(n_i, n_t)| Some((n_i, n_t, critical_angle(n_i, n_t)?)));
+    let inputs = inputs.flat_map(|(n_i, n_t, critical)| {
+        [1e-9, 1e-3, 0.1, 0.3].map(|past| Input {
+            direction: Direction::Angle((critical + past).min(1.57)),
+            n_i,
+            n_t: n_t.into(),
+        })
+    });
+    Measured::worst(inputs.flat_map(|input| {
+        let incidence = Incidence::from(input.direction);
+        let n_t = amend(input.n_t);
+        let a = amplitudes(incidence, input.n_i, n_t);
+        [Polarisation::S, Polarisation::P].map(|polarisation| {
+            let behind = waves(polarisation, incidence, input.n_i, n_t, &a)[2];
+            let size = |v: super::fields::Vector| v.iter().map(|x| x.norm_sqr()).sum::<f64>().sqrt();
+            let share = flow(&behind) / (size(behind.e) * size(behind.h));
+            (share / f64::EPSILON, format!("{polarisation:?}, {}", describe(&input)))
+        })
+    }))
+}
+
+fn phases(setting: &Setting) -> Plot {
+    let own = interface(setting);
+    let Some(critical) = critical_angle(own.n_i, own.n_t.re) else { return nothing_total() };
+    let curve = |phase: fn(&light::optics::fresnel::Amplitudes) -> f64| {
+        let points = super::over_angle_near(critical.to_degrees(), |incidence| {
+            phase(&amplitudes(incidence, own.n_i, own.n_t)).to_degrees()
+        });
+        points.into_iter().filter(|point| point[0] >= critical.to_degrees()).collect::<Vec<_>>()
+    };
+    let chart = Chart::new(
+        format!("n {:.4} → {:.4}", own.n_i, own.n_t.re),
+        Axis::linear("angle of incidence θ_1", "°").range(critical.to_degrees().floor() - 2.0, 90.0),
+        Axis::linear("phase", "°").range(-180.0, 180.0).tick(45.0),
+    )
+    .line(Hue::S, "δ_s", curve(|a| a.r_s.arg()))
+    .line(Hue::P, "δ_p", curve(|a| a.r_p.arg()))
+    .dashed(Hue::Natural, "δ_p − δ_s", curve(|a| (a.r_p / a.r_s).arg()))
+    .at_x(critical.to_degrees(), "θ_c")
+    .at_y(0.0, "");
+    Plot::of("Phases under total reflection", chart)
+}
+
+fn depths(setting: &Setting) -> Plot {
+    let own = interface(setting);
+    let mut chart = Chart::new(
+        "",
+        Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
+        Axis::log("1/e depth of the field / λ", ""),
+    );
+    let media = [
+        (1.333, 1.0, "water → air"),
+        (1.519, 1.0, "glass → air"),
+        (1.519, 1.333, "glass → water"),
+        (2.423, 1.0, "diamond → air"),
+    ];
+    for (at, (n_i, n_t, label)) in media.into_iter().enumerate() {
+        chart = chart.line(Hue::Nth(at as u8), label, depth_curve(n_i, n_t));
+    }
+    if critical_angle(own.n_i, own.n_t.re).is_some() {
+        chart = chart.dashed(Hue::Natural, "the setting", depth_curve(own.n_i, own.n_t.re));
+    }
+    Plot::of("How deep the evanescent field reaches", chart)
+}
+
+fn depth_curve(n_i: f64, n_t: f64) -> Vec<[f64; 2]> {
+    let Some(critical) = critical_angle(n_i, n_t) else { return Vec::new() };
+    let all = super::over_angle_near(critical.to_degrees(), |incidence| evanescent_depth(incidence, n_i, n_t));
+    all.into_iter().filter(|point| point[1].is_finite() && point[0] > critical.to_degrees()).collect()
+}
+
+/// What is drawn where nothing is totally reflected.
+fn nothing_total() -> Plot {
+    let empty = Chart::new(
+        "into a denser medium nothing is totally reflected",
+        Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0),
+        Axis::linear("phase", "°").range(-180.0, 180.0),
+    );
+    Plot::of("Phases under total reflection", empty)
+}
