@@ -228,3 +228,68 @@ fn direction(arguments: &Arguments, angle: &str, cosine: &str) -> Result<Inciden
         (Some(_), Some(_)) => Err(Fault::new(cosine, format!("given beside {angle}; give one of them"))),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn call(function: &Function, given: &[(&str, Argument)]) -> Result<Vec<(&'static str, f64)>, Fault> {
+        let given: Vec<_> = given.iter().map(|(name, argument)| ((*name).to_owned(), argument.clone())).collect();
+        (function.call)(&Arguments::new(function, &given)?)
+    }
+
+    fn record(fields: &[(&str, f64)]) -> Argument {
+        Argument::Record(fields.iter().map(|(name, value)| ((*name).to_owned(), Argument::Number(*value))).collect())
+    }
+
+    fn thin_film(layers: Vec<Argument>) -> Result<Vec<(&'static str, f64)>, Fault> {
+        let given = [
+            ("lambda_nm", Argument::Number(550.0)),
+            ("n0", Argument::Number(1.0)),
+            ("layers", Argument::List(layers)),
+            ("substrate", record(&[("n", 1.52)])),
+            ("theta0", Argument::Text("0deg".into())),
+            ("pol", Argument::Text("p".into())),
+        ];
+        call(&THIN_FILM, &given)
+    }
+
+    #[test]
+    fn a_quarter_wave_of_magnesium_fluoride_leaves_a_hundredth() {
+        let found = thin_film(vec![record(&[("n", 1.38), ("d_nm", 550.0 / 4.0 / 1.38)])]).unwrap();
+        let (name, reflectance) = found[4];
+        let amplitude = (1.52 - 1.38 * 1.38) / (1.52 + 1.38 * 1.38);
+        assert_eq!(name, "R");
+        assert!((reflectance - amplitude * amplitude).abs() < 1e-15);
+    }
+
+    #[test]
+    fn outputs_are_those_declared() {
+        let interface = [("n1", 1.0), ("n2", 1.5), ("cos_theta1", 0.5)].map(|(name, x)| (name, Argument::Number(x)));
+        let found = [
+            (&FRESNEL, call(&FRESNEL, &interface).unwrap()),
+            (&SCHLICK, call(&SCHLICK, &interface).unwrap()),
+            (&THIN_FILM, thin_film(vec![]).unwrap()),
+        ];
+        for (function, found) in found {
+            let names = found.iter().map(|(name, _)| *name);
+            assert!(names.eq(function.outputs.iter().map(|output| output.name)), "{}", function.name);
+        }
+    }
+
+    #[test]
+    fn faults_name_their_field() {
+        let good = record(&[("n", 1.38), ("d_nm", 100.0)]);
+        let place = |bad: Argument| thin_film(vec![good.clone(), bad]).unwrap_err().place;
+        assert_eq!(place(record(&[("n", -1.0), ("d_nm", 1.0)])), "layers[1].n");
+        assert_eq!(place(record(&[("n", 1.5)])), "layers[1].d_nm");
+        assert_eq!(place(record(&[("n", 1.5), ("d_nm", f64::NAN)])), "layers[1].d_nm");
+        assert_eq!(place(record(&[("n", 1.5), ("d_nm", 1.0), ("colour", 1.0)])), "layers[1].colour");
+        assert_eq!(place(Argument::Number(1.0)), "layers[1]");
+        assert_eq!(thin_film(vec![good; MOST_LAYERS + 1]).unwrap_err().place, "layers");
+        let both = [("n1", 1.0), ("n2", 1.5), ("theta1", 0.1), ("cos_theta1", 0.5)];
+        assert_eq!(call(&FRESNEL, &both.map(|(name, x)| (name, Argument::Number(x)))).unwrap_err().place, "cos_theta1");
+        let neither = [("n1", 1.0), ("n2", 1.5)].map(|(name, x)| (name, Argument::Number(x)));
+        assert_eq!(call(&SCHLICK, &neither).unwrap_err().place, "theta1");
+    }
+}
