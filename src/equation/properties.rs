@@ -185,7 +185,7 @@ proptest! {
     #[test]
     fn one_face_means_one_value(trees in proptest::collection::vec(algebraic(), 40), x in number(), y in number()) {
         let mut seen: HashMap<String, Complex64> = HashMap::new();
-        for tree in trees.iter().flat_map(|tree| with_parts(tree)) {
+        for tree in trees.iter().flat_map(with_parts) {
             let Ok(value) = tree.evaluate(&bindings(x, y)) else { continue };
             for face in [tree.to_string(), tree.latex(), tree.mathml()] {
                 let known = *seen.entry(face.clone()).or_insert(value);

@@ -1,7 +1,7 @@
 //! Faces: an expression as LaTeX, MathML or one line of Unicode.
 //!
-//! One walk over the tree decides what goes in parentheses and what stands side by side; a [`Pen`] knows the
-//! marks of its format. [`Unicode`](unicode::Unicode) has a single line, so there fractions become slashes.
+//! One walk over the tree decides what goes in parentheses and what stands side by side; a pen knows the
+//! marks of its format. Unicode has a single line, so there fractions become slashes.
 
 mod latex;
 mod mathml;
