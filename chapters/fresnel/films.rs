@@ -878,7 +878,7 @@ fn frustrated(_: &Setting) -> Plot {
     let mut chart = Chart::new(
         "n 1.5 → air gap → 1.5",
         Axis::log("gap over wavelength d/λ", "").range(1e-2, 1e1),
-        Axis::log("transmittance T", "").range(1e-60, 1.0),
+        Axis::log("transmittance T", "").range(1e-12, 1.0),
     );
     for (place, degrees) in (0..).zip([45.0f64, 60.0, 75.0]) {
         let incidence = Incidence::from(Direction::Angle(degrees.to_radians()));
