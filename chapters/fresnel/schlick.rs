@@ -68,7 +68,7 @@ pub(super) const STEP: Step = Step {
         },
         Figure {
             id: "curves",
-            says: "Exact and approximate reflectance, into and out of glass, of a metal, and of the setting.",
+            says: "Exact and approximate reflectance: the setting's, out of glass, of a high index, and of a metal.",
             rows: &["E44"],
             plot: curves,
         },
@@ -575,10 +575,10 @@ fn curves(setting: &Setting) -> Plot {
     let own = interface(setting);
     let aluminium = material::named("aluminium").and_then(|metal| metal.index(800e-9).ok()).expect("a listed metal");
     let panels = vec![
-        panel("into glass", 1.0, GLASS_INDEX.into()),
-        panel("out of glass", GLASS_INDEX, 1.0.into()),
-        panel("aluminium, 800 nm", 1.0, aluminium),
         panel("the setting", own.n_i, own.n_t),
+        panel("out of glass", GLASS_INDEX, 1.0.into()),
+        panel("n 1 → 4", 1.0, 4.0.into()),
+        panel("aluminium, 800 nm", 1.0, aluminium),
     ];
     Plot::grid("Exact and approximate reflectance", 2, panels)
 }
