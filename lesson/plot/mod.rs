@@ -41,10 +41,10 @@ const LEADING: f64 = 1.3;
 const MARGIN: f64 = 10.0;
 /// Size of the only panel in a row.
 const ALONE: (f64, f64) = (620.0, 400.0);
-/// Share of a panel's usual height that the frame gets at least.
-const LEAST: f64 = 0.5;
 /// Size of one of several panels in a row.
 const AMONG: (f64, f64) = (440.0, 330.0);
+/// Share of a panel's usual height that the frame gets at least.
+const LEAST: f64 = 0.5;
 
 /// The figure as a PNG.
 pub fn png(plot: &Plot) -> Vec<u8> {
