@@ -1,6 +1,7 @@
 //! A frame with ticks, grid, axis labels, and the names of reference lines.
 
 use super::canvas::{Anchor, Canvas, Frame, Place};
+use super::label::Label;
 use super::marks::Plane;
 use super::palette::{AID, GRID, INK};
 use super::ticks::{Extent, Tick};
@@ -18,7 +19,7 @@ const LINE: f64 = 20.0;
 const LEAST: f64 = 10.0;
 
 /// Rows in which names may stand above the frame.
-const ROWS: usize = 3;
+const ROWS: usize = 4;
 /// Steps of the search for places for the names: ample for a handful, and an end for a hundred.
 const PATIENCE: usize = 20_000;
 
@@ -37,8 +38,9 @@ pub struct Axes<'a> {
     pub frame: Frame,
     /// The axes in numbers.
     pub plane: Plane,
-    x: &'a Axis,
-    y: &'a Axis,
+    room: Frame,
+    x_label: Label,
+    y_label: Label,
     x_ticks: Vec<Tick>,
     y_ticks: Vec<Tick>,
     names: Vec<Name<'a>>,
@@ -56,9 +58,10 @@ struct Name<'a> {
 impl<'a> Axes<'a> {
     /// Lays axes out in `room`, keeping `spare` free.
     pub fn new(x: &'a Axis, y: &'a Axis, plane: Plane, marks: &'a [Mark], room: &Frame, spare: Spare) -> Self {
-        let beneath = TICK + GAP + LINE + label_height(x) + spare.below;
+        let (x_label, y_label) = (Label::new(x, 0.9 * room.width()), Label::new(y, 0.9 * room.height()));
+        let beneath = TICK + GAP + LINE + x_label.thickness() + spare.below;
         let y_ticks = ticks(&plane.y, y, room.height() - beneath - LEAST, Direction::Up);
-        let left = label_height(y) + widest(&y_ticks) + GAP + TICK + 2.0;
+        let left = y_label.thickness() + tick_room(&y_ticks) + 2.0;
         let x_ticks = ticks(&plane.x, x, room.width() - left - spare.right - LEAST, Direction::Across);
         let overhang =
             x_ticks.iter().filter(|tick| tick.at > 0.9).map(|tick| tick_width(tick) / 2.0).fold(0.0, f64::max);
@@ -79,7 +82,7 @@ impl<'a> Axes<'a> {
             let bottom = frame.top - GAP - name.row as f64 * LINE;
             name.place = Frame { bottom, top: bottom - text::CAPITAL * TEXT, ..name.place };
         }
-        Self { frame, plane, x, y, x_ticks, y_ticks, names }
+        Self { frame, plane, room: *room, x_label, y_label, x_ticks, y_ticks, names }
     }
 
     /// Grid lines, for behind the curves.
@@ -108,38 +111,16 @@ impl<'a> Axes<'a> {
         for tick in &self.y_ticks {
             draw_y_tick(canvas, frame.place(0.0, tick.at), tick, -1.0);
         }
-        let (middle, under) = (frame.place(0.5, 0.0).0, frame.bottom + TICK + GAP + LINE);
-        let label = full_label(self.x);
-        let size = fitted(&label, frame.width() + 60.0);
-        canvas.text(&label, (middle, under + LINE - 4.0), Anchor(HPos::Center, VPos::Bottom), size, INK);
-        let label = full_label(self.y);
-        let across = frame.left - TICK - GAP - widest(&self.y_ticks) - 10.0;
-        let size = fitted(&label, frame.height() + 40.0);
-        let anchor = Anchor(HPos::Center, VPos::Bottom);
-        canvas.text_upwards(&label, (across, frame.place(0.0, 0.5).1), anchor, size, INK);
+        let ((across, up), room) = (frame.place(0.5, 0.5), &self.room);
+        self.x_label.draw_under(canvas, frame.bottom + TICK + GAP + LINE, across, (room.left, room.right));
+        let left = frame.left - tick_room(&self.y_ticks) - self.y_label.thickness();
+        self.y_label.draw_upwards(canvas, left, up, (room.top, room.bottom));
         for name in &self.names {
             canvas.line((name.x, frame.top), (name.x, frame.top - GAP / 2.0 - name.row as f64 * LINE), AID, 1.2);
             let place = (name.place.left, name.place.bottom);
             canvas.text(name.label, place, Anchor(HPos::Left, VPos::Bottom), TEXT, AID);
         }
     }
-}
-
-/// Name and unit of an axis.
-pub fn full_label(axis: &Axis) -> String {
-    match (axis.label.as_str(), axis.unit.as_str()) {
-        (label, "") => label.to_owned(),
-        (label, unit) => format!("{label} [{unit}]").trim_start().to_owned(),
-    }
-}
-
-/// Size at which a label is no longer than `limit`, down to two thirds.
-pub fn fitted(label: &str, limit: f64) -> f64 {
-    TEXT * (limit / text::width(label, TEXT).max(1e-9)).clamp(0.66, 1.0)
-}
-
-fn label_height(axis: &Axis) -> f64 {
-    if full_label(axis).is_empty() { 0.0 } else { LINE + 4.0 }
 }
 
 fn tick_length(tick: &Tick) -> f64 {
@@ -150,14 +131,9 @@ fn tick_width(tick: &Tick) -> f64 {
     tick.label.as_ref().map_or(0.0, |label| text::width(label, TEXT))
 }
 
-/// Width of the widest label.
-pub fn widest(ticks: &[Tick]) -> f64 {
-    ticks.iter().map(tick_width).fold(0.0, f64::max)
-}
-
 /// Width that ticks and their labels take beside a vertical axis.
 pub fn tick_room(ticks: &[Tick]) -> f64 {
-    widest(ticks) + TICK + GAP
+    ticks.iter().map(tick_width).fold(0.0, f64::max) + TICK + GAP
 }
 
 /// A tick and its label to the left (−1) or right (+1) of a vertical axis.
@@ -223,7 +199,8 @@ fn names<'a>(plane: &Plane, marks: &'a [Mark], frame: &Frame, room: &Frame) -> V
         .collect();
     let mut chosen = Vec::new();
     if !choose(&candidates, &mut chosen, &mut { PATIENCE }) {
-        chosen = candidates.iter().map(|names| names[0]).collect();
+        // Rather on top of each other's lines than of each other.
+        chosen = candidates.iter().enumerate().map(|(k, names)| names[3 * (k % ROWS)]).collect();
     }
     chosen
 }
@@ -249,8 +226,7 @@ fn apart(a: &Name, b: &Name) -> bool {
     let crosses = |line: &Name, name: &Name| {
         line.row > name.row && name.place.left - GAP < line.x && line.x < name.place.right + GAP
     };
-    let touches =
-        a.row == b.row && a.place.left < b.place.right + 2.0 * GAP && b.place.left < a.place.right + 2.0 * GAP;
+    let touches = a.row == b.row && a.place.left < b.place.right + GAP && b.place.left < a.place.right + GAP;
     !touches && !crosses(a, b) && !crosses(b, a)
 }
 

@@ -36,9 +36,11 @@ pub fn draw(canvas: &Canvas, chart: &Chart, room: &Frame) {
 
 /// Where everything goes.
 pub struct Arrangement<'a> {
+    /// The frame with its ticks and labels.
     pub axes: Axes<'a>,
     /// Names of horizontal reference lines and the starts of their baselines.
     pub names: Vec<(&'a str, Place)>,
+    /// The key and its top left corner.
     pub key: Option<(Key<'a>, Place)>,
 }
 
@@ -97,7 +99,7 @@ fn place_names<'a>(
         ink.rectangle(&name_box(place, width));
         names.push((label, place));
     }
-    spread(&mut names, frame.right);
+    spread(&mut names, frame);
     Ok(names)
 }
 
@@ -167,13 +169,16 @@ fn name_place(survey: &Survey, frame: &Frame, height: f64, width: f64) -> Option
     })
 }
 
-/// Moves names beside the frame apart, downwards.
-fn spread(names: &mut [(&str, Place)], right: f64) {
-    let mut beside: Vec<&mut (&str, Place)> = names.iter_mut().filter(|(_, place)| place.0 > right).collect();
-    beside.sort_by(|a, b| a.1.1.total_cmp(&b.1.1));
+/// Moves names beside the frame apart, downwards, and back up if they pass its bottom.
+fn spread(names: &mut [(&str, Place)], frame: &Frame) {
+    let mut beside: Vec<&mut Place> =
+        names.iter_mut().map(|name| &mut name.1).filter(|at| at.0 > frame.right).collect();
+    beside.sort_by(|a, b| a.1.total_cmp(&b.1));
     for k in 1..beside.len() {
-        beside[k].1.1 = beside[k].1.1.max(beside[k - 1].1.1 + 1.15 * TEXT);
+        beside[k].1 = beside[k].1.max(beside[k - 1].1 + 1.15 * TEXT);
     }
+    let beyond = beside.last().map_or(0.0, |last| (last.1 - frame.bottom).max(0.0));
+    beside.into_iter().for_each(|place| place.1 -= beyond);
 }
 
 /// Width that the names beside the frame take.

@@ -91,30 +91,24 @@ impl Survey<'_> {
     pub fn clear_place(&self, width: f64, height: f64, inset: f64, clearance: f64) -> Option<Place> {
         let inner = self.ink.frame.grown(-inset);
         let (room_x, room_y) = (inner.width() - width, inner.height() - height);
-        if room_x < 0.0 || room_y < 0.0 {
-            return None;
-        }
-        let steps = |room: f64| (room / (2.0 * CELL)).floor() as usize;
-        let mut best: Option<(f64, Place)> = None;
-        for column in 0..=steps(room_x) {
-            for row in 0..=steps(room_y) {
-                // Half the steps are counted from either side, so that both corners are met exactly.
-                let along = |k: usize, room: f64| {
-                    let at = 2.0 * CELL * k as f64;
-                    if at > room / 2.0 { room - 2.0 * CELL * (steps(room) - k) as f64 } else { at }
-                };
-                let (x, y) = (along(column, room_x), along(row, room_y));
-                // Among corners as good, the upper right is where a key is looked for.
-                let (right, low) = (x > room_x / 2.0, y > room_y / 2.0);
+        let places = steps(room_x).flat_map(|x| steps(room_y).map(move |y| (x, y)));
+        let mut ranked: Vec<(f64, Place)> = places
+            .map(|(x, y)| {
                 let away = x.min(room_x - x) + y.min(room_y - y);
-                let cost = away + if right { 0.0 } else { 1.0 } + if low { 2.0 } else { 0.0 };
-                let place = (inner.left + x, inner.top + y);
-                let better = best.is_none_or(|(least, _)| cost < least);
-                if better && self.is_clear(&Frame::at(place, width, height).grown(clearance)) {
-                    best = Some((cost, place));
-                }
-            }
-        }
-        best.map(|(_, place)| place)
+                // Among corners as good, the upper right is where a key is looked for first.
+                let left = f64::from(u8::from(x < room_x / 2.0));
+                let low = f64::from(u8::from(y > room_y / 2.0));
+                (away + left + 2.0 * low, (inner.left + x, inner.top + y))
+            })
+            .collect();
+        ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut places = ranked.into_iter().map(|(_, place)| place);
+        places.find(|place| self.is_clear(&Frame::at(*place, width, height).grown(clearance)))
     }
+}
+
+/// Steps of two cells from 0 to `room`, both included; none if it is negative.
+fn steps(room: f64) -> impl Iterator<Item = f64> {
+    let count = if room < 0.0 { 0 } else { (room / (2.0 * CELL)).ceil() as usize + 1 };
+    (0..count).map(move |k| (2.0 * CELL * k as f64).min(room))
 }

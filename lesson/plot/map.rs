@@ -4,6 +4,7 @@ use super::axes::{self, Axes, Direction, Spare};
 use super::canvas::{Anchor, Canvas, Frame, Place};
 use super::chart;
 use super::key::Key;
+use super::label::Label;
 use super::marks::{self, Plane};
 use super::palette::{self, BROKEN, INK};
 use super::ticks::{Extent, Tick};
@@ -22,14 +23,28 @@ const HATCH: f64 = 7.0;
 /// What the key says of cells without a value.
 const BROKEN_NAME: &str = "broken";
 
-/// Draws a map into `room`.
-pub fn draw(canvas: &Canvas, map: &Map, room: &Frame) {
+/// Where everything goes.
+pub struct Arrangement<'a> {
+    /// The frame with its ticks and labels.
+    pub axes: Axes<'a>,
+    bar: Bar,
+    key: Option<Key<'a>>,
+}
+
+/// Places frame, colour bar and key.
+pub fn arrange<'a>(map: &'a Map, room: &Frame) -> Arrangement<'a> {
     let bar = Bar::new(map, room.height());
     let key = Some(Key::new(&map.marks)).filter(|key| !key.is_empty()).map(|key| key.below(room));
     let below = key.as_ref().map_or(0.0, |key| key.size().1);
     let plane = chart::plane(&map.x, &map.y, &map.marks);
     let spare = Spare { right: bar.width(), below };
-    let axes = Axes::new(&map.x, &map.y, plane, &map.marks, room, spare);
+    Arrangement { axes: Axes::new(&map.x, &map.y, plane, &map.marks, room, spare), bar, key }
+}
+
+/// Draws a map into `room`.
+pub fn draw(canvas: &Canvas, map: &Map, room: &Frame) {
+    let Arrangement { axes, bar, key } = arrange(map, room);
+    let plane = axes.plane;
     let cells = Cells { values: &map.values, columns: map.columns };
     cells.draw(canvas, &axes.frame, &bar.extent, map.ramp);
     marks::draw(canvas, &axes.frame, &plane, &map.marks, true);
@@ -107,24 +122,25 @@ fn hatch(canvas: &Canvas, frame: &Frame, columns: usize, rows: usize, is_broken:
 }
 
 /// The colour bar.
-struct Bar<'a> {
-    map: &'a Map,
+struct Bar {
+    ramp: Ramp,
+    label: Label,
     extent: Extent,
     ticks: Vec<Tick>,
     is_broken: bool,
 }
 
-impl<'a> Bar<'a> {
-    fn new(map: &'a Map, height: f64) -> Self {
+impl Bar {
+    fn new(map: &Map, height: f64) -> Self {
         let extent = Extent::new(&map.colour, map.values.iter().copied(), 0.0);
         let ticks = axes::ticks(&extent, &map.colour, 0.85 * height, Direction::Up);
         let is_broken = map.values.iter().any(|value| extent.position(*value).is_nan());
-        Self { map, extent, ticks, is_broken }
+        Self { ramp: map.ramp, label: Label::new(&map.colour, 0.8 * height), extent, ticks, is_broken }
     }
 
     /// Width of bar, ticks and label with the distance from the frame.
     fn width(&self) -> f64 {
-        APART + BAR + self.beside() + if axes::full_label(&self.map.colour).is_empty() { 0.0 } else { 26.0 }
+        APART + BAR + self.beside() + self.label.thickness()
     }
 
     /// Width of what stands right beside the bar.
@@ -138,15 +154,14 @@ impl<'a> Bar<'a> {
         let left = frame.right + APART;
         let bar =
             Frame { left, right: left + BAR, top: frame.top, bottom: (frame.bottom - under).max(frame.top + 1.0) };
-        let shades = (0..256).rev().filter_map(|k| palette::ramp(self.map.ramp, (f64::from(k) + 0.5) / 256.0));
+        let shades = (0..256).rev().filter_map(|k| palette::ramp(self.ramp, (f64::from(k) + 0.5) / 256.0));
         canvas.image(&bar, 1, shades.collect());
         canvas.outline(&bar, INK, 1.0);
         for tick in &self.ticks {
             axes::draw_y_tick(canvas, bar.place(1.0, tick.at), tick, 1.0);
         }
-        let label = axes::full_label(&self.map.colour);
-        let place = (bar.right + self.beside() + 22.0, bar.place(0.0, 0.5).1);
-        canvas.text_upwards(&label, place, Anchor(HPos::Center, VPos::Bottom), axes::fitted(&label, bar.height()), INK);
+        let beside = bar.right + self.beside() + 4.0;
+        self.label.draw_upwards(canvas, beside, bar.place(0.0, 0.5).1, (frame.top, frame.bottom));
         if self.is_broken {
             self.draw_sign(canvas, Frame { left, right: left + BAR, top: frame.bottom - BAR, bottom: frame.bottom });
         }

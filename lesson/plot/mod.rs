@@ -11,6 +11,7 @@ mod chart;
 mod gallery;
 mod ink;
 mod key;
+mod label;
 mod map;
 mod marks;
 mod palette;
@@ -42,6 +43,8 @@ const MARGIN: f64 = 10.0;
 const ALONE: (f64, f64) = (620.0, 400.0);
 /// Size of one of several panels in a row.
 const AMONG: (f64, f64) = (440.0, 330.0);
+/// Share of a panel's usual height that the frame gets at least.
+const LEAST: f64 = 0.5;
 
 /// The figure as a PNG.
 pub fn png(plot: &Plot) -> Vec<u8> {
@@ -96,12 +99,28 @@ fn draw_lines(canvas: &Canvas, lines: &[String], middle: f64, top: f64, size: f6
     }
 }
 
-/// The size a panel asks for.
+/// The size a panel asks for: the usual one, or higher if title, names and key would leave too little to the frame.
 fn size(panel: &Panel, usual: (f64, f64)) -> (f64, f64) {
-    let Panel::Picture(picture) = panel else { return usual };
+    let (width, mut height) = usual;
+    // A frame that has no room at all does not say how much it lacks: the second time it does.
+    for _ in 0..3 {
+        let room = |title: &str| under_title(title, &Frame::at((0.0, 0.0), width, height)).1;
+        let frame = match panel {
+            Panel::Chart(chart) => chart::arrange(chart, &room(&chart.title)).axes.frame,
+            Panel::Map(map) => map::arrange(map, &room(&map.title)).axes.frame,
+            Panel::Picture(picture) => return captioned_size(picture, usual),
+        };
+        height += (LEAST * usual.1 - frame.height()).max(0.0);
+    }
+    (width, height)
+}
+
+/// The size of a picture with its caption.
+fn captioned_size(picture: &Picture, usual: (f64, f64)) -> (f64, f64) {
     let (width, height) = picture_size(picture, usual);
-    let caption = text::wrap(&picture.title, TEXT, width.max(usual.0 / 2.0));
-    (width.max(usual.0 / 2.0), height + MARGIN + block_height(caption.len(), TEXT))
+    let width = width.max(usual.0 / 2.0);
+    let caption = text::wrap(&picture.title, TEXT, width);
+    (width, height + MARGIN + block_height(caption.len(), TEXT))
 }
 
 /// The size a picture is shown at: each of its pixels is a whole number of pixels of the PNG, as many as fit.
@@ -117,18 +136,23 @@ fn rows(picture: &Picture) -> usize {
 }
 
 fn draw_panel(canvas: &Canvas, panel: &Panel, room: &Frame) {
+    let titled = |title: &str| {
+        let (lines, rest) = under_title(title, room);
+        draw_lines(canvas, &lines, (room.left + room.right) / 2.0, room.top, HEADING);
+        rest
+    };
     match panel {
-        Panel::Chart(chart) => chart::draw(canvas, chart, &under_title(canvas, &chart.title, room)),
-        Panel::Map(map) => map::draw(canvas, map, &under_title(canvas, &map.title, room)),
+        Panel::Chart(chart) => chart::draw(canvas, chart, &titled(&chart.title)),
+        Panel::Map(map) => map::draw(canvas, map, &titled(&map.title)),
         Panel::Picture(picture) => draw_picture(canvas, picture, room),
     }
 }
 
-/// Draws a panel's title and leaves the rest of its room.
-fn under_title(canvas: &Canvas, title: &str, room: &Frame) -> Frame {
+/// The lines of a panel's title, and the room under it.
+fn under_title(title: &str, room: &Frame) -> (Vec<String>, Frame) {
     let lines = text::wrap(title, HEADING, room.width() - 2.0 * MARGIN);
-    draw_lines(canvas, &lines, (room.left + room.right) / 2.0, room.top, HEADING);
-    Frame { top: room.top + block_height(lines.len(), HEADING), ..*room }
+    let top = room.top + block_height(lines.len(), HEADING);
+    (lines, Frame { top, ..*room })
 }
 
 fn draw_picture(canvas: &Canvas, picture: &Picture, room: &Frame) {
@@ -154,11 +178,11 @@ fn description(plot: &Plot) -> String {
 }
 
 fn describe_chart(Chart { title, x, y, marks }: &Chart) -> String {
-    format!("{}{} against {}{}.", heading(title), axes::full_label(y), axes::full_label(x), describe_marks(marks))
+    format!("{}{} against {}{}.", heading(title), label::full(y), label::full(x), describe_marks(marks))
 }
 
 fn describe_map(Map { title, x, y, colour, marks, .. }: &Map) -> String {
-    let [x, y, colour]: [String; 3] = [x, y, colour].map(|axis: &Axis| axes::full_label(axis));
+    let [x, y, colour]: [String; 3] = [x, y, colour].map(|axis: &Axis| label::full(axis));
     format!("{}Map of {colour} over {x} and {y}{}.", heading(title), describe_marks(marks))
 }
 

@@ -146,7 +146,7 @@ impl DrawingBackend for Sheet {
     type ErrorType = Infallible;
 
     fn get_size(&self) -> (u32, u32) {
-        (self.width * FINE as u32, self.height * FINE as u32)
+        (self.width.saturating_mul(FINE as u32), self.height.saturating_mul(FINE as u32))
     }
 
     fn ensure_prepared(&mut self) -> Done {

@@ -425,6 +425,27 @@ fn crowds_stay_small() {
     assert!(written.matches("<circle").count() <= 71 * 70, "points that hide each other are drawn once");
 }
 
+#[test]
+fn a_crowded_panel_grows_until_the_frame_has_room() {
+    let wave =
+        |k: u8| (0..50).map(|x| [f64::from(x), (0.3 * f64::from(x) + f64::from(k)).sin() * f64::from(k)]).collect();
+    let chart = Chart::new(
+        "A title that needs more than a single line to say what it says",
+        Axis::linear("x", ""),
+        Axis::linear("y", ""),
+    );
+    let chart =
+        (0..12).fold(chart, |chart, k| chart.line(Hue::Nth(k), format!("the curve of number {k} of twelve"), wave(k)));
+    let (width, height) = super::size(&Panel::Chart(chart.clone()), AMONG);
+    assert!(height > AMONG.1 && height < 3.0 * AMONG.1, "{height}");
+    let room = super::under_title(&chart.title, &Frame::at((0.0, 0.0), width, height)).1;
+    let arrangement = chart::arrange(&chart, &room);
+    assert!(arrangement.axes.frame.height() >= super::LEAST * AMONG.1 - 2.0);
+    let (key, place) = arrangement.key.as_ref().unwrap();
+    assert!(place.1 + key.size().1 <= room.bottom + 1e-9 && place.1 > arrangement.axes.frame.bottom);
+    key_hides_nothing(&chart, &room).unwrap();
+}
+
 /// Writes the gallery to a folder named by `LESSON_GALLERY`, for looking at.
 #[test]
 fn gallery_can_be_written() {

@@ -6,6 +6,8 @@ use chapters::figure::{Axis, Scale};
 const NARROWEST: f64 = 1e-12;
 /// Ranges narrower than this are a single value: their ticks would be denormal numbers.
 const SMALLEST: f64 = 1e-300;
+/// Over more decades than this, only labelled powers of ten have a tick.
+const DENSE: i32 = 50;
 /// Fractions of an axis this close to an end are on it.
 const BESIDE: f64 = 1e-9;
 /// No axis has room for more labelled ticks.
@@ -152,7 +154,8 @@ impl Extent {
         let strides = [1, 2, 3, 5, 10, 20, 50, 100, 200];
         let stride = strides.into_iter().find(|stride| (last - first) / stride < count as i32).unwrap_or(500);
         let plain = first >= -2 && last <= 3;
-        let ticks = (first..=last).map(|power| {
+        let dense = if last - first <= DENSE { 1 } else { stride };
+        let ticks = (first..=last).filter(|power| power.rem_euclid(dense) == 0).map(|power| {
             let label = if plain { Decimal { digits: 1, power }.plain() } else { power_of_ten(power) };
             let labelled = stride == 1 || power.rem_euclid(stride) == 0;
             Tick { at: self.fraction(ten(power)), label: labelled.then_some(label) }
