@@ -14,8 +14,11 @@ pub struct Function {
     /// What it gives.
     pub outputs: &'static [Output],
     /// Computes the outputs, by name, in order.
-    pub call: fn(&Arguments) -> Result<Vec<(&'static str, f64)>, Fault>,
+    pub call: fn(&Arguments) -> Outcome,
 }
+
+/// The outputs by name, or why there are none.
+pub type Outcome = Result<Vec<(&'static str, f64)>, Fault>;
 
 /// One input of a function.
 #[derive(Debug)]

@@ -364,10 +364,15 @@ pub fn rms(errors: &[f64]) -> f64 {
 /// A prepared run: what is timed, and the error of what it leaves behind.
 pub struct Heat {
     /// The timed part; it may be run many times and leaves the same result each time.
-    pub run: Box<dyn FnMut() -> Vec<f64>>,
+    pub run: Run,
     /// The error of what `run` returned [1], relative unless the race says otherwise; not timed.
-    pub error: Box<dyn Fn(&[f64]) -> f64>,
+    pub error: Judge,
 }
+
+/// What is timed.
+pub type Run = Box<dyn FnMut() -> Vec<f64>>;
+/// What is not.
+pub type Judge = Box<dyn Fn(&[f64]) -> f64>;
 
 /// What a lane's errors must do as work grows.
 #[derive(Clone, Copy, Debug, PartialEq)]

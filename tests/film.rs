@@ -2,9 +2,10 @@
 //! and against published values.
 
 use light::Complex64;
-use light::evidence::film::{Angle, condition, reference};
+use light::evidence::film::{condition, reference};
 use light::optics::film::{Layer, Polarisation, Powers, Stack};
 use light::optics::incidence::normal_squared;
+use light::optics::{Direction, Incidence};
 use light::precise::{Real, relative_error, to_f64};
 use light::sampling::{Stream, stream};
 use rand::RngExt;
@@ -20,7 +21,7 @@ struct Case {
     layers: Vec<Layer>,
     substrate: Complex64,
     wavelength: f64,
-    angle: Angle,
+    angle: Direction,
 }
 
 impl Case {
@@ -59,7 +60,7 @@ fn judge(case: &Case, polarisation: Polarisation, worst: &mut Worst) {
     let stack = case.stack();
     let exact = reference(&stack, case.wavelength, case.angle, polarisation);
     let kappa = condition(&stack, case.wavelength, case.angle, polarisation);
-    let ours = stack.response(case.wavelength, case.angle.incidence(), polarisation);
+    let ours = stack.response(case.wavelength, Incidence::from(case.angle), polarisation);
     let describe = || {
         let mut layers = case.layers.clone();
         layers.truncate(6);
@@ -94,7 +95,7 @@ fn judge(case: &Case, polarisation: Polarisation, worst: &mut Worst) {
         check("R", &mut worst.reflectance, ours.reflectance, &exact.reflectance, kappa.reflectance);
     }
     // Within rounding of the substrate's critical angle total reflection and a trace of light are both right.
-    let incidence = case.angle.incidence();
+    let incidence = Incidence::from(case.angle);
     let substrate = normal_squared(incidence, case.n_i, case.substrate).norm() / case.substrate.norm_sqr();
     match &exact.ln_transmittance {
         _ if substrate < LIMIT * EPSILON && (to_f64(&exact.transmittance) == 0.0 || ours.transmittance == 0.0) => {
@@ -140,17 +141,17 @@ fn judge_all(family: &str, cases: impl IntoIterator<Item = Case>) {
 }
 
 /// From the normal to grazing.
-fn angles() -> Vec<Angle> {
+fn angles() -> Vec<Direction> {
     let normal = [0.0, 1e-12, 1e-3, 0.3, 0.7, 1.1, 1.4, 1.5];
     let surface = [1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
-    normal.into_iter().map(Angle::Normal).chain(surface.into_iter().map(Angle::Surface)).collect()
+    normal.into_iter().map(Direction::Angle).chain(surface.into_iter().map(Direction::Grazing)).collect()
 }
 
 /// A few ulp and a few powers of ten to both sides of an angle.
-fn around(theta: f64) -> impl Iterator<Item = Angle> {
+fn around(theta: f64) -> impl Iterator<Item = Direction> {
     [0.0, 2e-16, 1e-15, 1e-12, 1e-9, 1e-5]
         .into_iter()
-        .flat_map(move |x| [Angle::Normal(theta * (1.0 + x)), Angle::Normal(theta * (1.0 - x))])
+        .flat_map(move |x| [Direction::Angle(theta * (1.0 + x)), Direction::Angle(theta * (1.0 - x))])
 }
 
 #[test]
@@ -197,7 +198,7 @@ fn one_clear_layer_of_any_thickness() {
 
 #[test]
 fn quarter_wave_mirrors() {
-    let few = [0.0, 0.4, 1.3].map(Angle::Normal).into_iter().chain([Angle::Surface(1e-8)]);
+    let few = [0.0, 0.4, 1.3].map(Direction::Angle).into_iter().chain([Direction::Grazing(1e-8)]);
     let cases = few.flat_map(|angle| {
         [(2, GREEN), (5, GREEN), (21, GREEN), (21, 431e-9), (101, GREEN), (101, 700e-9), (1000, GREEN)].map(
             |(count, wavelength)| Case {
@@ -219,7 +220,7 @@ fn a_thousand_layers_that_hardly_matter() {
         layers,
         substrate: clear(substrate),
         wavelength: GREEN,
-        angle: Angle::Normal(0.3),
+        angle: Direction::Angle(0.3),
     };
     let mut random = stream(1, "film/faint");
     let mut uniform = move || random.random::<f64>();
@@ -247,12 +248,14 @@ fn opaque_absorbers() {
         "opaque absorbers",
         metals.into_iter().flat_map(|(n, k)| {
             thicknesses.into_iter().flat_map(move |d| {
-                [0.0, 0.8, 1.5].map(Angle::Normal).into_iter().chain([Angle::Surface(1e-10)]).map(move |angle| Case {
-                    n_i: 1.0,
-                    layers: vec![layer(1.38, 0.0, 1e-7), layer(n, k, d), layer(2.0, 0.0, 2e-7)],
-                    substrate: clear(1.52),
-                    wavelength: GREEN,
-                    angle,
+                [0.0, 0.8, 1.5].map(Direction::Angle).into_iter().chain([Direction::Grazing(1e-10)]).map(move |angle| {
+                    Case {
+                        n_i: 1.0,
+                        layers: vec![layer(1.38, 0.0, 1e-7), layer(n, k, d), layer(2.0, 0.0, 2e-7)],
+                        substrate: clear(1.52),
+                        wavelength: GREEN,
+                        angle,
+                    }
                 })
             })
         }),
@@ -263,7 +266,7 @@ fn opaque_absorbers() {
 fn faint_absorbers() {
     let cases = [1e-300, 1e-30, 1e-12, 1e-6, 1e-3].into_iter().flat_map(|k| {
         [1e-12, 1e-8, 3e-7, 1e-5].into_iter().flat_map(move |d| {
-            [0.0, 0.9, (1.2_f64 / 1.7).asin()].map(Angle::Normal).map(|angle| Case {
+            [0.0, 0.9, (1.2_f64 / 1.7).asin()].map(Direction::Angle).map(|angle| Case {
                 n_i: 1.7,
                 layers: vec![layer(1.5, k, d), layer(2.3, 0.0, 1e-7), layer(1.2, k, d)],
                 substrate: clear(1.8),
@@ -278,7 +281,7 @@ fn faint_absorbers() {
         layers: (0..1000).map(|i| layer(if i % 2 == 0 { 1.52 } else { 1.5 }, k, 1e-7)).collect(),
         substrate: clear(1.52),
         wavelength: GREEN,
-        angle: Angle::Normal(0.5),
+        angle: Direction::Angle(0.5),
     });
     judge_all("1000 faint absorbers", many);
 }
@@ -292,12 +295,8 @@ fn frustrated_gaps() {
             vec![layer(1.0, 0.0, gap), layer(1.5, 0.0, 3e-7), layer(1.0, 0.0, gap)],
         ];
         layers.into_iter().flat_map(|layers| {
-            [0.75, 1.0, 1.5].map(Angle::Normal).into_iter().chain([Angle::Surface(1e-9)]).map(move |angle| Case {
-                n_i: 1.5,
-                layers: layers.clone(),
-                substrate: clear(1.5),
-                wavelength: GREEN,
-                angle,
+            [0.75, 1.0, 1.5].map(Direction::Angle).into_iter().chain([Direction::Grazing(1e-9)]).map(move |angle| {
+                Case { n_i: 1.5, layers: layers.clone(), substrate: clear(1.5), wavelength: GREEN, angle }
             })
         })
     });
@@ -328,10 +327,10 @@ fn exactly_critical_layers_stay_finite() {
     for polarisation in BOTH {
         let layers = [layer(1.5, 0.0, 1e-6), layer(2.0, 0.0, 1e-7)];
         let stack = Stack { n_i: 1.5, layers: &layers, substrate: clear(1.7) };
-        let response = stack.response(GREEN, Angle::Surface(0.0).incidence(), polarisation);
+        let response = stack.response(GREEN, Incidence::from(Direction::Grazing(0.0)), polarisation);
         assert_eq!((response.reflectance, response.transmittance), (1.0, 0.0));
         let nothing = Stack { n_i: 1.5, layers: &layers[..1], substrate: clear(1.5) };
-        let response = nothing.response(GREEN, Angle::Surface(0.0).incidence(), polarisation);
+        let response = nothing.response(GREEN, Incidence::from(Direction::Grazing(0.0)), polarisation);
         assert_eq!((response.reflectance, response.transmittance), (0.0, 1.0));
     }
 }
@@ -344,7 +343,7 @@ fn surface_plasmons() {
             layers: vec![layer(0.0562, 4.2776, d)],
             substrate: clear(1.0),
             wavelength: 633e-9,
-            angle: Angle::Normal(0.73 + 0.01 * f64::from(i)),
+            angle: Direction::Angle(0.73 + 0.01 * f64::from(i)),
         })
     });
     judge_all("surface plasmons", cases);
@@ -362,9 +361,9 @@ fn random_case(random: &mut Stream, count: usize) -> Case {
     let thin = between(-9.0, -6.0);
     let layers = indices.into_iter().map(|index| Layer { index, thickness: 10f64.powf(between(thin, -6.0)) }).collect();
     let angle = match between(0.0, 3.0) {
-        x if x < 1.0 => Angle::Surface(10f64.powf(between(-15.0, -0.5))),
-        x if x < 2.0 => Angle::Normal(between(0.0, 1.5)),
-        _ => Angle::Normal(0.0),
+        x if x < 1.0 => Direction::Grazing(10f64.powf(between(-15.0, -0.5))),
+        x if x < 2.0 => Direction::Angle(between(0.0, 1.5)),
+        _ => Direction::Angle(0.0),
     };
     Case { n_i, layers, substrate, wavelength: between(300e-9, 900e-9), angle }
 }
@@ -404,13 +403,13 @@ fn awkward_case(random: &mut Stream, count: usize) -> Case {
     let substrate = if uniform() < 0.3 { clear(n_i) } else { index([uniform(), uniform(), uniform(), uniform()]) };
     let tiny = 10f64.powf(-16.0 * uniform());
     let angle = match uniform() {
-        x if x < 0.2 => Angle::Normal(0.0),
-        x if x < 0.4 => Angle::Surface(tiny),
-        x if x < 0.6 => Angle::Normal(tiny),
-        x if x < 0.7 => Angle::Normal(1.57 * uniform()),
+        x if x < 0.2 => Direction::Angle(0.0),
+        x if x < 0.4 => Direction::Grazing(tiny),
+        x if x < 0.6 => Direction::Angle(tiny),
+        x if x < 0.7 => Direction::Angle(1.57 * uniform()),
         _ => {
             let rarer = layers.iter().map(|layer| layer.index.re).find(|n| *n < n_i).unwrap_or(0.5 * n_i);
-            Angle::Normal(((rarer / n_i).asin() * (1.0 + tiny * (uniform() - 0.5))).min(1.57))
+            Direction::Angle(((rarer / n_i).asin() * (1.0 + tiny * (uniform() - 0.5))).min(1.57))
         }
     };
     Case { n_i, layers, substrate, wavelength: GREEN * pick(uniform(), &[1.0, 1.0, 0.7, 1.3]), angle }
@@ -437,7 +436,7 @@ fn conditions_are_those_of_difference_quotients() {
         layers: vec![layer(1.38, 0.02, 1.1e-7), layer(2.1, 0.0, 0.7e-7), layer(1.38, 0.02, 1.1e-7)],
         substrate: Complex64::new(1.6, 0.3),
         wavelength: GREEN,
-        angle: Angle::Normal(0.7),
+        angle: Direction::Angle(0.7),
     };
     const STEP: f64 = 1e-5;
     fn grown(x: f64, sign: f64) -> f64 {
@@ -449,7 +448,7 @@ fn conditions_are_those_of_difference_quotients() {
         Box::new(|case, sign| case.substrate.re = grown(case.substrate.re, sign)),
         Box::new(|case, sign| case.substrate.im = grown(case.substrate.im, sign)),
         Box::new(|case, sign| case.wavelength = grown(case.wavelength, sign)),
-        Box::new(|case, sign| case.angle = Angle::Normal(grown(0.7, sign))),
+        Box::new(|case, sign| case.angle = Direction::Angle(grown(0.7, sign))),
     ];
     for i in 0..case.layers.len() {
         inputs.push(Box::new(move |case, sign| case.layers[i].index.re = grown(case.layers[i].index.re, sign)));
@@ -458,7 +457,7 @@ fn conditions_are_those_of_difference_quotients() {
     }
     for polarisation in BOTH {
         let outputs = |case: &Case| {
-            let it = case.stack().response(case.wavelength, case.angle.incidence(), polarisation);
+            let it = case.stack().response(case.wavelength, Incidence::from(case.angle), polarisation);
             [it.reflectance, it.transmittance, it.absorptance, it.ln_transmittance]
         };
         let here = outputs(&case);
@@ -487,7 +486,7 @@ fn absorption_is_counted_where_it_happens() {
     for i in 0..2000 {
         let case = random_case(&mut random, 1 + i % 7);
         for polarisation in BOTH {
-            let ours = case.stack().response(case.wavelength, case.angle.incidence(), polarisation);
+            let ours = case.stack().response(case.wavelength, Incidence::from(case.angle), polarisation);
             let sum = ours.reflectance + ours.transmittance + ours.absorptance;
             assert!((sum - 1.0).abs() < 1e-10, "{case:?} {ours:?}");
         }
@@ -500,7 +499,7 @@ fn amplitudes_agree_with_powers_and_with_the_reference() {
     for i in 0..40 {
         let case = random_case(&mut random, i % 6);
         for polarisation in BOTH {
-            let ours = case.stack().response(case.wavelength, case.angle.incidence(), polarisation);
+            let ours = case.stack().response(case.wavelength, Incidence::from(case.angle), polarisation);
             let exact = reference(&case.stack(), case.wavelength, case.angle, polarisation);
             let (r, t) = (light::precise::to_complex64(&exact.r), light::precise::to_complex64(&exact.t));
             assert!((ours.r - r).norm() <= 1e-10 * r.norm(), "{case:?} {ours:?} {r}");
@@ -516,7 +515,7 @@ fn amplitudes_conserve_energy() {
     for i in 0..400 {
         let mut case = random_case(&mut random, 3 * (i % 8));
         case.substrate.im = 0.0;
-        let incidence = case.angle.incidence();
+        let incidence = Incidence::from(case.angle);
         let q_s = normal_squared(incidence, case.n_i, case.substrate).re.max(0.0).sqrt();
         for polarisation in BOTH {
             let ours = case.stack().response(case.wavelength, incidence, polarisation);
@@ -533,7 +532,7 @@ fn many_at_once_give_the_same_bits() {
     for i in 0..60 {
         let case = random_case(&mut random, i % 30);
         for polarisation in BOTH {
-            let waves = case.stack().waves(case.angle.incidence(), polarisation);
+            let waves = case.stack().waves(Incidence::from(case.angle), polarisation);
             let wavelengths: Vec<f64> = (0..23).map(|i| 2e-7 * 1.35f64.powi(i - 3)).collect();
             let nothing = Powers { reflectance: f64::NAN, transmittance: f64::NAN, absorptance: f64::NAN };
             let mut powers = vec![nothing; wavelengths.len()];
@@ -560,8 +559,8 @@ fn transmission_does_not_depend_on_the_side() {
         let mut reversed = case.clone();
         reversed.layers.reverse();
         for polarisation in BOTH {
-            let there = case.stack().response(case.wavelength, case.angle.incidence(), polarisation);
-            let back = reversed.stack().response(case.wavelength, case.angle.incidence(), polarisation);
+            let there = case.stack().response(case.wavelength, Incidence::from(case.angle), polarisation);
+            let back = reversed.stack().response(case.wavelength, Incidence::from(case.angle), polarisation);
             let (there, back) = (there.ln_transmittance, back.ln_transmittance);
             assert!((there - back).abs() <= 1e-9 * there.abs(), "{case:?}\n{there:?}\n{back:?}");
         }
@@ -581,7 +580,7 @@ fn what_an_opaque_layer_hides_does_not_matter() {
         for polarisation in BOTH {
             let kappa = condition(&bare.stack(), bare.wavelength, bare.angle, polarisation);
             let [bare, coated] = [&bare, &coated]
-                .map(|case| case.stack().response(case.wavelength, case.angle.incidence(), polarisation));
+                .map(|case| case.stack().response(case.wavelength, Incidence::from(case.angle), polarisation));
             let bound = LIMIT * EPSILON * (1.0 + kappa.reflectance);
             assert!((bare.reflectance - coated.reflectance).abs() <= bound * bare.reflectance);
             let difference = (bare.transmittance - coated.absorptance).abs();
@@ -606,8 +605,8 @@ fn a_layer_cut_in_two_is_the_same_layer() {
             })
             .collect();
         for polarisation in BOTH {
-            let one = case.stack().response(case.wavelength, case.angle.incidence(), polarisation);
-            let two = split.stack().response(case.wavelength, case.angle.incidence(), polarisation);
+            let one = case.stack().response(case.wavelength, Incidence::from(case.angle), polarisation);
+            let two = split.stack().response(case.wavelength, Incidence::from(case.angle), polarisation);
             let close = |a: f64, b: f64| a == b || (a - b).abs() <= 1e-9 * a.abs().max(1e-3);
             assert!(close(one.reflectance, two.reflectance) && close(one.absorptance, two.absorptance), "{case:?}");
             assert!(close(one.ln_transmittance, two.ln_transmittance), "{case:?}\n{one:?}\n{two:?}");
@@ -621,7 +620,7 @@ fn a_half_wave_layer_is_absent() {
     let layers = [layer(2.35, 0.0, GREEN / (2.0 * 2.35))];
     let coated = Stack { n_i: 1.0, layers: &layers, substrate: clear(1.52) };
     let bare = Stack { layers: &[], ..coated };
-    let incidence = Angle::Normal(0.0).incidence();
+    let incidence = Incidence::from(Direction::Angle(0.0));
     let (coated, bare) =
         (coated.response(GREEN, incidence, Polarisation::S), bare.response(GREEN, incidence, Polarisation::S));
     assert!((coated.reflectance - bare.reflectance).abs() < 4.0 * EPSILON);
@@ -635,7 +634,8 @@ fn no_layers_have_the_signs_of_the_lecture() {
     let theta_2 = (theta_1.sin() / n).asin();
     let (minus, plus) = (theta_1 - theta_2, theta_1 + theta_2);
     let stack = Stack { n_i: 1.0, layers: &[], substrate: clear(n) };
-    let [s, p] = BOTH.map(|polarisation| stack.response(GREEN, Angle::Normal(theta_1).incidence(), polarisation));
+    let [s, p] =
+        BOTH.map(|polarisation| stack.response(GREEN, Incidence::from(Direction::Angle(theta_1)), polarisation));
     let close = |ours: Complex64, lecture: f64| (ours - lecture).norm() < 1e-14;
     assert!(close(s.r, -minus.sin() / plus.sin()));
     assert!(close(s.t, 2.0 * theta_2.sin() * theta_1.cos() / plus.sin()));
@@ -649,7 +649,7 @@ fn single_quarter_wave_film_has_its_closed_form() {
     for (n_1, n_s) in [(1.38, 1.52), (2.35, 1.52), (1.38, 4.0), (1.9, 3.5)] {
         let layers = quarter_waves(1, n_1, n_1);
         let stack = Stack { n_i: 1.0, layers: &layers, substrate: clear(n_s) };
-        let ours = stack.response(GREEN, Angle::Normal(0.0).incidence(), Polarisation::S).reflectance;
+        let ours = stack.response(GREEN, Incidence::from(Direction::Angle(0.0)), Polarisation::S).reflectance;
         let closed = ((n_s - n_1 * n_1) / (n_s + n_1 * n_1)).powi(2);
         assert!((ours - closed).abs() < 4.0 * EPSILON, "{ours} {closed}");
     }
@@ -661,7 +661,7 @@ fn quarter_wave_mirrors_have_their_closed_form() {
     for pairs in [1, 2, 4, 10, 50] {
         let layers = quarter_waves(2 * pairs + 1, 2.3, 1.35);
         let stack = Stack { n_i: 1.0, layers: &layers, substrate: clear(1.52) };
-        let ours = stack.response(GREEN, Angle::Normal(0.0).incidence(), Polarisation::P);
+        let ours = stack.response(GREEN, Incidence::from(Direction::Angle(0.0)), Polarisation::P);
         let y = (2.3_f64 / 1.35).powi(2 * pairs as i32) * 2.3 * 2.3 / 1.52;
         let (r, t) = (((1.0 - y) / (1.0 + y)).powi(2), 4.0 * y / ((1.0 + y) * (1.0 + y)));
         assert!((ours.reflectance - r).abs() < 8.0 * EPSILON);
@@ -675,7 +675,7 @@ fn byrnes_published_values_are_met() {
     // r_p compares electric fields with the opposite sign (Byrnes, arXiv:1603.02720).
     let layers = [layer(2.0, 4.0, 2.0), layer(3.0, 0.3, 3.0)];
     let stack = Stack { n_i: 1.0, layers: &layers, substrate: Complex64::new(1.0, 0.1) };
-    let [s, p] = BOTH.map(|polarisation| stack.response(100.0, Angle::Normal(0.1).incidence(), polarisation));
+    let [s, p] = BOTH.map(|polarisation| stack.response(100.0, Incidence::from(Direction::Angle(0.1)), polarisation));
     let close = |ours: Complex64, theirs: Complex64| (ours - theirs).norm() < 1e-14;
     assert!(close(s.r, Complex64::new(-0.6033122656884577, -0.09352218165363202)));
     assert!(close(s.t, Complex64::new(0.4442953347119299, 0.16921936169383078)));
@@ -698,7 +698,7 @@ fn textbook_forms_agree_where_they_hold() {
     let layers = [layer(1.38, 0.0, 1e-7), layer(2.0, 0.1, 3e-8), layer(1.2, 0.0, 2e-7)];
     let stack = Stack { n_i: 1.5, layers: &layers, substrate: Complex64::new(1.3, 0.2) };
     for polarisation in BOTH {
-        let incidence = Angle::Normal(1.0).incidence();
+        let incidence = Incidence::from(Direction::Angle(1.0));
         let ours = stack.response(GREEN, incidence, polarisation);
         for form in [characteristic_matrix, transfer_matrix, recursion] {
             let theirs = form(&stack, GREEN, incidence, polarisation);
@@ -711,13 +711,13 @@ fn textbook_forms_agree_where_they_hold() {
 #[test]
 fn textbook_forms_fail_where_they_are_said_to() {
     use light::optics::film::textbook::{characteristic_matrix, transfer_matrix};
-    let incidence = Angle::Normal(PI / 3.0).incidence();
+    let incidence = Incidence::from(Direction::Angle(PI / 3.0));
     let gap = [layer(1.0, 0.0, 1e-3)];
     let stack = Stack { n_i: 1.5, layers: &gap, substrate: clear(1.5) };
     assert!(characteristic_matrix(&stack, GREEN, incidence, Polarisation::S).reflectance.is_nan());
     let silver = [layer(0.06, 3.6, 5e-6)];
     let stack = Stack { n_i: 1.0, layers: &silver, substrate: clear(1.5) };
-    let incidence = Angle::Surface(FRAC_PI_2).incidence();
+    let incidence = Incidence::from(Direction::Grazing(FRAC_PI_2));
     assert!(transfer_matrix(&stack, GREEN, incidence, Polarisation::S).transmittance > 1e-33);
     assert!(stack.response(GREEN, incidence, Polarisation::S).transmittance < 1e-170);
 }

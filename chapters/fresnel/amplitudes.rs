@@ -36,7 +36,7 @@ pub(super) const R_S_STEP: Step = Step {
     rows: &["E36"],
     parameters: INTERFACE,
     statements: &[Statement {
-        id: "r_s",
+        id: "ratio",
         says: "reflected over incident electric field, s",
         rows: &["E36"],
         equation: || Equation::new(R_S, r_s()),
@@ -70,7 +70,7 @@ pub(super) const R_S_STEP: Step = Step {
     }],
     races: &[],
     figures: &[Figure {
-        id: "r_s",
+        id: "against_angle",
         says: "r_s with its sign against the angle.",
         rows: &["E36"],
         plot: |setting| curves(setting, "Reflected amplitude, s", &[("r_s", Hue::S, |a| a.r_s)]),
@@ -84,7 +84,7 @@ pub(super) const T_S_STEP: Step = Step {
     rows: &["E37"],
     parameters: INTERFACE,
     statements: &[Statement {
-        id: "t_s",
+        id: "ratio",
         says: "transmitted over incident electric field, s",
         rows: &["E37"],
         equation: || Equation::new(T_S, t_s()),
@@ -120,7 +120,7 @@ pub(super) const T_S_STEP: Step = Step {
     }],
     races: &[],
     figures: &[Figure {
-        id: "t_s",
+        id: "against_angle",
         says: "t_s against the angle, into and out of the medium.",
         rows: &["E37"],
         plot: |setting| curves(setting, "Transmitted amplitude, s", &[("t_s", Hue::Transmitted, |a| a.t_s)]),
@@ -134,7 +134,7 @@ pub(super) const R_P_STEP: Step = Step {
     rows: &["E39"],
     parameters: INTERFACE,
     statements: &[Statement {
-        id: "r_p",
+        id: "ratio",
         says: "reflected over incident electric field, p",
         rows: &["E39"],
         equation: || Equation::new(R_P, r_p()),
@@ -179,7 +179,7 @@ pub(super) const R_P_STEP: Step = Step {
     }],
     races: &[],
     figures: &[Figure {
-        id: "r_p",
+        id: "against_angle",
         says: "r_p with its sign against the angle: the zero is Brewster's.",
         rows: &["E39"],
         plot: |setting| {
@@ -195,7 +195,7 @@ pub(super) const T_P_STEP: Step = Step {
     rows: &["E40"],
     parameters: INTERFACE,
     statements: &[Statement {
-        id: "t_p",
+        id: "ratio",
         says: "transmitted over incident electric field, p",
         rows: &["E40"],
         equation: || Equation::new(T_P, t_p()),

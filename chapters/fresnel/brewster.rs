@@ -37,7 +37,7 @@ pub(super) const STEP: Step = Step {
         },
     ],
     derivations: &[Derivation {
-        id: "right_angle",
+        id: "from_snell",
         says: "where θ₁ + θ₂ is a right angle, Snell's law is tan θ_B = n₂/n₁",
         rows: &["C11"],
         chain: || at_right_angle(tan(THETA_1)),
@@ -131,7 +131,7 @@ fn distance_of_minimum(bench: &mut Bench, angle: fn(f64, f64) -> f64) -> Measure
 }
 
 const RIGHT_ANGLE: Check = Check {
-    id: "right_angle",
+    id: "square",
     claim: "there the reflected and the refracted ray stand at right angles",
     rows: &["C11"],
     route: "Snell's law at the angle that the arctangent gives",

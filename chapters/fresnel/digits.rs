@@ -220,8 +220,11 @@ fn heat(
 const COLUMNS: usize = 72;
 const ROWS: usize = 54;
 
+/// R_n from cos θ₁ and n₂/n₁.
+type Form = fn(f64, f64) -> f64;
+
 fn digits_lost(_: &Setting) -> Plot {
-    let forms: [(&str, fn(f64, f64) -> f64); 3] = [
+    let forms: [(&str, Form); 3] = [
         ("as written (E42)", |cos, n_t| by_angles(cos.acos(), n_t)),
         ("by the cosines", |cos, n_t| natural_reflectance_by_cosines(cos, 1.0, n_t)),
         ("the program", |cos, n_t| powers(Incidence::from_cos(cos), 1.0, n_t.into()).r_n()),

@@ -62,7 +62,7 @@ pub(super) const STEP: Step = Step {
             slip: "4n² for 6n²",
         },
         Derivation {
-            id: "depth",
+            id: "at_the_dip",
             says: "R_n at the dip's x",
             rows: &["C11"],
             chain: || at_the_dip(depth()),
@@ -75,7 +75,7 @@ pub(super) const STEP: Step = Step {
     stress: &[],
     races: &[],
     figures: &[Figure {
-        id: "dip",
+        id: "curves",
         says: "R_n relative to normal incidence: below 2+√3 it only rises, above it dips first; metals may do so too.",
         rows: &["C11"],
         plot: dips,

@@ -74,7 +74,7 @@ fn s_balance(weight: Expr) -> Chain {
             (&difference + sin(2 * THETA_1) * sin(2 * THETA_2)) / &sum,
             ["Snell", "double angle", "common denominator"],
         )
-        .then(&sum / &sum, ["square of a sum"])
+        .then(&sum / sum.clone(), ["square of a sum"])
         .then(Expr::from(1), ["cancel"])
 }
 

@@ -12,7 +12,7 @@ use light::Complex64;
 use light::equation::derivation::Chain;
 use light::equation::expr::{exp, i, sin, sqrt};
 use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::evidence::film::{Angle, Reference, condition, reference};
+use light::evidence::film::{Reference, condition, reference};
 use light::optics::film::textbook::{characteristic_matrix, recursion, transfer_matrix};
 use light::optics::film::{Layer, Polarisation, Powers, Stack};
 use light::optics::fresnel::amplitudes_between;
@@ -443,12 +443,12 @@ fn against_parratt(bench: &mut Bench, scale: f64) -> Measured {
     let cases = [(1, 0.0), (3, 0.2), (5, 0.0)];
     Measured::worst(cases.into_iter().zip(BOTH.into_iter().cycle()).flat_map(|((count, most), polarisation)| {
         let (films, theta) = random_films(bench, count, most);
-        let angle = Angle::Normal(theta);
+        let angle = Direction::Angle(theta);
         let exact = reference(&films.stack(), DEFAULT_WAVELENGTH, angle, polarisation);
         let kappa = condition(&films.stack(), DEFAULT_WAVELENGTH, angle, polarisation);
         let scaled = films.layers.iter().map(|layer| Layer { thickness: layer.thickness * scale, ..*layer }).collect();
         let ours = Films { layers: scaled, ..films.clone() };
-        let ours = ours.stack().response(DEFAULT_WAVELENGTH, angle.incidence(), polarisation);
+        let ours = ours.stack().response(DEFAULT_WAVELENGTH, Incidence::from(angle), polarisation);
         let error = move |name: &str, ours: f64, exact: &Real, kappa: f64| {
             let error = precise::relative_error(ours, exact) / (f64::EPSILON * (1.0 + kappa));
             (error, format!("{name} of {count} films, {polarisation:?}, θ = {theta:.3}"))
@@ -475,7 +475,7 @@ enum Output {
 fn extreme(
     input: &str,
     films: &Films,
-    angle: Angle,
+    angle: Direction,
     polarisation: Polarisation,
     output: Output,
     form: TextbookForm,
@@ -483,8 +483,8 @@ fn extreme(
     let stack = films.stack();
     let exact = reference(&stack, DEFAULT_WAVELENGTH, angle, polarisation);
     let kappa = condition(&stack, DEFAULT_WAVELENGTH, angle, polarisation);
-    let ours = stack.response(DEFAULT_WAVELENGTH, angle.incidence(), polarisation);
-    let book = form(&stack, DEFAULT_WAVELENGTH, angle.incidence(), polarisation);
+    let ours = stack.response(DEFAULT_WAVELENGTH, Incidence::from(angle), polarisation);
+    let book = form(&stack, DEFAULT_WAVELENGTH, Incidence::from(angle), polarisation);
     let (quantity, reference, textbook, ours, condition) = match output {
         Output::Reflectance => ("R", exact.reflectance, book.reflectance, ours.reflectance, kappa.reflectance),
         Output::Transmittance => {
@@ -518,7 +518,7 @@ fn opaque() -> Vec<Extreme> {
     let silver = |thickness| between(1.0, film(0.055, 3.32, thickness), 1.52);
     let dense = |thickness| between(1.0, film(3.0, 1e3, thickness), 1.52);
     let case = |name: &str, films: Films, theta, output| {
-        extreme(name, &films, Angle::Normal(theta), Polarisation::P, output, characteristic_matrix)
+        extreme(name, &films, Direction::Angle(theta), Polarisation::P, output, characteristic_matrix)
     };
     vec![
         case("silver, 1 µm, θ = 45°", silver(1e-6), FRAC_PI_4, Output::Transmittance),
@@ -542,22 +542,22 @@ fn critical() -> Vec<Extreme> {
         case(
             "air gap of 100 µm, θ = 60°",
             gap(1e-4),
-            Angle::Normal(FRAC_PI_3),
+            Direction::Angle(FRAC_PI_3),
             Polarisation::S,
             Output::LnTransmittance,
         ),
-        case("air gap of 1 pm, θ = 60°", gap(1e-12), Angle::Normal(FRAC_PI_3), Polarisation::P, Output::Reflectance),
+        case("air gap of 1 pm, θ = 60°", gap(1e-12), Direction::Angle(FRAC_PI_3), Polarisation::P, Output::Reflectance),
         case(
             "film on glass, 1e−12 from grazing",
             own(1e-7),
-            Angle::Surface(1e-12),
+            Direction::Grazing(1e-12),
             Polarisation::S,
             Output::Transmittance,
         ),
         case(
             "film on glass, 1e−18 from grazing",
             own(1e-7),
-            Angle::Surface(1e-18),
+            Direction::Grazing(1e-18),
             Polarisation::P,
             Output::Transmittance,
         ),
@@ -565,7 +565,7 @@ fn critical() -> Vec<Extreme> {
     for (offset, name) in [(0.0, "at"), (1e-12, "1e−12 beyond"), (-1e-12, "1e−12 below")] {
         for (polarisation, thickness) in [(Polarisation::S, 1e-7), (Polarisation::P, 1e-7)] {
             let name = format!("air gap of 100 nm, {name} its critical angle");
-            let angle = Angle::Normal(edge + offset);
+            let angle = Direction::Angle(edge + offset);
             cases.push(case(&name, gap(thickness), angle, polarisation, Output::Reflectance));
         }
     }
@@ -581,7 +581,7 @@ fn many() -> Vec<Extreme> {
         (0..1000).map(|at| film(if at % 2 == 0 { 1.0 } else { 1.5 }, 0.0, if at % 2 == 0 { 1e-6 } else { 1e-7 }));
     let gaps = Films { n_i: 1.5, layers: gaps.collect(), substrate: 1.5.into() };
     let case = |name: &str, films: &Films, theta, output| {
-        extreme(name, films, Angle::Normal(theta), Polarisation::S, output, characteristic_matrix)
+        extreme(name, films, Direction::Angle(theta), Polarisation::S, output, characteristic_matrix)
     };
     vec![
         case("1000 quarter waves of 3.5 and 1.38, κ = 1e−6", &tinted, 0.0, Output::Reflectance),
@@ -765,7 +765,7 @@ fn raced(
         }),
         error: Box::new(move |found| {
             let errors = found.iter().zip(&sample).map(|(&found, &wavelength)| {
-                let angle = Angle::Normal(RACE_ANGLE);
+                let angle = Direction::Angle(RACE_ANGLE);
                 let exact = exact(reference(&judged.stack(), wavelength, angle, Polarisation::S));
                 (precise::relative_error(found, &exact), String::new())
             });

@@ -48,7 +48,7 @@ pub(super) const STEP: Step = Step {
         },
     ],
     derivations: &[Derivation {
-        id: "modulus",
+        id: "from_e36",
         says: "r r* for an imaginary normal wave number behind the interface",
         rows: &["C13"],
         chain: || modulus(Expr::from(1)),

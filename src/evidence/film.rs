@@ -1,47 +1,34 @@
 //! Coherent stacks in arbitrary precision, by another route than [`optics::film`](crate::optics::film): Parratt's
 //! recursion of interface coefficients (Phys. Rev. 95, 359, 1954). And how much the answer depends on each input.
 
+use crate::optics::Direction;
 use crate::optics::film::{Layer, Polarisation, Stack};
 use crate::optics::incidence::{Incidence, normal_squared};
 use crate::precise::{BITS, Complex, Real, from_real, pi, real_at, to_f64};
 use num_complex::Complex64;
 
-/// A direction of incidence, exact: what an [`Incidence`] rounds.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Angle {
-    /// To the normal [rad].
-    Normal(f64),
-    /// To the surface [rad].
-    Surface(f64),
+/// (sin θ, cos θ) of an exact direction at `bits`.
+fn sin_cos(direction: Direction, bits: usize) -> (Real, Real) {
+    match direction {
+        Direction::Angle(theta) => real_at(theta, bits).sin_cos(),
+        Direction::Grazing(delta) => {
+            let (sin, cos) = real_at(delta, bits).sin_cos();
+            (cos, sin)
+        }
+        Direction::Cos(cos) => {
+            let cos = real_at(cos, bits);
+            ((real_at(1.0, bits) - &cos * &cos).sqrt(), cos)
+        }
+    }
 }
 
-impl Angle {
-    /// The rounded direction.
-    pub fn incidence(self) -> Incidence {
-        match self {
-            Self::Normal(theta) => Incidence::from_angle(theta),
-            Self::Surface(delta) => crate::optics::Direction::Grazing(delta).into(),
-        }
-    }
-
-    /// (sin θ, cos θ) at `bits`.
-    fn sin_cos(self, bits: usize) -> (Real, Real) {
-        match self {
-            Self::Normal(theta) => real_at(theta, bits).sin_cos(),
-            Self::Surface(delta) => {
-                let (sin, cos) = real_at(delta, bits).sin_cos();
-                (cos, sin)
-            }
-        }
-    }
-
-    /// The relative changes of sin²θ and of cos θ for a relative change of the angle as it is given.
-    fn sensitivities(self) -> (f64, f64) {
-        let cotangent = |x: f64| if x == 0.0 { 1.0 } else { x / x.tan() };
-        match self {
-            Self::Normal(theta) => (2.0 * cotangent(theta), -theta * theta.tan()),
-            Self::Surface(delta) => (-2.0 * delta * delta.tan(), cotangent(delta)),
-        }
+/// The relative changes of sin²θ and of cos θ for a relative change of the number that gives the direction.
+fn sensitivities(direction: Direction) -> (f64, f64) {
+    let cotangent = |x: f64| if x == 0.0 { 1.0 } else { x / x.tan() };
+    match direction {
+        Direction::Angle(theta) => (2.0 * cotangent(theta), -theta * theta.tan()),
+        Direction::Grazing(delta) => (-2.0 * delta * delta.tan(), cotangent(delta)),
+        Direction::Cos(cos) => (-2.0 * cos * cos / ((1.0 - cos) * (1.0 + cos)), 1.0),
     }
 }
 
@@ -77,8 +64,8 @@ pub struct Condition {
 }
 
 /// r, t, R, T, A and ln T of a stack at a vacuum wavelength [m] to about 60 digits.
-pub fn reference(stack: &Stack, wavelength: f64, angle: Angle, polarisation: Polarisation) -> Reference {
-    let scene = Scene::new(stack, wavelength, angle, polarisation);
+pub fn reference(stack: &Stack, wavelength: f64, direction: Direction, polarisation: Polarisation) -> Reference {
+    let scene = Scene::new(stack, wavelength, direction, polarisation);
     let one = from_real(real_at(1.0, scene.bits));
     // Each medium's admittance and the phase factor e^(iδ) across it, from the substrate to the light.
     let coats: Vec<(Complex, Complex)> = scene.kinds.iter().map(|layer| scene.admittance_and_step(layer)).collect();
@@ -112,8 +99,8 @@ pub fn reference(stack: &Stack, wavelength: f64, angle: Angle, polarisation: Pol
 
 /// How the outputs of a stack depend on its inputs, from the product of characteristic matrices: the fields before
 /// and behind a layer are kept, so that a change of that layer alone costs one matrix.
-pub fn condition(stack: &Stack, wavelength: f64, angle: Angle, polarisation: Polarisation) -> Condition {
-    let scene = Scene::new(stack, wavelength, angle, polarisation);
+pub fn condition(stack: &Stack, wavelength: f64, direction: Direction, polarisation: Polarisation) -> Condition {
+    let scene = Scene::new(stack, wavelength, direction, polarisation);
     let kinds: Vec<Matrices> = scene.kinds.iter().map(|layer| Matrices::new(&scene, layer)).collect();
     let y_s = scene.admittance(&scene.substrate, &scene.tangential);
     let y_i = from_real(scene.y_i.clone());
@@ -170,7 +157,7 @@ pub fn condition(stack: &Stack, wavelength: f64, angle: Angle, polarisation: Pol
     let mut entrance = waves.gradient([change.clone(), change]);
     entrance.ln_transmittance += real_at(1.0, scene.bits);
     let by_n_i = if polarisation == Polarisation::S { 1.0 } else { -1.0 };
-    let (by_sin2, by_cos) = angle.sensitivities();
+    let (by_sin2, by_cos) = sensitivities(direction);
     for (sin2, cos) in [(2.0, by_n_i), (by_sin2, by_cos)] {
         let mut total = sums.none();
         total.accumulate_times(&tangential, sin2);
@@ -214,14 +201,14 @@ const CRITICAL: f64 = 1e-12;
 const STEP: f64 = 1.0 / (1_u128 << 100) as f64;
 
 impl Scene {
-    fn new(stack: &Stack, wavelength: f64, angle: Angle, polarisation: Polarisation) -> Self {
+    fn new(stack: &Stack, wavelength: f64, direction: Direction, polarisation: Polarisation) -> Self {
         // Twice as many digits for layers at their critical angle, where half of them cancel.
-        let incidence = angle.incidence();
+        let incidence = Incidence::from(direction);
         let critical = |layer: &Layer| {
             normal_squared(incidence, stack.n_i, layer.index).norm() < CRITICAL * layer.index.norm_sqr()
         };
         let bits = if stack.layers.iter().any(critical) { 2 * BITS } else { BITS };
-        let (sin, cos) = angle.sin_cos(bits);
+        let (sin, cos) = sin_cos(direction, bits);
         let n_i = real_at(stack.n_i, bits);
         let y_i = match polarisation {
             Polarisation::S => &n_i * cos,
