@@ -27,7 +27,7 @@ pub(super) const STEP: Step = Step {
     parameters: INTERFACE,
     statements: &[
         Statement {
-            id: "threshold",
+            id: "least_index",
             says: "the least relative index that dips",
             rows: &["C11"],
             equation: || Equation::new(N_REL.pow(2) - 4 * N_REL + 1, Expr::from(0)),

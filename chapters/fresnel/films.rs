@@ -88,7 +88,7 @@ pub(super) const STEP: Step = Step {
             slip: "r₂₁ is taken for r₁₂, without Stokes' sign",
         },
         Derivation {
-            id: "quarter_wave",
+            id: "quarter_wave_from_airy",
             says: "with e^(2iδ) = −1 and E36 at both faces",
             rows: &["C15"],
             chain: || quarter(quarter_wave()),
@@ -138,7 +138,7 @@ pub(super) const STEP: Step = Step {
             plot: antireflection,
         },
         Figure {
-            id: "mirror",
+            id: "mirror_spectrum",
             says: "The mirror's band of high reflectance moves to the blue with the angle.",
             rows: &["C15"],
             plot: mirror_band,

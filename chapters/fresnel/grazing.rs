@@ -22,7 +22,7 @@ pub(super) const STEP: Step = Step {
     rows: &["C12"],
     parameters: INTERFACE,
     statements: &[Statement {
-        id: "approach",
+        id: "near_grazing",
         says: "near grazing, with n = n₂/n₁ > 1",
         rows: &["C12"],
         equation: || Equation::approximate(R_N, 1 - 2 * (N_REL.pow(2) + 1) / sqrt(N_REL.pow(2) - 1) * cos(THETA_1)),
@@ -51,7 +51,7 @@ pub(super) const STEP: Step = Step {
             plot: sphere,
         },
         Figure {
-            id: "approach",
+            id: "what_is_lost",
             says: "1 − R_n against the cosine: a straight line on logarithmic axes, for glass and metals alike.",
             rows: &["C12"],
             plot: approach,

@@ -94,7 +94,7 @@ pub(super) const STEP: Step = Step {
     }],
     races: &[HEMISPHERE],
     figures: &[Figure {
-        id: "reflectance",
+        id: "against_angle",
         says: "R_s, R_p, R_n and T_n against the angle, into the medium and out of it.",
         rows: &["E42"],
         plot: reflectance,

@@ -287,11 +287,3 @@ fn the_coefficients_of_fresnel_are_typeset() {
         )
     );
 }
-
-#[test]
-#[ignore = "prints a page to look at"]
-fn dump() {
-    for (id, equation, ..) in displayed() {
-        println!("<tr><td>{id}<td>{}<td>{}<td><code>{}</code></tr>", equation, equation.mathml(), equation.latex());
-    }
-}

@@ -342,7 +342,7 @@ mod tests {
     fn angle() -> impl Strategy<Value = f64> {
         prop_oneof![
             Just(0.0),
-            0.0..1.5707,
+            0.0..1.57,
             (0.0_f64..12.0).prop_map(|p| std::f64::consts::FRAC_PI_2 - 10f64.powf(-p - 0.5))
         ]
     }
