@@ -7,11 +7,11 @@ use chapters::vocabulary::Expects;
 /// Where an error of exactly zero is drawn: half a rounding unit, below which `f64` cannot tell.
 const FLOOR: f64 = f64::EPSILON / 2.0;
 
-/// Error against seconds: of a whole run where an order is asserted, otherwise of one unit of work.
+/// Error against time: of a whole run [µs] where an order is asserted, otherwise of one unit of work [ns].
 pub fn plot(race: &RaceReport) -> Plot {
     let whole = race.lanes.iter().any(|lane| matches!(lane.asserted, Expects::Order { .. }));
-    let label = if whole { "time of a run" } else { "time of one unit of work" };
-    let mut chart = Chart::new("", Axis::log(label, "s"), Axis::log("error", ""));
+    let (label, unit) = if whole { ("time of a run", "µs") } else { ("time of one evaluation", "ns") };
+    let mut chart = Chart::new("", Axis::log(label, unit), Axis::log("error", ""));
     let roof = 10.0 * highest(race);
     for (lane, at) in race.lanes.iter().zip(0..) {
         let points = curve(lane, whole);
@@ -38,13 +38,19 @@ pub fn plot(race: &RaceReport) -> Plot {
             });
         }
     }
-    Plot::of(race.claim, chart)
+    Plot::of(sentence(race.claim), chart)
+}
+
+/// A claim as a heading: with a capital.
+fn sentence(claim: &str) -> String {
+    let mut letters = claim.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 fn curve(lane: &LaneReport, whole: bool) -> Vec<[f64; 2]> {
     let points = lane.points.iter().map(|point| {
-        let seconds = if whole { point.seconds } else { point.ns_per_work * 1e-9 };
-        [seconds, if point.error.0 == 0.0 { FLOOR } else { point.error.0 }]
+        let time = if whole { point.seconds * 1e6 } else { point.ns_per_work };
+        [time, if point.error.0 == 0.0 { FLOOR } else { point.error.0 }]
     });
     points.collect()
 }
@@ -63,7 +69,8 @@ fn legend(lane: &LaneReport) -> String {
     }
 }
 
-/// The asserted order as a dotted line through the lane's first point, down to its lowest.
+/// The asserted order as a dotted line through the lane's last point, up to its first: what small amounts of work
+/// cost besides would tilt it from there.
 fn guide(points: &[[f64; 2]], order: f64) -> Option<Mark> {
     let drawn: Vec<_> =
         points.iter().filter(|point| point[0] > 0.0 && point[1].is_finite() && point[1] > 0.0).collect();
@@ -71,11 +78,7 @@ fn guide(points: &[[f64; 2]], order: f64) -> Option<Mark> {
     if last[0] <= first[0] || order <= 0.0 {
         return None;
     }
-    let lowest = drawn.iter().map(|point| point[1]).min_by(f64::total_cmp)?;
-    // It ends where the lane does, in time or in error, whichever comes first.
-    let end = last[0].min(first[0] * (first[1] / lowest).powf(1.0 / order));
-    let error = first[1] * (end / first[0]).powf(-order);
-    let points = vec![**first, [end, error]];
+    let points = vec![[first[0], last[1] * (last[0] / first[0]).powf(order)], **last];
     Some(Mark::Line { label: String::new(), hue: Hue::Reference, dash: Dash::Dotted, points })
 }
 
@@ -121,7 +124,7 @@ mod tests {
     fn an_asserted_order_is_drawn_beside_its_lane() {
         let marks = marks(&race(&[1.0, 0.25, 0.0625], Expects::Order { order: 2.0, tolerance: 0.1 }));
         let Mark::Line { points, .. } = &marks[0] else { panic!("{marks:?}") };
-        assert!((points[1][1] / 0.0625 - 1.0).abs() < 1e-12 && (points[1][0] / 4e-6 - 1.0).abs() < 1e-12, "{points:?}");
+        assert!((points[0][1] - 1.0).abs() < 1e-12 && (points[1][0] / 4.0 - 1.0).abs() < 1e-12, "{points:?}");
     }
 
     #[test]

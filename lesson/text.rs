@@ -4,6 +4,7 @@ use crate::page::{Page, Span, Tone, label};
 use crate::report::*;
 use crate::run::Parts;
 use chapters::lecture::LECTURE;
+use chapters::vocabulary::Expects;
 use chapters::{CURRICULUM, Chapter, Step};
 use unicode_width::UnicodeWidthStr;
 
@@ -312,7 +313,9 @@ fn show_race(page: &mut Page, race: &RaceReport) {
         &[(Tone::Dim, "work: "), (Tone::Dim, race.work), (Tone::Dim, "; error: "), (Tone::Dim, race.reference)],
     );
     for lane in &race.lanes {
-        let fitted = lane.order.map_or(String::new(), |order| format!(", fitted order {order:.2}"));
+        let asserted = matches!(lane.asserted, Expects::Order { .. });
+        let fitted =
+            lane.order.filter(|_| asserted).map_or(String::new(), |order| format!(", fitted order {order:.2}"));
         verdict(
             page,
             lane.verdict,

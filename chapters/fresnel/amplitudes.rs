@@ -1,7 +1,8 @@
 //! E36, E37, E39, E40: the four amplitude ratios. One measurement serves all: the equation on the page, evaluated in
 //! arbitrary precision, against the program's function.
 
-use super::symbols::{E_1, E_1R, K, N_1, N_2, R_P, R_S, T_P, T_S, THETA_1, THETA_2};
+use super::snell::with_snell;
+use super::symbols::{E_1, E_1R, N_1, N_2, R_P, R_S, T_P, T_S, THETA_1, THETA_2};
 use super::{INTERFACE, extremes, incidence, interface, over_angle, over_angle_near};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
@@ -9,7 +10,7 @@ use crate::vocabulary::{
     ALLOWED_ULPS, Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, Stress,
 };
 use light::Complex64;
-use light::equation::derivation::{Chain, Claim};
+use light::equation::derivation::Chain;
 use light::equation::expr::{asin, cos, sin, tan};
 use light::equation::value::Bindings;
 use light::equation::{Equation, Expr};
@@ -250,11 +251,6 @@ fn r_p() -> Expr {
 
 fn t_p() -> Expr {
     2 * sin(THETA_2) * cos(THETA_1) / (sin(THETA_1 + THETA_2) * cos(THETA_1 - THETA_2))
-}
-
-/// `start`, under Snell's law in its symmetric form.
-fn with_snell(start: impl Into<Claim>) -> Chain {
-    Chain::new(start).given(N_1, K * sin(THETA_2), "Snell").given(N_2, K * sin(THETA_1), "Snell")
 }
 
 /// (a − b)/(a + b) in the products that the boundary conditions of s (`near` = n₁, `far` = n₂) and p give.

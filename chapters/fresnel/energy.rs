@@ -1,7 +1,8 @@
 //! E43: nothing is lost at a clear interface.
 
 use super::extremes::{self, cases_against, describe};
-use super::symbols::{K, N_1, N_2, THETA_1, THETA_2};
+use super::snell::with_snell;
+use super::symbols::{N_1, N_2, R_N, THETA_1, THETA_2};
 use super::{INTERFACE, incidence, interface};
 use crate::setting::Setting;
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Extreme, Measured, Quantity, Statement, Step, Stress};
@@ -14,7 +15,6 @@ use light::optics::fresnel::{Powers, amplitudes, powers};
 use light::optics::{Direction, Incidence};
 use std::f64::consts::FRAC_PI_2;
 
-const R_N: Symbol = Symbol::scalar("R_n", Dimension::ONE);
 const T_N: Symbol = Symbol::scalar("T_n", Dimension::ONE);
 
 pub(super) const STEP: Step = Step {
@@ -61,14 +61,10 @@ pub(super) const STEP: Step = Step {
     figures: &[],
 };
 
-fn snell(start: Expr) -> Chain {
-    Chain::new(start).given(N_1, K * sin(THETA_2), "Snell").given(N_2, K * sin(THETA_1), "Snell")
-}
-
 fn s_balance(weight: Expr) -> Chain {
     let (sum, difference) = (sin(THETA_1 + THETA_2).pow(2), sin(THETA_1 - THETA_2).pow(2));
     let through = (2 * sin(THETA_2) * cos(THETA_1) / sin(THETA_1 + THETA_2)).pow(2);
-    snell(&difference / &sum + weight * through)
+    with_snell(&difference / &sum + weight * through)
         .because("r_s² + (n₂cosθ₂/n₁cosθ₁) t_s²")
         .then(
             (&difference + sin(2 * THETA_1) * sin(2 * THETA_2)) / &sum,
@@ -82,7 +78,7 @@ fn p_balance(weight: Expr) -> Chain {
     let (sum, difference) = (THETA_1 + THETA_2, THETA_1 - THETA_2);
     let whole = (sin(&sum) * cos(&difference)).pow(2);
     let through = (2 * sin(THETA_2) * cos(THETA_1) / (sin(&sum) * cos(&difference))).pow(2);
-    snell((tan(&difference) / tan(&sum)).pow(2) + weight * through)
+    with_snell((tan(&difference) / tan(&sum)).pow(2) + weight * through)
         .because("r_p² + (n₂cosθ₂/n₁cosθ₁) t_p²")
         .then(
             ((sin(&difference) * cos(&sum)).pow(2) + sin(2 * THETA_1) * sin(2 * THETA_2)) / &whole,

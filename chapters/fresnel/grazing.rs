@@ -6,14 +6,12 @@ use crate::setting::Setting;
 use crate::vocabulary::{Bound, Check, Figure, Measured, Quantity, Statement, Step};
 use glam::DVec3;
 use light::Complex64;
+use light::equation::Equation;
 use light::equation::expr::{cos, sqrt};
-use light::equation::{Dimension, Equation, Symbol};
 use light::optics::Incidence;
 use light::optics::fresnel::powers;
 
-use super::symbols::{N_REL, THETA_1};
-
-const R_N: Symbol = Symbol::scalar("R_n", Dimension::ONE);
+use super::symbols::{N_REL, R_N, THETA_1};
 
 pub(super) const STEP: Step = Step {
     id: "grazing",

@@ -1,7 +1,7 @@
 //! E42: natural light.
 
 use super::extremes::cases;
-use super::symbols::{THETA_1, THETA_2};
+use super::symbols::{R_N, THETA_1, THETA_2};
 use super::{INTERFACE, incidence, interface, over_angle, over_angle_near, sample_inputs};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
@@ -20,7 +20,6 @@ use light::optics::{Direction, Incidence};
 use light::sampling::uniform;
 use std::f64::consts::TAU;
 
-const R_N: Symbol = Symbol::scalar("R_n", Dimension::ONE);
 const R_S: Symbol = Symbol::scalar("R_s", Dimension::ONE);
 const R_P: Symbol = Symbol::scalar("R_p", Dimension::ONE);
 

@@ -1,12 +1,12 @@
 //! E33: the directions, from phase matching along the interface.
 
-use super::symbols::{C, N_1, N_2, OMEGA, THETA_1, THETA_1R, THETA_2, V_1, V_2};
+use super::symbols::{C, K, N_1, N_2, OMEGA, THETA_1, THETA_1R, THETA_2, V_1, V_2};
 use super::{INTERFACE, extremes, incidence};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
 use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
 use light::Complex64;
-use light::equation::derivation::Chain;
+use light::equation::derivation::{Chain, Claim};
 use light::equation::expr::sin;
 use light::equation::{Equation, Expr};
 use light::optics::fresnel::refract;
@@ -74,6 +74,11 @@ fn phase_matching(left: Expr, right: Expr) -> Chain {
         .given(V_2, C / N_2, "v = c/n")
         .then(Equation::new(sin(THETA_1) / V_1, sin(THETA_2) / V_2), ["divide by ω"])
         .then(Equation::new(left, right), ["v = c/n", "times c"])
+}
+
+/// `start`, under Snell's law in its symmetric form n₁ = k sin θ₂, n₂ = k sin θ₁.
+pub(super) fn with_snell(start: impl Into<Claim>) -> Chain {
+    Chain::new(start).given(N_1, K * sin(THETA_2), "Snell").given(N_2, K * sin(THETA_1), "Snell")
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {

@@ -1,0 +1,268 @@
+//! C15: the same boundary conditions, repeated: coherent stacks of films.
+
+mod checks;
+mod extremes;
+mod figures;
+mod races;
+
+use self::checks::{BOUNCES, ENERGY, PARRATT, QUARTER_WAVES, REVERSAL};
+use self::extremes::{critical, many, opaque};
+use self::figures::{antireflection, frustrated, mirror_band, mirror_map};
+use self::races::{FIVE_FILMS, ONE_FILM, OPAQUE_FILM, ORDINARY, TWENTY_ONE_FILMS};
+use super::symbols::{K_0, N_1, N_2, THETA_1};
+use super::{N_I, N_T};
+use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
+use crate::vocabulary::{Derivation, Figure, Quantity, Race, Statement, Step, Stress};
+use light::Complex64;
+use light::equation::derivation::Chain;
+use light::equation::expr::{exp, i, sin, sqrt};
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::optics::Incidence;
+use light::optics::film::{Layer, Polarisation, Stack};
+
+/// Substrate.
+const N_S: Parameter = Parameter { name: "n_s", symbol: "n_s", says: "substrate", default: "bk7", ..N_T };
+/// High-index film.
+const N_H: Parameter = Parameter { name: "n_h", symbol: "n_H", says: "high-index film", default: "tio2", ..N_T };
+/// Low-index film.
+const N_L: Parameter = Parameter { name: "n_l", symbol: "n_L", says: "low-index film", default: "mgf2", ..N_T };
+/// Length of the mirror.
+const PAIRS: Parameter = Parameter {
+    name: "pairs",
+    symbol: "N",
+    says: "low–high pairs under the mirror's first high film: 2N + 1 films",
+    default: "10",
+    kind: Kind::Number { min: 0.0, max: 200.0, unit: "1" },
+};
+/// The wavelength that the films are a quarter of.
+const DESIGN: Parameter =
+    Parameter { says: "vacuum wavelength: each film is a quarter of it thick, in its own medium", ..WAVELENGTH };
+
+const THICKNESS: Symbol = Symbol::scalar("d", Dimension::METRE).real(0.1, 1.0);
+const DELTA: Symbol = Symbol::scalar("delta", Dimension::ONE).within(0.2, 1.4);
+const N_3: Symbol = Symbol::scalar("n_3", Dimension::ONE).within(1.0, 2.5);
+const R: Symbol = Symbol::scalar("r", Dimension::ONE);
+const R_12: Symbol = Symbol::scalar("r_12", Dimension::ONE).within(0.1, 0.6);
+const R_21: Symbol = Symbol::scalar("r_21", Dimension::ONE).within(0.1, 0.6);
+const R_23: Symbol = Symbol::scalar("r_23", Dimension::ONE).within(0.1, 0.6);
+const T_12: Symbol = Symbol::scalar("t_12", Dimension::ONE).within(0.4, 0.9);
+const T_21: Symbol = Symbol::scalar("t_21", Dimension::ONE).within(0.4, 0.9);
+/// What all bounces inside the film send back together.
+const B: Symbol = Symbol::scalar("b", Dimension::ONE);
+
+pub(super) const STEP: Step = Step {
+    id: "films",
+    title: "Stacks of films",
+    says: "Waves that bounce between interfaces add up in phase: coatings that reflect nothing, or nearly all.",
+    rows: &["C15"],
+    parameters: &[N_I, N_S, N_H, N_L, PAIRS, THETA, DESIGN],
+    statements: &[
+        Statement {
+            id: "phase",
+            says: "phase across a film of thickness d",
+            rows: &["C15"],
+            equation: || Equation::new(DELTA, K_0 * THICKNESS * sqrt(N_2.pow(2) - N_1.pow(2) * sin(THETA_1).pow(2))),
+        },
+        Statement {
+            id: "airy",
+            says: "a film: both faces and every bounce between them",
+            rows: &["C15"],
+            equation: || Equation::new(R, airy(1 + R_12 * R_23 * round_trip())),
+        },
+        Statement {
+            id: "quarter_wave",
+            says: "a film a quarter of a wave thick, at normal incidence: nothing is left where n₂² = n₁n₃",
+            rows: &["C15"],
+            equation: || Equation::new(R, quarter_wave()),
+        },
+    ],
+    derivations: &[
+        Derivation {
+            id: "bounces",
+            says: "each bounce repeats the one before times r₂₁r₂₃e^(2iδ): a geometric series",
+            rows: &["C15"],
+            chain: || bounces(airy(1 + R_12 * R_23 * round_trip())),
+            spoiled: || bounces(airy(1 - R_12 * R_23 * round_trip())),
+            slip: "r₂₁ is taken for r₁₂, without Stokes' sign",
+        },
+        Derivation {
+            id: "quarter_wave_from_airy",
+            says: "with e^(2iδ) = −1 and E36 at both faces",
+            rows: &["C15"],
+            chain: || quarter(quarter_wave()),
+            spoiled: || quarter((N_1 * N_2 - N_3.pow(2)) / (N_1 * N_2 + N_3.pow(2))),
+            slip: "film and substrate are interchanged",
+        },
+    ],
+    readout: Some(readout),
+    checks: &[BOUNCES, QUARTER_WAVES, REVERSAL, ENERGY, PARRATT],
+    stress: &[
+        Stress {
+            id: "opaque",
+            claim: "transmission keeps its digits behind metal films down to 1e−300, and its logarithm far below",
+            rows: &["C15"],
+            textbook: "the characteristic matrix cos δ, sin δ in f64",
+            reference: "Parratt's recursion in 256 bits or more",
+            cases: |_| opaque(),
+        },
+        Stress {
+            id: "critical",
+            claim: "gaps wide or narrow, at a film's critical angle or a hair beside it, at grazing incidence",
+            rows: &["C15"],
+            textbook: "Rouard's recursion of Fresnel coefficients in f64",
+            reference: "Parratt's recursion in 256 bits or more",
+            cases: |_| critical(),
+        },
+        Stress {
+            id: "many",
+            claim: "a thousand films keep the digits of R and T",
+            rows: &["C15"],
+            textbook: "the characteristic matrix in f64",
+            reference: "Parratt's recursion in 256 bits or more",
+            cases: |_| many(),
+        },
+    ],
+    races: &[
+        Race { id: "one_film", claim: "one film costs a fraction of a microsecond", lanes: &ONE_FILM, ..ORDINARY },
+        Race { id: "five_films", claim: "five films", lanes: &FIVE_FILMS, ..ORDINARY },
+        Race { id: "mirror", claim: "a mirror of 21 films", lanes: &TWENTY_ONE_FILMS, ..ORDINARY },
+        OPAQUE_FILM,
+    ],
+    figures: &[
+        Figure {
+            id: "antireflection",
+            says: "One film takes most of the reflection away, two nearly all at one wavelength, three over a band.",
+            rows: &["C15"],
+            plot: antireflection,
+        },
+        Figure {
+            id: "mirror_spectrum",
+            says: "The mirror's band of high reflectance moves to the blue with the angle.",
+            rows: &["C15"],
+            plot: mirror_band,
+        },
+        Figure {
+            id: "mirror_map",
+            says: "The same mirror over wavelength and angle.",
+            rows: &["C15"],
+            plot: mirror_map,
+        },
+        Figure {
+            id: "frustrated",
+            says: "Total reflection is undone by a second prism near enough: light tunnels through the gap.",
+            rows: &["C15"],
+            plot: frustrated,
+        },
+    ],
+};
+
+fn round_trip() -> Expr {
+    exp(2 * i() * DELTA)
+}
+
+fn airy(denominator: Expr) -> Expr {
+    (R_12 + R_23 * round_trip()) / denominator
+}
+
+fn quarter_wave() -> Expr {
+    (N_1 * N_3 - N_2.pow(2)) / (N_1 * N_3 + N_2.pow(2))
+}
+
+/// Airy's sum (1833), by what it does to itself: b = first bounce + b bounced once more.
+fn bounces(last: Expr) -> Chain {
+    let (first, ratio) = (T_12 * R_23 * T_21 * round_trip(), R_21 * R_23 * round_trip());
+    let summed = &first / (1 - &ratio);
+    let denominator = 1 + R_12 * R_23 * round_trip();
+    Chain::new(Equation::new(B, &first + &ratio * B))
+        .because("through the first face, off the second, out again; and all further bounces")
+        .given(B, summed.clone(), "linear solve")
+        .given(R_21, -Expr::from(R_12), "Stokes")
+        .given(T_21, (1 - R_12.pow(2)) / T_12, "Stokes")
+        .then(Equation::new(R_12 + B, R_12 + summed), ["linear solve"])
+        .then(
+            (R_12 * &denominator + (1 - R_12.pow(2)) * R_23 * round_trip()) / denominator,
+            ["Stokes", "common denominator"],
+        )
+        .then(last, ["cancel"])
+}
+
+fn quarter(last: Expr) -> Chain {
+    let step = |near: Symbol, far: Symbol| (&near - &far) / (near + far);
+    Chain::new((R_12 - R_23) / (1 - R_12 * R_23))
+        .because("e^(2iδ) = −1")
+        .given(R_12, step(N_1, N_2), "E36 at θ = 0")
+        .given(R_23, step(N_2, N_3), "E36 at θ = 0")
+        .then(
+            ((N_1 - N_2) * (N_2 + N_3) - (N_2 - N_3) * (N_1 + N_2))
+                / ((N_1 + N_2) * (N_2 + N_3) - (N_1 - N_2) * (N_2 - N_3)),
+            ["E36", "common denominator"],
+        )
+        .then(last, ["multiply out"])
+}
+
+/// A stack that owns its films.
+#[derive(Clone, Debug)]
+struct Films {
+    n_i: f64,
+    layers: Vec<Layer>,
+    substrate: Complex64,
+}
+
+impl Films {
+    fn stack(&self) -> Stack<'_> {
+        Stack { n_i: self.n_i, layers: &self.layers, substrate: self.substrate }
+    }
+
+    /// R [1] of natural light.
+    fn natural(&self, wavelength: f64, incidence: Incidence) -> f64 {
+        let [s, p] = BOTH.map(|polarisation| self.stack().response(wavelength, incidence, polarisation).reflectance);
+        0.5 * (s + p)
+    }
+}
+
+const BOTH: [Polarisation; 2] = [Polarisation::S, Polarisation::P];
+
+fn film(n: f64, k: f64, thickness: f64) -> Layer {
+    Layer { index: Complex64::new(n, k), thickness }
+}
+
+/// A film a quarter of the `design` wavelength thick.
+fn quarter_film(n: f64, design: f64) -> Layer {
+    film(n, 0.0, design / (4.0 * n))
+}
+
+/// The setting's mirror at a wavelength: its films keep the thickness that the setting's wavelength gave them. `None`
+/// outside a material's data.
+fn mirror(setting: &Setting, wavelength: f64) -> Option<Films> {
+    let design = setting.wavelength();
+    let medium = |name: &str| setting.medium(name).index(wavelength).ok();
+    let coat = |name: &str| Some(Layer { index: medium(name)?, thickness: design / (4.0 * setting.index(name).re) });
+    let (high, low) = (coat("n_h")?, coat("n_l")?);
+    let count = 2 * setting.number("pairs").round() as usize + 1;
+    let layers = (0..count).map(|at| if at % 2 == 0 { high } else { low }).collect();
+    Some(Films { n_i: medium("n_i")?.re, layers, substrate: medium("n_s")? })
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let wavelength = setting.wavelength();
+    let incidence = super::incidence(setting);
+    let films = mirror(setting, wavelength).expect("validated when it was set");
+    let [s, p] = BOTH.map(|polarisation| films.stack().response(wavelength, incidence, polarisation));
+    let number = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
+    vec![
+        number("films", "2N + 1", "films", films.layers.len() as f64),
+        Quantity {
+            key: "d_h",
+            symbol: "d_H",
+            says: "thickness of a high-index film",
+            value: films.layers[0].thickness,
+            unit: "m",
+        },
+        number("R_s", "R_s", "reflectance, s", s.reflectance),
+        number("R_p", "R_p", "reflectance, p", p.reflectance),
+        number("T_s", "T_s", "transmittance, s", s.transmittance),
+        number("T_p", "T_p", "transmittance, p", p.transmittance),
+        number("A_s", "A_s", "absorbed in the films, s", s.absorptance),
+        number("A_p", "A_p", "absorbed in the films, p", p.absorptance),
+    ]
+}
