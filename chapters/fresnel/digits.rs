@@ -66,56 +66,16 @@ const FORMS: Race = Race {
     work: "evaluations of R_n",
     reference: "worst relative error against 256-bit arithmetic over angles down to 1e−9 and contrasts down to 1e−9",
     lanes: &[
-        Lane {
-            id: "written",
-            label: "E42 as written",
-            works: &[BATCH],
-            expects: BREAKS,
-            repeats: 1,
-            prepare: |bench, work| {
-                clear(bench, work, |cosines, n_t, out| {
-                    for (out, cos) in out.iter_mut().zip(cosines) {
-                        *out = by_angles(cos.acos(), n_t);
-                    }
-                })
-            },
-        },
-        Lane {
-            id: "cosines",
-            label: "cosines",
-            works: &[BATCH],
-            expects: BREAKS,
-            repeats: 1,
-            prepare: |bench, work| {
-                clear(bench, work, |cosines, n_t, out| {
-                    for (out, cos) in out.iter_mut().zip(cosines) {
-                        *out = natural_reflectance_by_cosines(*cos, 1.0, n_t);
-                    }
-                })
-            },
-        },
-        Lane {
-            id: "single",
-            label: "the program, one by one",
-            works: &[BATCH],
-            expects: KEEPS,
-            repeats: 1,
-            prepare: |bench, work| {
-                clear(bench, work, |cosines, n_t, out| {
-                    for (out, cos) in out.iter_mut().zip(cosines) {
-                        *out = powers(Incidence::from_cos(*cos), 1.0, n_t.into()).r_n();
-                    }
-                })
-            },
-        },
-        Lane {
-            id: "batch",
-            label: "the program, in a batch",
-            works: &[BATCH],
-            expects: KEEPS,
-            repeats: 1,
-            prepare: |bench, work| clear(bench, work, |cosines, n_t, out| natural_reflectance(cosines, 1.0, n_t, out)),
-        },
+        lane("written", "E42 as written", BREAKS, |bench, work| {
+            clear(bench, work, singly(|cos, n_t| by_angles(cos.acos(), n_t.re)))
+        }),
+        lane("cosines", "cosines", BREAKS, |bench, work| {
+            clear(bench, work, singly(|cos, n_t| natural_reflectance_by_cosines(cos, 1.0, n_t.re)))
+        }),
+        lane("single", "the program, one by one", KEEPS, |bench, work| clear(bench, work, singly(one_by_one))),
+        lane("batch", "the program, in a batch", KEEPS, |bench, work| {
+            clear(bench, work, |cosines, n_t, out| natural_reflectance(cosines, 1.0, n_t.re, out))
+        }),
     ],
 };
 
@@ -126,32 +86,19 @@ const FORMS_ABSORBING: Race = Race {
     work: "evaluations of R_n",
     reference: "worst relative error against 256-bit arithmetic over gold, a trace of absorption and k = 100",
     lanes: &[
-        Lane {
-            id: "written",
-            label: "complex angles",
-            works: &[BATCH],
-            expects: BREAKS,
-            repeats: 1,
-            prepare: |bench, work| {
-                absorbing(bench, work, |cosines, n_t, out| {
-                    for (out, cos) in out.iter_mut().zip(cosines) {
-                        *out = textbook::powers(cos.acos(), 1.0, n_t).r_n();
-                    }
-                })
-            },
-        },
-        Lane {
-            id: "batch",
-            label: "the program, in a batch",
-            works: &[BATCH],
-            expects: KEEPS,
-            repeats: 1,
-            prepare: |bench, work| {
-                absorbing(bench, work, |cosines, n_t, out| natural_reflectance_absorbing(cosines, 1.0, n_t, out))
-            },
-        },
+        lane("written", "complex angles", BREAKS, |bench, work| {
+            absorbing(bench, work, singly(|cos, n_t| textbook::powers(cos.acos(), 1.0, n_t).r_n()))
+        }),
+        lane("single", "the program, one by one", KEEPS, |bench, work| absorbing(bench, work, singly(one_by_one))),
+        lane("batch", "the program, in a batch", KEEPS, |bench, work| {
+            absorbing(bench, work, |cosines, n_t, out| natural_reflectance_absorbing(cosines, 1.0, n_t, out))
+        }),
     ],
 };
+
+const fn lane(id: &'static str, label: &'static str, expects: Expects, prepare: fn(&mut Bench, u64) -> Heat) -> Lane {
+    Lane { id, label, works: &[BATCH], expects, repeats: 1, prepare }
+}
 
 const BREAKS: Expects =
     Expects::Breaks { limit: 1e-10, why: "differences of nearly equal numbers, and 0/0 at normal incidence" };
@@ -166,12 +113,27 @@ fn by_angles(theta: f64, n_t: f64) -> f64 {
     0.5 * (s * s + p * p)
 }
 
-fn clear(bench: &mut Bench, work: u64, fill: fn(&[f64], f64, &mut [f64])) -> Heat {
-    let media = [1.5, 2.4, 1.0 + 1e-9, 4.0].map(|n_t| (n_t, 0.0));
-    heat(bench, work, &media, move |cosines, n_t, out| fill(cosines, n_t.re, out))
+/// R_n from cos θ₁ and n₂, out of the vacuum.
+type Form = fn(f64, Complex64) -> f64;
+
+fn one_by_one(cos: f64, n_t: Complex64) -> f64 {
+    powers(Incidence::from_cos(cos), 1.0, n_t).r_n()
 }
 
-fn absorbing(bench: &mut Bench, work: u64, fill: fn(&[f64], Complex64, &mut [f64])) -> Heat {
+/// `form` at one cosine after another.
+fn singly(form: impl Fn(f64, Complex64) -> f64) -> impl FnMut(&[f64], Complex64, &mut [f64]) {
+    move |cosines, n_t, out| {
+        for (out, cos) in out.iter_mut().zip(cosines) {
+            *out = form(*cos, n_t);
+        }
+    }
+}
+
+fn clear(bench: &mut Bench, work: u64, fill: impl FnMut(&[f64], Complex64, &mut [f64]) + 'static) -> Heat {
+    heat(bench, work, &[1.5, 2.4, 1.0 + 1e-9, 4.0].map(|n| (n, 0.0)), fill)
+}
+
+fn absorbing(bench: &mut Bench, work: u64, fill: impl FnMut(&[f64], Complex64, &mut [f64]) + 'static) -> Heat {
     heat(bench, work, &[(0.42, 2.47), (1.0 + 1e-9, 1e-12), (2.0, 100.0), (1.5, 1e-6)], fill)
 }
 
@@ -220,14 +182,11 @@ fn heat(
 const COLUMNS: usize = 72;
 const ROWS: usize = 54;
 
-/// R_n from cos θ₁ and n₂/n₁.
-type Form = fn(f64, f64) -> f64;
-
 fn digits_lost(_: &Setting) -> Plot {
     let forms: [(&str, Form); 3] = [
-        ("as written (E42)", |cos, n_t| by_angles(cos.acos(), n_t)),
-        ("by the cosines", |cos, n_t| natural_reflectance_by_cosines(cos, 1.0, n_t)),
-        ("the program", |cos, n_t| powers(Incidence::from_cos(cos), 1.0, n_t.into()).r_n()),
+        ("as written (E42)", |cos, n_t| by_angles(cos.acos(), n_t.re)),
+        ("by the cosines", |cos, n_t| natural_reflectance_by_cosines(cos, 1.0, n_t.re)),
+        ("the program", one_by_one),
     ];
     let at = NAMES.iter().position(|name| *name == "R_n").expect("an output");
     let cell = |column: usize, row: usize| {
@@ -245,7 +204,7 @@ fn digits_lost(_: &Setting) -> Plot {
         .collect();
     let panels = forms.map(|(title, form)| {
         let kept = |(&(cos, n_t), exact): (&(f64, f64), &Exact)| {
-            let value = form(cos, n_t);
+            let value = form(cos, n_t.into());
             if value.is_finite() { digits(precise::relative_error(value, &exact.outputs[at])) } else { f64::NAN }
         };
         Panel::Map(Map {

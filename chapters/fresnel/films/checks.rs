@@ -35,7 +35,9 @@ fn against_bounces(bench: &mut Bench, passage: fn(Complex64, Complex64) -> Compl
         let incidence = Incidence::from_angle(theta);
         let ours = films.stack().response(DEFAULT_WAVELENGTH, incidence, polarisation).r;
         let sum = sum_of_bounces(&films, incidence, polarisation, passage);
-        ((ours - sum).norm() / f64::EPSILON, format!("{polarisation:?}, {:?}, θ = {theta:.3}", films.layers[0]))
+        let Layer { index, thickness } = films.layers[0];
+        let place = format!("{polarisation:?}, n = {index}, {:.0} nm thick, θ = {theta:.3}", thickness * 1e9);
+        ((ours - sum).norm() / f64::EPSILON, place)
     }))
 }
 
