@@ -22,7 +22,7 @@ pub fn plot(race: &RaceReport) -> Plot {
             label: legend(lane),
             hue: Hue::Nth(at),
             shape: shape(at),
-            joined: true,
+            joined: converges(lane),
             points: points.iter().copied().filter(|point| point[1].is_finite()).collect(),
         });
         let broken: Vec<_> =
@@ -80,6 +80,13 @@ fn guide(points: &[[f64; 2]], order: f64) -> Option<Mark> {
     }
     let points = vec![[first[0], last[1] * (last[0] / first[0]).powf(order)], **last];
     Some(Mark::Line { label: String::new(), hue: Hue::Reference, dash: Dash::Dotted, points })
+}
+
+/// Whether the lane's errors fall with its work, so that a line tells something.
+fn converges(lane: &LaneReport) -> bool {
+    let errors = || lane.points.iter().map(|point| point.error.0.max(FLOOR));
+    let (largest, smallest) = (errors().fold(0.0, f64::max), errors().fold(f64::INFINITY, f64::min));
+    largest > 10.0 * smallest
 }
 
 fn shape(at: u8) -> Shape {

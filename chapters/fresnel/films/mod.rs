@@ -124,8 +124,13 @@ pub(super) const STEP: Step = Step {
     ],
     races: &[
         Race { id: "one_film", claim: "one film costs a fraction of a microsecond", lanes: &ONE_FILM, ..ORDINARY },
-        Race { id: "five_films", claim: "five films", lanes: &FIVE_FILMS, ..ORDINARY },
-        Race { id: "mirror", claim: "a mirror of 21 films", lanes: &TWENTY_ONE_FILMS, ..ORDINARY },
+        Race {
+            id: "five_films",
+            claim: "five films: many wavelengths at once cost a fraction of one at a time",
+            lanes: &FIVE_FILMS,
+            ..ORDINARY
+        },
+        Race { id: "mirror", claim: "a mirror of 21 films: the same", lanes: &TWENTY_ONE_FILMS, ..ORDINARY },
         OPAQUE_FILM,
     ],
     figures: &[
