@@ -3,7 +3,7 @@
 
 use super::snell::with_snell;
 use super::symbols::{E_1, E_1R, N_1, N_2, R_P, R_S, T_P, T_S, THETA_1, THETA_2};
-use super::{INTERFACE, extremes, incidence, interface, over_angle, over_angle_near};
+use super::{INTERFACE, extremes, incidence, interface, media, over_angle, over_angle_near};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
 use crate::vocabulary::{
@@ -381,11 +381,7 @@ fn curves(setting: &Setting, title: &str, ratios: &[Curve]) -> Plot {
 
 /// The ratios as they are where they are real; real part and modulus where they are not.
 fn chart(n_i: f64, n_t: Complex64, ratios: &[Curve]) -> Chart {
-    let title = if n_t.im == 0.0 {
-        format!("n {n_i:.4} → {:.4}", n_t.re)
-    } else {
-        format!("n {n_i:.4} → {:.4} + {:.4}i", n_t.re, n_t.im)
-    };
+    let title = media(n_i, n_t);
     let critical = if n_t.im == 0.0 { critical_angle(n_i, n_t.re) } else { None };
     let everywhere_real = n_t.im == 0.0 && critical.is_none();
     let mut chart = Chart::new(

@@ -2,7 +2,7 @@
 
 use super::extremes::cases;
 use super::symbols::{N_1, N_2, THETA_1, THETA_2};
-use super::{INTERFACE, interface};
+use super::{INTERFACE, interface, pseudo_brewster};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, Stress};
@@ -82,25 +82,19 @@ fn at_right_angle(left: Expr) -> Chain {
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
     let input = interface(setting);
-    let angle = brewster_angle(input.n_i, input.n_t.re);
+    let angle = pseudo_brewster(input.n_i, input.n_t);
     let there = powers(Incidence::from_angle(angle), input.n_i, input.n_t);
-    vec![
-        Quantity {
-            key: "theta_B",
-            symbol: "θ_B",
-            says: "Brewster's angle (of the real part of the index)",
-            value: angle,
-            unit: "rad",
-        },
-        Quantity { key: "R_p_at_B", symbol: "R_p(θ_B)", says: "what is left of p there", value: there.r_p, unit: "1" },
-        Quantity {
-            key: "R_s_at_B",
-            symbol: "R_s(θ_B)",
-            says: "what is left of s there: all reflected light is s",
-            value: there.r_s,
-            unit: "1",
-        },
-    ]
+    let (place, kept) = if input.n_t.im == 0.0 {
+        ("Brewster's angle", "what is left of s there, and with it of all reflected light")
+    } else {
+        ("angle of least R_p, which stands for Brewster's in an absorbing medium", "what is left of s there")
+    };
+    let all = [
+        ("theta_B", "θ_B", place, angle, "rad"),
+        ("R_p_at_B", "R_p(θ_B)", "what is left of p there", there.r_p, "1"),
+        ("R_s_at_B", "R_s(θ_B)", kept, there.r_s, "1"),
+    ];
+    all.map(|(key, symbol, says, value, unit)| Quantity { key, symbol, says, value, unit }).into()
 }
 
 const NOTHING_REFLECTED: Check = Check {

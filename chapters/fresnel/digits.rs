@@ -1,9 +1,9 @@
 //! C10: where the formulas as written lose their digits, and the form that does not.
 
 use super::extremes::{families, ours, worst_cases};
-use super::{INTERFACE, interface};
+use super::{N_I, N_T, interface};
 use crate::figure::{Axis, Map, Panel, Plot, Ramp};
-use crate::setting::Setting;
+use crate::setting::{Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{Bench, Expects, Figure, Heat, Lane, Quantity, Race, Step, Stress, digits};
 use light::Complex64;
 use light::evidence::fresnel::{Exact, Input, NAMES};
@@ -18,7 +18,7 @@ pub(super) const STEP: Step = Step {
     title: "Digits lost, digits kept",
     says: "As written the formulas are 0/0 at normal incidence and cancel between similar media; one identity cures both.",
     rows: &["C10"],
-    parameters: INTERFACE,
+    parameters: &[N_I, Parameter { default: "1.000001", ..N_T }, THETA, WAVELENGTH],
     statements: &[],
     derivations: &[],
     readout: Some(readout),
@@ -81,7 +81,7 @@ const FORMS: Race = Race {
 
 const FORMS_ABSORBING: Race = Race {
     id: "forms_absorbing",
-    claim: "the same into metals",
+    claim: "into metals too the form that keeps its digits is the fastest",
     rows: &["C10"],
     work: "evaluations of R_n",
     reference: "worst relative error against 256-bit arithmetic over gold, a trace of absorption and k = 100",

@@ -259,7 +259,7 @@ fn dips(setting: &Setting) -> Plot {
         points: lowest,
     });
     let own = interface(setting);
-    let mut absorbing = axes("metals at 550 nm");
+    let mut absorbing = axes("absorbing media at 550 nm, and the setting");
     for (at, name) in ["gold", "aluminium", "chromium", "silicon"].into_iter().enumerate() {
         let medium = light::optics::material::named(name).and_then(|material| material.index(550e-9).ok());
         if let Some(index) = medium {

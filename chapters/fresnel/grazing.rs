@@ -126,7 +126,7 @@ fn sphere(setting: &Setting) -> Plot {
         Panel::Picture(picture) => Panel::Picture(Picture { title: title.into(), ..picture }),
         other => other,
     });
-    Plot::grid("The Fresnel effect on a dark polished sphere", 3, panels.into())
+    Plot::grid("The Fresnel effect on a polished sphere", 3, panels.into())
 }
 
 /// A ray from `origin` along the unit vector `direction`.

@@ -2,7 +2,7 @@
 
 use super::fields::{flow, waves};
 use super::symbols::{N_1, N_2, Q_2, R_0, R_P, R_S, THETA_1};
-use super::{N_I, N_T, extremes, incidence, interface, over_angle, sample_media};
+use super::{N_I, N_T, extremes, incidence, interface, over_angle, pseudo_brewster, sample_media};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{
@@ -22,7 +22,7 @@ use light::optics::schlick::normal_reflectance;
 use light::optics::{Direction, Incidence};
 use light::precise;
 use light::sampling::uniform;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 /// The metal behind the interface.
 const METAL: Parameter = Parameter { default: "gold", ..N_T };
@@ -161,15 +161,6 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
             unit: "m",
         },
     ]
-}
-
-/// The angle of incidence [rad] at which R_p is least: Brewster's in a clear medium.
-fn pseudo_brewster(n_i: f64, n_t: Complex64) -> f64 {
-    if n_t.im == 0.0 {
-        return brewster_angle(n_i, n_t.re);
-    }
-    let reflectance = |theta: f64| powers(Incidence::from_angle(theta), n_i, n_t).r_p;
-    super::golden_section(reflectance, 0.0, FRAC_PI_2)
 }
 
 const ENERGY: Check = Check {
@@ -438,7 +429,7 @@ fn against_angle(setting: &Setting) -> Plot {
     let Input { n_i, n_t, .. } = interface(setting);
     let curve = |power: fn(&Powers) -> f64| over_angle(|incidence| power(&powers(incidence, n_i, n_t)));
     let chart = Chart::new(
-        format!("n {n_i:.4} → {:.4} + {:.4}i", n_t.re, n_t.im),
+        super::media(n_i, n_t),
         Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
         Axis::linear("reflectance R", "").range(0.0, 1.0),
     )
@@ -455,7 +446,7 @@ fn phases(setting: &Setting) -> Plot {
         over_angle(|incidence| ratio(&amplitudes(incidence, n_i, n_t)).arg().to_degrees())
     };
     let chart = Chart::new(
-        format!("n {n_i:.4} → {:.4} + {:.4}i", n_t.re, n_t.im),
+        super::media(n_i, n_t),
         Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
         Axis::linear("phase of the reflected field", "°").range(-180.0, 180.0).tick(60.0),
     )

@@ -23,7 +23,8 @@ use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::Chapter;
 use light::Complex64;
 use light::evidence::fresnel::Input;
-use light::optics::{Direction, Incidence};
+use light::optics::{Direction, Incidence, fresnel};
+use std::f64::consts::FRAC_PI_2;
 
 /// The chapter.
 pub const CHAPTER: Chapter = Chapter {
@@ -112,6 +113,16 @@ fn sample_media() -> Vec<(f64, Complex64)> {
     clear.into_iter().chain(metals.map(|(n_i, n, k)| (n_i, Complex64::new(n, k)))).collect()
 }
 
+/// `n 1 → 1.5` or `n 1 → 0.4222 + 2.473i`: the pair of media as a heading.
+fn media(n_i: f64, n_t: Complex64) -> String {
+    let short = |x: f64| {
+        let rounded = (x * 1e4).round() / 1e4;
+        if rounded == x || (1e-2..1e4).contains(&x) { format!("{rounded}") } else { format!("{x:.3e}") }
+    };
+    let absorbed = if n_t.im == 0.0 { String::new() } else { format!(" + {}i", short(n_t.im)) };
+    format!("n {} → {}{absorbed}", short(n_i), short(n_t.re))
+}
+
 /// The sample media and the setting's own pair, each at every angle of a coarse fan.
 fn sample_inputs(setting: &Setting) -> Vec<Input> {
     let own = interface(setting);
@@ -130,4 +141,13 @@ fn golden_section(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
         if f(left) < f(right) { high = right } else { low = left }
     }
     0.5 * (low + high)
+}
+
+/// The angle of incidence [rad] at which R_p is least: Brewster's in a clear medium.
+fn pseudo_brewster(n_i: f64, n_t: Complex64) -> f64 {
+    if n_t.im == 0.0 {
+        return fresnel::brewster_angle(n_i, n_t.re);
+    }
+    let reflectance = |theta: f64| fresnel::powers(Incidence::from_angle(theta), n_i, n_t).r_p;
+    golden_section(reflectance, 0.0, FRAC_PI_2)
 }

@@ -258,13 +258,8 @@ fn reflectance(setting: &Setting) -> Plot {
             let value = |incidence| share(&powers(incidence, n_i, n_t));
             critical.map_or_else(|| over_angle(value), |angle| over_angle_near(angle.to_degrees(), value))
         };
-        let title = if clear {
-            format!("n {n_i:.4} → {:.4}", n_t.re)
-        } else {
-            format!("n {n_i:.4} → {:.4} + {:.4}i", n_t.re, n_t.im)
-        };
         let mut chart = Chart::new(
-            title,
+            super::media(n_i, n_t),
             Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
             Axis::linear("share of the power", "").range(0.0, 1.0),
         )

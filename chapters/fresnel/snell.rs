@@ -10,6 +10,7 @@ use light::equation::derivation::{Chain, Claim};
 use light::equation::expr::sin;
 use light::equation::{Equation, Expr};
 use light::optics::fresnel::refract;
+use light::optics::incidence::{normal_squared, outgoing_root};
 use light::optics::{Direction, Incidence, fresnel};
 use light::precise;
 
@@ -85,7 +86,7 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     let (n_i, n_t) = (setting.index("n_i").re, setting.index("n_t"));
     let direction = incidence(setting);
     // In an absorbing medium the planes of constant phase turn by the real angle atan2(n_i sin θ₁, Re q_t).
-    let q_t = light::optics::incidence::outgoing_root(light::optics::incidence::normal_squared(direction, n_i, n_t));
+    let q_t = outgoing_root(normal_squared(direction, n_i, n_t));
     let tangential = n_i * direction.sin();
     vec![
         Quantity {
@@ -179,23 +180,36 @@ fn refracted_cosines(setting: &Setting) -> Vec<Extreme> {
 }
 
 fn refraction(setting: &Setting) -> Plot {
-    let (n_i, n_t) = (setting.index("n_i").re, setting.index("n_t").re);
-    let curve = |from: f64, to: f64| {
-        let bend = fresnel::critical_angle(from, to).map_or(90.0, f64::to_degrees);
-        super::over_angle_near(bend, move |incidence| {
-            refract(incidence, from, to).map_or(f64::NAN, |(sin, cos)| sin.atan2(cos).to_degrees())
-        })
+    let (n_i, n_t) = (setting.index("n_i").re, setting.index("n_t"));
+    let curve = |from: f64, to: Complex64| {
+        let critical = if to.im == 0.0 { fresnel::critical_angle(from, to.re) } else { None };
+        let all = super::over_angle_near(critical.map_or(90.0, f64::to_degrees), |incidence| {
+            let q_t = outgoing_root(normal_squared(incidence, from, to));
+            if q_t.re > 0.0 { (from * incidence.sin()).atan2(q_t.re).to_degrees() } else { f64::NAN }
+        });
+        (super::media(from, to), all)
     };
-    let mut chart = Chart::new(
-        "",
-        Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
-        Axis::linear("angle of refraction θ_2", "°").range(0.0, 90.0).tick(15.0),
-    )
-    .line(Hue::Nth(0), format!("n {n_i:.4} → {n_t:.4}"), curve(n_i, n_t));
-    if n_i != n_t {
-        chart = chart.line(Hue::Nth(1), format!("n {n_t:.4} → {n_i:.4}"), curve(n_t, n_i));
+    let chart = |y: &str| {
+        Chart::new(
+            "",
+            Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
+            Axis::linear(y, "°").range(0.0, 90.0).tick(15.0),
+        )
+    };
+    let (there, bent) = curve(n_i, n_t);
+    if n_t.im > 0.0 {
+        // No way back is drawn: a wave from inside an absorbing medium has no angle of incidence.
+        return Plot::of(
+            "Snell's law",
+            chart("angle of the refracted planes of phase θ_2").line(Hue::Nth(0), there, bent),
+        );
     }
-    if let Some(critical) = fresnel::critical_angle(n_i.max(n_t), n_i.min(n_t)) {
+    let mut chart = chart("angle of refraction θ_2").line(Hue::Nth(0), there, bent);
+    if n_i != n_t.re {
+        let (back, bent) = curve(n_t.re, n_i.into());
+        chart = chart.line(Hue::Nth(1), back, bent);
+    }
+    if let Some(critical) = fresnel::critical_angle(n_i.max(n_t.re), n_i.min(n_t.re)) {
         chart = chart.at_x(critical.to_degrees(), "θ_c");
     }
     Plot::of("Snell's law", chart)

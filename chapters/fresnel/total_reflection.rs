@@ -21,7 +21,7 @@ use super::symbols::{N_1, N_2};
 const THETA_C: Symbol = Symbol::scalar("theta_c", Dimension::ONE);
 const R: Symbol = Symbol::scalar("r_s", Dimension::ONE);
 const Q_1: Symbol = Symbol::scalar("q_1", Dimension::ONE).real(0.2, 1.5);
-const KAPPA: Symbol = Symbol::scalar("kappa", Dimension::ONE).real(0.1, 1.5);
+const GAMMA: Symbol = Symbol::scalar("gamma", Dimension::ONE).real(0.1, 1.5);
 
 const N_I: Parameter = Parameter { default: "1.5", says: "the denser medium, where the light is", ..super::N_I };
 const N_T: Parameter =
@@ -42,7 +42,7 @@ pub(super) const STEP: Step = Step {
         },
         Statement {
             id: "modulus",
-            says: "with q₁ = n₁cosθ₁ and n₂cosθ₂ = iκ",
+            says: "with q₁ = n₁cosθ₁ and n₂cosθ₂ = iγ",
             rows: &["C13"],
             equation: || Equation::new(abs(R), Expr::from(1)),
         },
@@ -52,8 +52,8 @@ pub(super) const STEP: Step = Step {
         says: "r r* for an imaginary normal wave number behind the interface",
         rows: &["C13"],
         chain: || modulus(Expr::from(1)),
-        spoiled: || modulus((Q_1 - KAPPA).pow(2) / (Q_1 + KAPPA).pow(2)),
-        slip: "iκ taken as κ",
+        spoiled: || modulus((Q_1 - GAMMA).pow(2) / (Q_1 + GAMMA).pow(2)),
+        slip: "iγ taken as γ",
     }],
     readout: Some(readout),
     checks: &[RHOMB, PHASE, NO_FLOW],
@@ -96,10 +96,10 @@ pub(super) const STEP: Step = Step {
 };
 
 fn modulus(last: Expr) -> Chain {
-    let r = (Q_1 - i() * KAPPA) / (Q_1 + i() * KAPPA);
+    let r = (Q_1 - i() * GAMMA) / (Q_1 + i() * GAMMA);
     Chain::new(&r * conj(r.clone()))
-        .because("|r_s|² with r_s = (q₁ − iκ)/(q₁ + iκ)")
-        .then((Q_1 - i() * KAPPA) * (Q_1 + i() * KAPPA) / ((Q_1 + i() * KAPPA) * (Q_1 - i() * KAPPA)), ["conjugate"])
+        .because("|r_s|² with r_s = (q₁ − iγ)/(q₁ + iγ)")
+        .then((Q_1 - i() * GAMMA) * (Q_1 + i() * GAMMA) / ((Q_1 + i() * GAMMA) * (Q_1 - i() * GAMMA)), ["conjugate"])
         .then(last, ["cancel"])
 }
 
@@ -111,7 +111,7 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
         Quantity {
             key: "theta_c",
             symbol: "θ_c",
-            says: "critical angle (nan into a denser medium)",
+            says: "critical angle; there is none into a denser medium",
             value: critical_angle(input.n_i, input.n_t.re).unwrap_or(f64::NAN),
             unit: "rad",
         },
@@ -231,7 +231,7 @@ fn phases(setting: &Setting) -> Plot {
         points.into_iter().filter(|point| point[0] >= critical.to_degrees()).collect::<Vec<_>>()
     };
     let chart = Chart::new(
-        format!("n {:.4} → {:.4}", own.n_i, own.n_t.re),
+        super::media(own.n_i, own.n_t),
         Axis::linear("angle of incidence θ_1", "°").range(critical.to_degrees().floor() - 2.0, 90.0),
         Axis::linear("phase", "°").range(-180.0, 180.0).tick(45.0),
     )
