@@ -240,4 +240,28 @@ mod tests {
         let broken: Vec<Extreme> = families().iter().flat_map(worst_cases).filter(|case| !case.holds()).collect();
         assert!(broken.is_empty(), "{broken:?}");
     }
+
+    #[test]
+    fn the_batch_keeps_the_promise_too() {
+        let at = NAMES.iter().position(|name| *name == "R_n").expect("an output");
+        let broken: Vec<_> = families()
+            .into_iter()
+            .flat_map(|family| family.inputs)
+            .filter_map(|input| {
+                // The batch takes cosines: the same direction, rounded to one.
+                let cos = Incidence::from(input.direction).cos();
+                let input = Input { direction: Direction::Cos(cos), ..input };
+                let mut out = [f64::NAN];
+                match input.n_t.im == 0.0 {
+                    true => natural_reflectance(&[cos], input.n_i, input.n_t.re, &mut out),
+                    false => natural_reflectance_absorbing(&[cos], input.n_i, input.n_t, &mut out),
+                }
+                let exact = Exact::new(&input);
+                let error = precise::relative_error(out[0], &exact.outputs[at]) / (16.0 * f64::EPSILON);
+                (error > 1.0 && !(error <= 1.0 + exact.conditions()[at]))
+                    .then(|| format!("{}: {error} {} {}", describe(&input), out[0], exact.conditions()[at]))
+            })
+            .collect();
+        assert!(broken.is_empty(), "{} {:#?}", broken.len(), &broken[..broken.len().min(12)]);
+    }
 }

@@ -11,7 +11,7 @@ use light::equation::derivation::Chain;
 use light::equation::expr::{cos, sin, tan};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::fresnel::{Input, NAMES};
-use light::optics::fresnel::{Powers, amplitudes, powers};
+use light::optics::fresnel::{Powers, amplitudes, critical_angle, powers};
 use light::optics::{Direction, Incidence};
 use std::f64::consts::FRAC_PI_2;
 
@@ -123,18 +123,23 @@ fn imbalance(bench: &mut Bench, powers: fn(Incidence, f64, Complex64) -> Powers)
     let own = interface(bench.setting);
     let indices = [0.01, 0.3, 0.75, 1.0 - 1e-12, 1.0 + 1e-12, 1.33, 1.5, 2.4, 4.0, 100.0];
     let pairs = indices.map(|n_t| (1.0, Complex64::from(n_t))).into_iter().chain([(own.n_i, own.n_t)]);
+    let critical =
+        indices.into_iter().filter_map(|n_t| Some((n_t, critical_angle(1.0, n_t)?))).flat_map(|(n_t, angle)| {
+            // Just below the critical angle everything that can cancel does.
+            (4..64)
+                .map(move |quarter| angle - 10f64.powf(-f64::from(quarter) / 4.0))
+                .filter(|theta| *theta >= 0.0)
+                .map(move |theta| Input { direction: Direction::Angle(theta), n_i: 1.0, n_t: n_t.into() })
+        });
     let angles = (0..=200).map(|step| f64::from(step) / 200.0 * FRAC_PI_2).map(Direction::Angle);
     let grazing = (0..20).map(|power| Direction::Grazing(10f64.powi(-power)));
     let directions: Vec<_> = angles.chain(grazing).collect();
-    Measured::worst(
-        pairs.flat_map(|(n_i, n_t)| directions.iter().map(move |&direction| Input { direction, n_i, n_t })).flat_map(
-            |input| {
-                let p = powers(input.direction.into(), input.n_i, input.n_t);
-                let sums = [("s", p.r_s + p.t_s), ("p", p.r_p + p.t_p), ("natural", p.r_n() + p.t_n())];
-                sums.map(|(name, sum)| ((sum - 1.0) / f64::EPSILON, format!("{name}, {}", describe(&input))))
-            },
-        ),
-    )
+    let fan = pairs.flat_map(|(n_i, n_t)| directions.iter().map(move |&direction| Input { direction, n_i, n_t }));
+    Measured::worst(fan.chain(critical).flat_map(|input| {
+        let p = powers(input.direction.into(), input.n_i, input.n_t);
+        let sums = [("s", p.r_s + p.t_s), ("p", p.r_p + p.t_p), ("natural", p.r_n() + p.t_n())];
+        sums.map(|(name, sum)| ((sum - 1.0) / f64::EPSILON, format!("{name}, {}", describe(&input))))
+    }))
 }
 
 fn small_transmittances(setting: &Setting) -> Vec<Extreme> {

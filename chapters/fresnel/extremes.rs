@@ -31,6 +31,7 @@ pub fn families() -> Vec<Family> {
         Family { name: "indices a million apart", inputs: pairs(&far_apart(), &everywhere()) },
         Family { name: "metals, k up to 1000", inputs: pairs(&metals(), &everywhere()) },
         Family { name: "a trace of absorption", inputs: traces() },
+        Family { name: "the faintest contrasts at grazing", inputs: faint() },
     ]
 }
 
@@ -166,7 +167,7 @@ const ORDINARY: [Media; 20] = [
     clear(1.7, 1.69),
 ];
 
-const INWARD: [Media; 8] = [
+const INWARD: [Media; 12] = [
     clear(1.33, 1.0),
     clear(1.5, 1.0),
     clear(1.7, 1.0),
@@ -175,6 +176,10 @@ const INWARD: [Media; 8] = [
     clear(1.5, 1.33),
     clear(1.0, 0.999),
     clear(1e6, 1.0),
+    clear(3.5, 1.0),
+    clear(1.0, 0.13),
+    clear(1.0, 0.02),
+    clear(2.5740534900131133, 0.5428398373309594),
 ];
 
 fn nearly_equal() -> Vec<Media> {
@@ -211,7 +216,9 @@ fn metals() -> Vec<Media> {
 fn traces() -> Vec<Input> {
     let mut inputs = Vec::new();
     for k in [1e-300, 1e-100, 1e-30, 1e-20, 1e-16, 1e-12, 1e-8, 1e-5, 1e-2] {
-        for (n_i, n) in [(1.0, 1.5), (1.5, 1.0), (1.0, 1.0 + 1e-10), (1.0, 1.0), (2.4, 2.0), (1.0, 1e-3)] {
+        for (n_i, n) in
+            [(1.0, 1.5), (1.5, 1.0), (1.0, 1.0 + 1e-10), (1.0, 1.0), (2.4, 2.0), (1.0, 1e-3), (1.0, 0.13), (3.5, 1.0)]
+        {
             let media = [(n_i, Complex64::new(n, k))];
             let ordinary = [0.0, 1e-12, 0.3, 0.7, 1.2, 1.5, FRAC_PI_2 - 1e-6, FRAC_PI_2 - 1e-12];
             inputs.extend(pairs(&media, &ordinary.map(Direction::Angle)));
@@ -220,6 +227,14 @@ fn traces() -> Vec<Input> {
         }
     }
     inputs
+}
+
+/// Where both normal wave numbers are so small that their squares underflow.
+fn faint() -> Vec<Input> {
+    let indices = [(1.0, 0.0), (1.0, 1e-290), (1.0, 3e-192), (1.0, 1e-160), (1.0, 1e-100), (1.0 + 1e-15, 0.0)];
+    let cosines = [1e-300, 1e-200, 1e-160, 1e-120, 1e-60].map(Direction::Cos);
+    let media = indices.map(|(n, k)| (1.0, Complex64::new(n, k)));
+    pairs(&media, &[&cosines[..], &[1e-160, 1e-20].map(Direction::Grazing)].concat())
 }
 
 fn everywhere() -> Vec<Direction> {
@@ -248,7 +263,7 @@ fn near(media: &[Media], special: impl Fn(f64, f64) -> Option<f64>) -> Vec<Input
     let mut inputs = Vec::new();
     for &(n_i, n_t) in media {
         let Some(angle) = special(n_i, n_t.re) else { continue };
-        let offsets = [0.0, 1e-16, 1e-15, 1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-4];
+        let offsets = [0.0, 1e-16, 1e-15, 1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-4, 1e-3, 1e-2];
         for direction in offsets.iter().flat_map(|offset| [angle - offset, angle + offset]) {
             if (0.0..=FRAC_PI_2).contains(&direction) {
                 inputs.push(Input { direction: Direction::Angle(direction), n_i, n_t });

@@ -5,7 +5,7 @@ use crate::setting::{Fault, INDEX_MAX, INDEX_MIN, excerpt};
 use light::Complex64;
 use light::optics::film::{Layer, Polarisation, Stack};
 use light::optics::fresnel::{amplitudes, powers};
-use light::optics::schlick::{normal_reflectance, schlick};
+use light::optics::schlick::{normal_reflectance, schlick_by_versine};
 use light::optics::{Direction, Incidence};
 use std::f64::consts::FRAC_PI_2;
 
@@ -63,7 +63,7 @@ const SCHLICK: Function = Function {
     outputs: &[one("R", "approximate reflected share of natural light")],
     call: |arguments| {
         let (incidence, n_1, n_2) = interface(arguments)?;
-        Ok(vec![("R", schlick(incidence.cos(), normal_reflectance(n_1, n_2)))])
+        Ok(vec![("R", schlick_by_versine(incidence.versine(), normal_reflectance(n_1, n_2)))])
     },
 };
 

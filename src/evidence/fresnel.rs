@@ -130,10 +130,10 @@ impl Wide {
 
     fn outputs(&self) -> Outputs {
         let (n, k) = (&self.n, &self.k);
-        let tangential = &self.n_i * &self.sin;
         let square = Pair(n * n - k * k, precise::real(2.0) * n * k);
-        let q_t = Pair(&square.0 - &tangential * &tangential, square.1.clone()).root();
         let q_i = &self.n_i * &self.cos;
+        // n_t² − n_i² sin² θ by the cosine, so that the faintest grazing waves are not lost beside 1.
+        let q_t = Pair(&square.0 - &self.n_i * &self.n_i + &q_i * &q_i, square.1.clone()).root();
         let n2_i = &self.n_i * &self.n_i;
         let s = Pair(&q_i + &q_t.0, q_t.1.clone());
         let r_s = Pair(&q_i - &q_t.0, -q_t.1.clone()).over(&s);

@@ -70,9 +70,10 @@ pub fn powers(incidence: Incidence, n_i: f64, n_t: Complex64) -> Powers {
     // r_s = −(n_t² − n_i²)/(q_i + q_t)², r_p = (n_t² − n_i²)(n_t² cos² θ_i − n_i² sin² θ_i)/(n_t² cos θ_i + n_i q_t)².
     let modulus = n_t.norm_sqr();
     let p_norm = modulus * modulus * side.p_norm;
-    let contrast = side.contrast().norm_sqr();
-    let turned = 2.0 * n_t.re * n_t.im * side.cos_i * side.cos_i;
-    let balance = brewster_balance(incidence, n_i, n_t);
+    let contrast = side.contrast.norm_sqr();
+    let (cos, square) = (incidence.cos(), square(n_t));
+    let turned = square.im * cos * cos;
+    let balance = brewster_balance(incidence, n_i, n_t, square.re);
     Powers {
         r_s: contrast / (side.s_norm * side.s_norm),
         t_s: 4.0 * side.q_i * side.q_t.re / side.s_norm,
@@ -81,23 +82,27 @@ pub fn powers(incidence: Incidence, n_i: f64, n_t: Complex64) -> Powers {
     }
 }
 
-/// The answer between equal media at exactly grazing incidence, where both normal wave numbers vanish.
+/// The answer between equal media.
 const NOTHING_THERE: Amplitudes = {
     let (zero, one) = (Complex64::new(0.0, 0.0), Complex64::new(1.0, 0.0));
     Amplitudes { r_s: zero, t_s: one, r_p: zero, t_p: one }
 };
 
-/// What amplitudes and powers share: the normal wave numbers and the two denominators.
+/// What amplitudes and powers share: the normal wave numbers and the two denominators. All but the inputs is in
+/// units of 1/`unit`, its square or its fourth power, so that nothing underflows at the faintest grazing contrast.
 struct Solution {
     incidence: Incidence,
     n_i: f64,
     n_t: Complex64,
+    /// cos θ_i.
     cos_i: f64,
     /// n_i cos θ_i.
     q_i: f64,
     /// q_t² and q_t.
     q2_t: Complex64,
     q_t: Complex64,
+    /// n_t² − n_i², its real part from exact differences.
+    contrast: Complex64,
     /// n_i q_t / n_t²: what cos θ_i is weighed against in p.
     g: Complex64,
     /// n_t* (cos_i + g*): what t_p is proportional to.
@@ -109,43 +114,42 @@ struct Solution {
 }
 
 impl Solution {
-    /// None if there is no interface to speak of: equal media at exactly grazing incidence.
+    /// None between equal media: there is no interface to speak of.
+    #[inline]
     fn new(incidence: Incidence, n_i: f64, n_t: Complex64) -> Option<Self> {
         debug_assert!(n_i > 0.0 && n_t.re > 0.0 && n_t.im >= 0.0);
-        let cos_i = incidence.cos();
-        let q_i = n_i * cos_i;
+        let contrast = Complex64::new((n_t.re - n_i) * (n_t.re + n_i) - n_t.im * n_t.im, 2.0 * n_t.re * n_t.im);
+        if contrast.re == 0.0 && contrast.im == 0.0 {
+            return None;
+        }
         let q2_t = normal_squared(incidence, n_i, n_t);
         let q_t = outgoing_root(q2_t);
+        let (cos_i, q_i) = (incidence.cos(), n_i * incidence.cos());
+        let unit = if q_i.max(q_t.re).max(q_t.im) < FAINT { MAGNIFIED } else { 1.0 };
+        let (cos_i, q_i, q_t) = (cos_i * unit, q_i * unit, q_t * unit);
+        let (q2_t, contrast) = (q2_t * unit * unit, contrast * unit * unit);
         // q_t n_t* = forward + i·aside. The latter, n Im q_t − κ Re q_t, would cancel; from Re q_t Im q_t = nκ and
         // q_t² = n_t² − n_i² sin² θ_i it is a product of what is never negative.
         let n_i_sin = n_i * incidence.sin();
         let modulus = n_t.norm_sqr();
         let forward = n_t.re * q_t.re + n_t.im * q_t.im;
-        let turned = n_t.re * n_t.re + q_t.im * q_t.im;
-        let aside = n_t.re * q_t.im * (n_i_sin * n_i_sin) / turned;
+        let turned = n_t.re * n_t.re + q_t.im * q_t.im / (unit * unit);
+        let aside = n_t.re * q_t.im * (n_i_sin * n_i_sin / turned);
         let scale = n_i / (modulus * modulus);
         let g =
             Complex64::new(scale * (forward * n_t.re + aside * n_t.im), scale * (aside * n_t.re - forward * n_t.im));
         let lift = n_i / modulus;
         let along = Complex64::new(n_t.re * cos_i + lift * forward, 0.0 - (n_t.im * cos_i + lift * aside));
-        let s_sum = q_i + q_t.re;
-        let p_sum = cos_i + g.re;
+        let (s_sum, p_sum) = (q_i + q_t.re, cos_i + g.re);
         let s_norm = s_sum * s_sum + q_t.im * q_t.im;
         let p_norm = p_sum * p_sum + g.im * g.im;
-        (s_norm > 0.0).then_some(Self { incidence, n_i, n_t, cos_i, q_i, q2_t, q_t, g, along, s_norm, p_norm })
-    }
-
-    /// n_t² − n_i², its real part from exact differences.
-    fn contrast(&self) -> Complex64 {
-        let Self { n_i, n_t, .. } = *self;
-        Complex64::new((n_t.re - n_i) * (n_t.re + n_i) - n_t.im * n_t.im, 2.0 * n_t.re * n_t.im)
+        Some(Self { incidence, n_i, n_t, cos_i, q_i, q2_t, q_t, contrast, g, along, s_norm, p_norm })
     }
 
     /// (q_i − q_t)(q_i + q_t*)/|q_i + q_t|². Its real part needs q_i² − |q_t|², which is
     /// (q_i⁴ − |q_t|⁴)/(q_i² + |q_t|²) with q_t² = q_i² + contrast.
     fn r_s(&self) -> Complex64 {
-        let Self { q_i, q2_t, q_t, s_norm, .. } = *self;
-        let contrast = self.contrast();
+        let Self { q_i, q2_t, q_t, contrast, s_norm, .. } = *self;
         let q2_i = q_i * q_i;
         let excess = contrast.re * (q2_i + q2_t.re) + contrast.im * contrast.im;
         let re = -excess / ((q2_i + q_t.norm_sqr()) * s_norm);
@@ -164,17 +168,22 @@ impl Solution {
     /// cos² θ_i − |g|² near its zero, from cos⁴ θ_i |n_t|⁸ − n_i⁴ |q_t|⁴ in factors that do not cancel:
     /// (n_t² − n_i²)(n_t² cos² θ_i − n_i² sin² θ_i)(…) for clear media, plus what absorption adds.
     fn brewster_difference(&self, g2: f64) -> f64 {
-        let Self { incidence, n_i, n_t, cos_i, q2_t, .. } = *self;
-        let (cos2, n2_i, square) = (cos_i * cos_i, n_i * n_i, square(n_t));
-        let balance = brewster_balance(incidence, n_i, n_t);
+        let Self { incidence, n_i, n_t, cos_i, q2_t, contrast, .. } = *self;
+        let (n2_i, square) = (n_i * n_i, square(n_t));
+        let (cos2, plain_cos2) = (cos_i * cos_i, incidence.cos() * incidence.cos());
+        let balance = brewster_balance(incidence, n_i, n_t, square.re);
         let (re2, im2) = (square.re * square.re, square.im * square.im);
-        let clear = self.contrast().re * balance * (cos2 * re2 + n2_i * q2_t.re);
-        let absorbed = im2 * (cos2 * cos2 * (2.0 * re2 + im2) - n2_i * n2_i);
+        let clear = contrast.re * balance * (cos2 * re2 + n2_i * q2_t.re);
+        let absorbed = contrast.im * contrast.im * (plain_cos2 * plain_cos2 * (2.0 * re2 + im2) - n2_i * n2_i);
         let modulus = n_t.norm_sqr();
         let modulus4 = modulus * modulus * modulus * modulus;
         (clear + absorbed) / (modulus4 * (cos2 + g2))
     }
 }
+
+/// Normal wave numbers below this are magnified before they are squared, by a power of two.
+const FAINT: f64 = 1e-70;
+const MAGNIFIED: f64 = f64::from_bits((1023 + 400) << 52);
 
 /// n², its real part as a product, so that n ≈ κ loses nothing.
 fn square(n: Complex64) -> Complex64 {
@@ -254,11 +263,11 @@ pub fn dip(n: f64) -> Option<Dip> {
         return None;
     }
     let root = (excess * (sum + 2.0 * n)).sqrt();
-    // cos² θ = (n² − 1)/(x² − 1): from outside x > n grows towards grazing, from inside x < n falls.
-    let x = if n > 1.0 { 0.5 * (sum + root) } else { 2.0 * n2 / (sum + root) };
-    let cos2 = (n2 - 1.0) / (x * x - 1.0);
-    let half = (n2 - 1.0) * (n2 - 1.0);
-    Some(Dip { theta: cos2.sqrt().acos(), r_n: 0.5 - 2.0 * n2 / half })
+    // tan² θ = (x² − n²)/(n² − 1) with x − n = (excess + root)/2 from outside; from inside x is n² over that one.
+    let (beyond, outer) = (0.5 * (excess + root), 0.5 * (sum + root));
+    let difference = if n > 1.0 { beyond * (outer + n) } else { n * beyond / outer * (n + n2 / outer) };
+    let contrast = (n - 1.0) * (n + 1.0);
+    Some(Dip { theta: (difference / contrast.abs()).sqrt().atan(), r_n: 0.5 - 2.0 * n2 / (contrast * contrast) })
 }
 
 /// Reflectance [1] of a plane interface under diffuse light from a rarer clear medium, 2∫R_n cos θ d(cos θ), for the
@@ -297,14 +306,17 @@ fn fill<const ABSORBING: bool>(cos_i: &[f64], n_i: f64, n_t: Complex64, out: &mu
     let kappa = n_t.im / n_i;
     let contrast = Complex64::new(((n_t.re - n_i) / n_i) * ((n_t.re + n_i) / n_i) - kappa * kappa, index2.im);
     let contrast2 = contrast.norm_sqr();
-    if contrast2 == 0.0 {
+    if contrast2 == 0.0 && !ABSORBING {
         return out.fill(0.0);
     }
+    // As in `normal_squared`.
+    let normal_squared = |cos2: f64, sin2: f64| if cos2 < 0.5 { contrast.re + cos2 } else { index2.re - sin2 };
+    let outwards = 0.0 < index2.re && index2.re < 1.0;
     for (out, &cos) in out.iter_mut().zip(cos_i) {
         let (cos2, sin2) = (cos * cos, (1.0 - cos) * (1.0 + cos));
-        // As in `normal_squared`.
-        let q2 = if cos2 < 0.5 { contrast.re + cos2 } else { index2.re - sin2 };
-        let balance = index2.re * cos2 - sin2;
+        let q2 = normal_squared(cos2, sin2);
+        // As in `brewster_balance`.
+        let balance = if outwards { q2 - index2.re * sin2 } else { index2.re * cos2 - sin2 };
         let (s, p, balance2);
         if ABSORBING {
             let modulus = (q2 * q2 + index2.im * index2.im).sqrt();
@@ -323,6 +335,18 @@ fn fill<const ABSORBING: bool>(cos_i: &[f64], n_i: f64, n_t: Complex64, out: &mu
         let both = s * p;
         let share = 0.5 * contrast2 * (p * p + balance2 * (s * s)) / (both * both);
         *out = if ABSORBING || q2 > 0.0 { share } else { 1.0 };
+    }
+    if ABSORBING {
+        // A trace of absorption near the critical angle, or at the faintest grazing contrast, needs the care that
+        // a batch has no room for.
+        for (out, &cos) in out.iter_mut().zip(cos_i) {
+            let (cos2, sin2) = (cos * cos, (1.0 - cos) * (1.0 + cos));
+            let q2 = normal_squared(cos2, sin2).abs();
+            let size = if cos2 < 0.5 { contrast.re.abs() } else { index2.re.abs() };
+            if q2 < size / 64.0 || q2 + cos2 < 1e-60 {
+                *out = powers(Incidence::from_cos(cos), n_i, n_t).r_n();
+            }
+        }
     }
 }
 

@@ -55,6 +55,14 @@ impl Incidence {
         self.sin
     }
 
+    /// 1 − cos θ [1], with the digits that the subtraction would lose near the normal.
+    pub fn versine(self) -> f64 {
+        match self.direction {
+            Direction::Angle(theta) => 2.0 * (0.5 * theta).sin().powi(2),
+            Direction::Grazing(_) | Direction::Cos(_) => 1.0 - self.cos,
+        }
+    }
+
     /// cos θ [1].
     pub fn cos(self) -> f64 {
         self.cos
@@ -95,11 +103,22 @@ pub fn normal_squared(incidence: Incidence, n_i: f64, n: Complex64) -> Complex64
     Complex64::new(re, 2.0 * n.re * n.im)
 }
 
-/// Re(n²) cos² θ − n_i² sin² θ [1], which vanishes at Brewster's angle of a clear medium.
-pub(super) fn brewster_balance(incidence: Incidence, n_i: f64, n: Complex64) -> f64 {
-    let (n_cos, n_sin, k_cos) = (n.re * incidence.cos, n_i * incidence.sin, n.im * incidence.cos);
-    let balance = (n_cos - n_sin) * (n_cos + n_sin) - k_cos * k_cos;
-    if nearly_cancelled(balance, n_sin * n_sin) {
+/// Re(n²) cos² θ − n_i² sin² θ [1], which vanishes at Brewster's angle of a clear medium; `square` is Re(n²).
+pub(super) fn brewster_balance(incidence: Incidence, n_i: f64, n: Complex64, square: f64) -> f64 {
+    let (cos, sin) = (incidence.cos, incidence.sin);
+    if square < 0.0 {
+        return square * cos * cos - n_i * n_i * sin * sin;
+    }
+    let (balance, size) = if square < n_i * n_i {
+        // Out of the denser medium the same is Re(q²) − Re(n²) sin² θ, whose terms are the smaller ones: from the
+        // critical angle on they have one sign.
+        let taken = square * sin * sin;
+        (normal_squared(incidence, n_i, n).re - taken, taken)
+    } else {
+        let (n_cos, n_sin, k_cos) = (n.re * cos, n_i * sin, n.im * cos);
+        ((n_cos - n_sin) * (n_cos + n_sin) - k_cos * k_cos, n_sin * n_sin)
+    };
+    if nearly_cancelled(balance, size) {
         return wide_difference(incidence, n_i, n, Wide::from(1.0) - incidence.sin_squared());
     }
     balance

@@ -10,7 +10,12 @@ pub fn normal_reflectance(n_i: f64, n_t: Complex64) -> f64 {
 
 /// R ≈ R₀ + (1 − R₀)(1 − cos θ)⁵ [1] (Schlick 1994, *Computer Graphics Forum* 13(3), eq. 15).
 pub fn schlick(cos: f64, r_0: f64) -> f64 {
-    r_0 + (1.0 - r_0) * fifth_power(1.0 - cos)
+    schlick_by_versine(1.0 - cos, r_0)
+}
+
+/// The same from 1 − cos θ [1], which near the normal keeps digits that cos θ has lost ([`Incidence::versine`]).
+pub fn schlick_by_versine(versine: f64, r_0: f64) -> f64 {
+    r_0 + (1.0 - r_0) * fifth_power(versine)
 }
 
 /// Schlick with the cosine on the rarer side, and 1 beyond the critical angle: what keeps the formula
