@@ -61,7 +61,7 @@ const JUDGED: usize = 48;
 
 const FORMS: Race = Race {
     id: "forms",
-    claim: "the form that keeps its digits is also the fastest: R_n between clear media",
+    claim: "in a batch the form that keeps its digits costs no more than the plain cosines: R_n between clear media",
     rows: &["C10", "E42"],
     work: "evaluations of R_n",
     reference: "worst relative error against 256-bit arithmetic over angles down to 1e−9 and contrasts down to 1e−9",
@@ -81,7 +81,7 @@ const FORMS: Race = Race {
 
 const FORMS_ABSORBING: Race = Race {
     id: "forms_absorbing",
-    claim: "into metals too the form that keeps its digits is the fastest",
+    claim: "into metals the form that keeps its digits is the faster one, even one by one",
     rows: &["C10"],
     work: "evaluations of R_n",
     reference: "worst relative error against 256-bit arithmetic over gold, a trace of absorption and k = 100",

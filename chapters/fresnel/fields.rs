@@ -1,5 +1,6 @@
 //! The second route of the chapter: the three waves at the interface as full vectors, E and H = k × E, from which
-//! boundary conditions and energy flow are read off without any of the formulas under test.
+//! boundary conditions and energy flow are read off. It shares the normal wave number with the formulas under test,
+//! and none of their algebra.
 
 use light::Complex64;
 use light::optics::Incidence;

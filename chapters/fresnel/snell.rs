@@ -7,7 +7,7 @@ use crate::setting::Setting;
 use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
 use light::Complex64;
 use light::equation::derivation::{Chain, Claim};
-use light::equation::expr::sin;
+use light::equation::expr::{cos, sin};
 use light::equation::{Equation, Expr};
 use light::optics::fresnel::refract;
 use light::optics::incidence::{normal_squared, outgoing_root};
@@ -40,16 +40,26 @@ pub(super) const STEP: Step = Step {
             equation: || Equation::new(N_1 * sin(THETA_1), N_2 * sin(THETA_2)),
         },
     ],
-    derivations: &[Derivation {
-        id: "phase_matching",
-        says: "equal phase velocity along the interface gives Snell's law",
-        rows: &["E33"],
-        chain: || phase_matching(N_1 * sin(THETA_1), N_2 * sin(THETA_2)),
-        spoiled: || phase_matching(N_2 * sin(THETA_1), N_1 * sin(THETA_2)),
-        slip: "the indices stand on the wrong sides",
-    }],
+    derivations: &[
+        Derivation {
+            id: "mirror",
+            says: "the reflected wave has the same wave number and the same tangential part of it",
+            rows: &["E33"],
+            chain: || mirror(sin(THETA_1), sin(THETA_1R)),
+            spoiled: || mirror(sin(THETA_1), cos(THETA_1R)),
+            slip: "the angle to the surface for that to the normal",
+        },
+        Derivation {
+            id: "phase_matching",
+            says: "equal phase velocity along the interface gives Snell's law",
+            rows: &["E33"],
+            chain: || phase_matching(N_1 * sin(THETA_1), N_2 * sin(THETA_2)),
+            spoiled: || phase_matching(N_2 * sin(THETA_1), N_1 * sin(THETA_2)),
+            slip: "the indices stand on the wrong sides",
+        },
+    ],
     readout: Some(readout),
-    checks: &[FERMAT],
+    checks: &[FERMAT, MIRROR],
     stress: &[Stress {
         id: "refracted_cosine",
         claim: "cos θ₂ keeps its digits at grazing incidence, near equal indices and at the critical angle",
@@ -75,6 +85,13 @@ fn phase_matching(left: Expr, right: Expr) -> Chain {
         .given(V_2, C / N_2, "v = c/n")
         .then(Equation::new(sin(THETA_1) / V_1, sin(THETA_2) / V_2), ["divide by ω"])
         .then(Equation::new(left, right), ["v = c/n", "times c"])
+}
+
+/// k₁ sin θ₁ = k₁ sin θ₁′: both waves run in the same medium.
+fn mirror(left: Expr, right: Expr) -> Chain {
+    Chain::new(Equation::new(OMEGA / V_1 * sin(THETA_1), OMEGA / V_1 * sin(THETA_1R)))
+        .given(THETA_1R, THETA_1, "the angle below π/2 with that sine")
+        .then(Equation::new(left, right), ["divide by ω/v₁"])
 }
 
 /// `start`, under Snell's law in its symmetric form n₁ = k sin θ₂, n₂ = k sin θ₁.
@@ -149,6 +166,27 @@ fn least_time(order: fn(f64, f64) -> (f64, f64)) -> Measured {
             (refracted - (span - x).atan().sin(), format!("n {n_i} → {n_t}, crossing {x:.3}"))
         },
     ))
+}
+
+const MIRROR: Check = Check {
+    id: "mirror",
+    claim: "the reflected ray leaves at the angle of incidence",
+    rows: &["E33"],
+    route: "Fermat's principle: golden-section search for the point of the shortest way by way of the interface",
+    bound: Bound::AtMost { limit: 1e-7, unit: "1", why: "as for the refracted ray: √ε" },
+    measure: |_| shortest_way(|height| height),
+    spoiled: |_| shortest_way(|height| height.recip()),
+    slip: "the tangent upside down",
+};
+
+/// From (0, 1) by way of (x, 0) to (1, `height`): the tangents of the two angles.
+fn shortest_way(amend: fn(f64) -> f64) -> Measured {
+    Measured::worst([0.2, 0.5, 2.0, 3.0].map(|height| {
+        let way = |x: f64| x.hypot(1.0) + (1.0 - x).hypot(height);
+        let x = super::golden_section(way, 0.0, 1.0);
+        let (incident, reflected) = (x.atan(), ((1.0 - x) / amend(height)).atan());
+        (incident - reflected, format!("height {height}"))
+    }))
 }
 
 fn refracted_cosines(setting: &Setting) -> Vec<Extreme> {

@@ -11,7 +11,7 @@ use light::equation::derivation::Chain;
 use light::equation::expr::{abs, asin, conj, i};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::fresnel::Input;
-use light::optics::film::Polarisation;
+use light::optics::film::{Layer, Polarisation, Stack};
 use light::optics::fresnel::{amplitudes, critical_angle, evanescent_depth};
 use light::optics::{Direction, Incidence};
 use std::f64::consts::FRAC_PI_2;
@@ -22,6 +22,10 @@ const THETA_C: Symbol = Symbol::scalar("theta_c", Dimension::ONE);
 const R: Symbol = Symbol::scalar("r_s", Dimension::ONE);
 const Q_1: Symbol = Symbol::scalar("q_1", Dimension::ONE).real(0.2, 1.5);
 const GAMMA: Symbol = Symbol::scalar("gamma", Dimension::ONE).real(0.1, 1.5);
+
+/// The indices of clear media, which are real.
+const N_1R: Symbol = Symbol::scalar("n_1", Dimension::ONE).real(1.2, 2.0);
+const N_2R: Symbol = Symbol::scalar("n_2", Dimension::ONE).real(1.0, 1.2);
 
 const N_I: Parameter = Parameter { default: "1.5", says: "the denser medium, where the light is", ..super::N_I };
 const N_T: Parameter =
@@ -47,16 +51,28 @@ pub(super) const STEP: Step = Step {
             equation: || Equation::new(abs(R), Expr::from(1)),
         },
     ],
-    derivations: &[Derivation {
-        id: "from_e36",
-        says: "r r* for an imaginary normal wave number behind the interface",
-        rows: &["C13"],
-        chain: || modulus(Expr::from(1)),
-        spoiled: || modulus((Q_1 - GAMMA).pow(2) / (Q_1 + GAMMA).pow(2)),
-        slip: "iγ taken as γ",
-    }],
+    derivations: &[
+        Derivation {
+            id: "from_e36",
+            says: "r r* for an imaginary normal wave number behind the interface",
+            rows: &["C13"],
+            chain: || modulus(Expr::from(1)),
+            spoiled: || modulus((Q_1 - GAMMA).pow(2) / (Q_1 + GAMMA).pow(2)),
+            slip: "iγ taken as γ",
+        },
+        Derivation {
+            id: "from_e39",
+            says: "the same for p",
+            rows: &["C13"],
+            chain: || p_modulus(Expr::from(1)),
+            spoiled: || {
+                p_modulus((N_2R.pow(2) * Q_1 - N_1R.pow(2) * GAMMA) / (N_2R.pow(2) * Q_1 + N_1R.pow(2) * GAMMA))
+            },
+            slip: "iγ taken as γ",
+        },
+    ],
     readout: Some(readout),
-    checks: &[RHOMB, PHASE, NO_FLOW],
+    checks: &[RHOMB, PHASE, DEPTH, NO_FLOW],
     stress: &[Stress {
         id: "about_the_critical_angle",
         claim: "the complex amplitudes keep their digits down to the last unit on either side of the critical angle",
@@ -100,6 +116,15 @@ fn modulus(last: Expr) -> Chain {
     Chain::new(&r * conj(r.clone()))
         .because("|r_s|² with r_s = (q₁ − iγ)/(q₁ + iγ)")
         .then((Q_1 - i() * GAMMA) * (Q_1 + i() * GAMMA) / ((Q_1 + i() * GAMMA) * (Q_1 - i() * GAMMA)), ["conjugate"])
+        .then(last, ["cancel"])
+}
+
+fn p_modulus(last: Expr) -> Chain {
+    let (near, far) = (N_2R.pow(2) * Q_1, N_1R.pow(2) * i() * GAMMA);
+    let r = (&near - &far) / (&near + &far);
+    Chain::new(&r * conj(r.clone()))
+        .because("|r_p|² with r_p = (n₂²q₁ − n₁²iγ)/(n₂²q₁ + n₁²iγ)")
+        .then((&near - &far) * (&near + &far) / ((&near + &far) * (&near - &far)), ["conjugate"])
         .then(last, ["cancel"])
 }
 
@@ -183,6 +208,38 @@ fn against_phase_formula(denominator: fn(f64) -> f64) -> Measured {
         let (sin, cos) = theta.sin_cos();
         let closed = 2.0 * (cos * (sin * sin - 1.0 / (n * n)).sqrt() / denominator(sin)).atan();
         Some(((retardation(theta, n).abs() - closed) / f64::EPSILON, format!("n = {n}, θ = {theta:.4}")))
+    }))
+}
+
+const DEPTH: Check = Check {
+    id: "depth",
+    claim: "behind the interface the field falls to 1/e in the depth shown",
+    rows: &["C13"],
+    route: "a second prism brought near: ln T through the gap falls by 2/depth for each metre, by the film formulas",
+    bound: Bound::AtMost {
+        limit: 1e-9,
+        unit: "1",
+        why: "gaps of 20 and 40 depths: what is not exponential is below e^(−40)",
+    },
+    measure: |_| tunnelled(2.0),
+    spoiled: |_| tunnelled(1.0),
+    slip: "the depth of the power for that of the field",
+};
+
+fn tunnelled(fields_in_power: f64) -> Measured {
+    let cases = [(1.5, 0.8), (1.5, 1.3), (2.4, 0.6), (1.33, 1.0)];
+    let each =
+        cases.into_iter().flat_map(|case| [Polarisation::S, Polarisation::P].map(|polarisation| (case, polarisation)));
+    Measured::worst(each.map(|((n, theta), polarisation)| {
+        let incidence = Incidence::from_angle(theta);
+        let depth = evanescent_depth(incidence, n, 1.0);
+        let ln_t = |depths: f64| {
+            let layers = [Layer { index: Complex64::from(1.0), thickness: depths * depth }];
+            let stack = Stack { n_i: n, layers: &layers, substrate: n.into() };
+            stack.response(1.0, incidence, polarisation).ln_transmittance
+        };
+        let fall = (ln_t(20.0) - ln_t(40.0)) / 20.0;
+        (fall / fields_in_power - 1.0, format!("{polarisation:?}, n = {n}, θ = {theta}"))
     }))
 }
 

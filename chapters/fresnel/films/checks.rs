@@ -185,7 +185,7 @@ pub(super) const PARRATT: Check = Check {
 
 /// Error in ε(1 + κ) of films whose thickness is `scale` times what it should be.
 fn against_parratt(bench: &mut Bench, scale: f64) -> Measured {
-    let cases = [(1, 0.0), (3, 0.2), (5, 0.0)];
+    let cases = [(1, 0.0), (3, 0.2), (4, 0.01), (5, 0.0)];
     Measured::worst(cases.into_iter().zip(BOTH.into_iter().cycle()).flat_map(|((count, most), polarisation)| {
         let (films, theta) = random_films(bench, count, most);
         let angle = Direction::Angle(theta);
@@ -201,6 +201,7 @@ fn against_parratt(bench: &mut Bench, scale: f64) -> Measured {
         [
             error("R", ours.reflectance, &exact.reflectance, kappa.reflectance),
             error("T", ours.transmittance, &exact.transmittance, kappa.transmittance),
+            error("A", ours.absorptance, &exact.absorptance, kappa.absorptance),
         ]
     }))
 }

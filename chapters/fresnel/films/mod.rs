@@ -15,7 +15,7 @@ use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{Derivation, Figure, Quantity, Race, Statement, Step, Stress};
 use light::Complex64;
 use light::equation::derivation::Chain;
-use light::equation::expr::{exp, i, sin, sqrt};
+use light::equation::expr::{cos, exp, i, sin, sqrt};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::Incidence;
 use light::optics::film::{Layer, Polarisation, Stack};
@@ -47,6 +47,14 @@ const R_21: Symbol = Symbol::scalar("r_21", Dimension::ONE).within(0.1, 0.6);
 const R_23: Symbol = Symbol::scalar("r_23", Dimension::ONE).within(0.1, 0.6);
 const T_12: Symbol = Symbol::scalar("t_12", Dimension::ONE).within(0.4, 0.9);
 const T_21: Symbol = Symbol::scalar("t_21", Dimension::ONE).within(0.4, 0.9);
+/// The field that is continuous: E for s, H for p, at the film's back.
+const PSI: Symbol = Symbol::scalar("psi", Dimension::ONE).within(0.5, 1.5);
+/// Its partner, φ = Yψ for a wave that runs on.
+const PHI: Symbol = Symbol::scalar("phi", Dimension::ONE).within(0.5, 1.5);
+/// The film's admittance: q for s, q/n² for p.
+const Y: Symbol = Symbol::scalar("Y", Dimension::ONE).within(0.5, 2.0);
+const PSI_ON: Symbol = Symbol::scalar("psi_+", Dimension::ONE);
+const PSI_BACK: Symbol = Symbol::scalar("psi_-", Dimension::ONE);
 /// What all bounces inside the film send back together.
 const B: Symbol = Symbol::scalar("b", Dimension::ONE);
 
@@ -77,6 +85,14 @@ pub(super) const STEP: Step = Step {
         },
     ],
     derivations: &[
+        Derivation {
+            id: "layer",
+            says: "ψ at a film's face from ψ and φ at its back, with the growing wave e^(−iδ) taken out",
+            rows: &["C15"],
+            chain: || layer((1 + round_trip()) * PSI / 2 + (1 - round_trip()) * PHI / (2 * Y)),
+            spoiled: || layer((1 + round_trip()) * PSI / 2 - (1 - round_trip()) * PHI / (2 * Y)),
+            slip: "the sign of the wave that runs back",
+        },
         Derivation {
             id: "bounces",
             says: "each bounce repeats the one before times r₂₁r₂₃e^(2iδ): a geometric series",
@@ -171,6 +187,17 @@ fn airy(denominator: Expr) -> Expr {
 
 fn quarter_wave() -> Expr {
     (N_1 * N_3 - N_2.pow(2)) / (N_1 * N_3 + N_2.pow(2))
+}
+
+/// Across a film: the wave ψ₊ that runs on lags by δ at the face, ψ₋ that runs back is ahead by as much.
+fn layer(last: Expr) -> Chain {
+    let (onwards, back) = (exp(-(i() * DELTA)), exp(i() * DELTA));
+    Chain::new(exp(i() * DELTA) * (PSI_ON * &onwards + PSI_BACK * &back))
+        .because("both waves at the face, times e^(iδ)")
+        .given(PSI_ON, (PSI + PHI / Y) / 2, "ψ = ψ₊ + ψ₋, φ = Y(ψ₊ − ψ₋) at the back")
+        .given(PSI_BACK, (PSI - PHI / Y) / 2, "ψ = ψ₊ + ψ₋, φ = Y(ψ₊ − ψ₋) at the back")
+        .then(exp(i() * DELTA) * (cos(DELTA) * PSI - i() * sin(DELTA) / Y * PHI), ["Euler: the characteristic matrix"])
+        .then(last, ["Euler", "e^(iδ) multiplied in: nothing grows"])
 }
 
 /// Airy's sum (1833), by what it does to itself: b = first bounce + b bounced once more.
