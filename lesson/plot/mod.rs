@@ -191,10 +191,11 @@ fn heading(title: &str) -> String {
 }
 
 fn describe_marks(marks: &[Mark]) -> String {
-    let names = marks.iter().map(|mark| match mark {
+    let names = marks.iter().filter_map(|mark| match mark {
         Mark::Line { label, .. } | Mark::Points { label, .. } | Mark::AtX { label, .. } | Mark::AtY { label, .. } => {
-            label
+            Some(label)
         }
+        Mark::Broken { .. } => None,
     });
     let names: Vec<&str> = names.map(String::as_str).filter(|label| !label.is_empty()).collect();
     if names.is_empty() { String::new() } else { format!(", showing {}", names.join("; ")) }
