@@ -97,6 +97,12 @@ impl<'a> Axes<'a> {
         Self { frame, plane, band, marks, room: *room, x_label, y_label, x_ticks, y_ticks, names }
     }
 
+    /// The same ticks where `others` show the same extents: as many as there is room for on all of them.
+    pub fn agree(others: &mut [&mut Self]) {
+        agree(others, |axes| (axes.plane.x, &mut axes.x_ticks));
+        agree(others, |axes| (axes.plane.y, &mut axes.y_ticks));
+    }
+
     /// Grid lines, for behind the curves.
     pub fn draw_grid(&self, canvas: &Canvas) {
         let frame = &self.frame;
@@ -148,6 +154,21 @@ impl<'a> Axes<'a> {
         let tick = Tick { at: 0.5, label: Some(BAND_NAME.into()) };
         draw_y_tick(canvas, band.place(0.0, tick.at), &tick, -1.0);
         marks::draw_broken(canvas, band, &self.plane, self.marks);
+    }
+}
+
+/// Gives axes of one extent the ticks of the one that has fewest labels.
+fn agree<'a>(all: &mut [&mut Axes<'a>], of: impl for<'b> Fn(&'b mut Axes<'a>) -> (Extent, &'b mut Vec<Tick>)) {
+    let labels = |ticks: &[Tick]| ticks.iter().filter(|tick| tick.label.is_some()).count();
+    for k in 1..all.len() {
+        let (before, rest) = all.split_at_mut(k);
+        let (extent, ticks) = of(&mut *rest[0]);
+        for other in before {
+            let (other_extent, others) = of(other);
+            if extent == other_extent {
+                if labels(ticks) < labels(others) { others.clone_from(ticks) } else { ticks.clone_from(others) }
+            }
+        }
     }
 }
 

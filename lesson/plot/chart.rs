@@ -20,17 +20,17 @@ const INSET: f64 = 8.0;
 const KEY_BESIDE: f64 = 0.28;
 const NAMES_BESIDE: f64 = 0.36;
 
-/// Draws a chart into `room`.
-pub fn draw(canvas: &Canvas, chart: &Chart, room: &Frame) {
-    let Arrangement { axes, names, key } = arrange(chart, room);
+/// Draws a chart as arranged.
+pub fn draw(canvas: &Canvas, chart: &Chart, arrangement: &Arrangement) {
+    let Arrangement { axes, names, key } = arrangement;
     axes.draw_grid(canvas);
     axes.draw(canvas);
     marks::draw(canvas, &axes.frame, &axes.plane, &chart.marks, false);
     for (label, place) in names {
-        draw_name(canvas, label, place, AID);
+        draw_name(canvas, label, *place, AID);
     }
     if let Some((key, place)) = key {
-        key.draw(canvas, place);
+        key.draw(canvas, *place);
     }
 }
 
