@@ -174,6 +174,15 @@ pub enum Mark {
         /// (x, y) in axis units.
         points: Vec<[f64; 2]>,
     },
+    /// Points whose y is no finite number, in a band of their own above the frame that says so.
+    Broken {
+        /// Colour.
+        hue: Hue,
+        /// Shape of each point.
+        shape: Shape,
+        /// Their x in axis units.
+        at: Vec<f64>,
+    },
     /// A thin vertical reference line with its name.
     AtX {
         /// Where.

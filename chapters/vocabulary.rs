@@ -317,7 +317,9 @@ pub struct Race {
     pub rows: &'static [&'static str],
     /// What one unit of work is (`evaluations of R_n`).
     pub work: &'static str,
-    /// What `error` is and where the reference comes from.
+    /// Name of the error: what of, and whether it is relative (`relative error of R_n`, `|ΔR|`).
+    pub error: &'static str,
+    /// How `error` is taken and where the reference comes from.
     pub reference: &'static str,
     /// The contestants.
     pub lanes: &'static [Lane],

@@ -6,13 +6,18 @@ use chapters::vocabulary::Expects;
 
 /// Where an error of exactly zero is drawn: half a rounding unit, below which `f64` cannot tell.
 const FLOOR: f64 = f64::EPSILON / 2.0;
+/// Decades that the axis of the errors shows at least, lest rounding look like a result.
+const DECADES: f64 = 3.0;
+/// Power of ten under which that axis does not reach only to be wide enough: no relative error of an `f64` lies there.
+const LOWEST: f64 = -17.0;
+/// Share of the errors' span that is left free on both sides.
+const MARGIN: f64 = 0.05;
 
 /// Error against time: of a whole run [µs] where an order is asserted, otherwise of one unit of work [ns].
 pub fn plot(race: &RaceReport) -> Plot {
     let whole = race.lanes.iter().any(|lane| matches!(lane.asserted, Expects::Order { .. }));
     let (label, unit) = if whole { ("time of a run", "µs") } else { ("time of one evaluation", "ns") };
-    let mut chart = Chart::new("", Axis::log(label, unit), Axis::log("error", ""));
-    let roof = 10.0 * highest(race);
+    let mut chart = Chart::new("", Axis::log(label, unit), errors(race));
     for (lane, at) in race.lanes.iter().zip(0..) {
         let points = curve(lane, whole);
         if let Expects::Order { order, .. } = lane.asserted {
@@ -25,17 +30,9 @@ pub fn plot(race: &RaceReport) -> Plot {
             joined: converges(lane),
             points: points.iter().copied().filter(|point| point[1].is_finite()).collect(),
         });
-        let broken: Vec<_> =
-            points.iter().filter(|point| !point[1].is_finite()).map(|point| [point[0], roof]).collect();
+        let broken: Vec<f64> = points.iter().filter(|point| !point[1].is_finite()).map(|point| point[0]).collect();
         if !broken.is_empty() {
-            let label = format!("{}: no finite result", lane.label);
-            chart = chart.with(Mark::Points {
-                label,
-                hue: Hue::Nth(at),
-                shape: Shape::Cross,
-                joined: false,
-                points: broken,
-            });
+            chart = chart.with(Mark::Broken { hue: Hue::Nth(at), shape: shape(at), at: broken });
         }
     }
     Plot::of(sentence(race.claim), chart)
@@ -55,10 +52,18 @@ fn curve(lane: &LaneReport, whole: bool) -> Vec<[f64; 2]> {
     points.collect()
 }
 
-/// The largest finite error of the race; 1 if there is none.
-fn highest(race: &RaceReport) -> f64 {
-    let errors = race.lanes.iter().flat_map(|lane| &lane.points).map(|point| point.error.0);
-    errors.filter(|error| error.is_finite() && *error > 0.0).max_by(f64::total_cmp).unwrap_or(1.0)
+/// The axis of the errors, wide enough that roundings of the same size stand at the same height.
+fn errors(race: &RaceReport) -> Axis {
+    let axis = Axis::log(race.error, "");
+    let drawn = race.lanes.iter().flat_map(|lane| curve(lane, false)).map(|[_, error]| error.log10());
+    let ends = drawn.filter(|power| power.is_finite()).fold(None, |ends: Option<(f64, f64)>, power| {
+        Some(ends.map_or((power, power), |(low, high)| (low.min(power), high.max(power))))
+    });
+    let Some((low, high)) = ends else { return axis };
+    let span = high - low;
+    let (pad, least) = (MARGIN * span, (DECADES - span) / 2.0);
+    let first = (low - pad.max(least)).max(LOWEST.min(low - pad));
+    axis.range(10f64.powf(first), 10f64.powf((high + pad).max(first + DECADES)))
 }
 
 fn legend(lane: &LaneReport) -> String {
@@ -117,7 +122,7 @@ mod tests {
             verdict: Verdict::Passed,
             asserted,
         };
-        RaceReport { address: "c/s/r".into(), claim: "claim", rows: &[], work: "", reference: "", lanes: vec![lane] }
+        RaceReport { address: "c/s/r".into(), claim: "claim", rows: &[], work: "", error: "|ΔR|", reference: "", lanes: vec![lane] }
     }
 
     fn marks(race: &RaceReport) -> Vec<Mark> {
@@ -135,11 +140,38 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_drawn_is_shown_as_broken() {
-        let marks = marks(&race(&[0.0, 1e-3, f64::NAN], Expects::Breaks { limit: 1.0, why: "" }));
-        let Mark::Points { points, .. } = &marks[0] else { panic!("{marks:?}") };
+    fn what_is_not_finite_stands_in_a_band_of_its_own() {
+        let race = race(&[0.0, 1e-3, f64::NAN, f64::INFINITY], Expects::Breaks { limit: 1.0, why: "" });
+        let marks = marks(&race);
+        let [Mark::Points { points, hue, shape, label, .. }, Mark::Broken { hue: same_hue, shape: same_shape, at }] =
+            &marks[..]
+        else {
+            panic!("{marks:?}")
+        };
         assert_eq!(points.iter().map(|point| point[1]).collect::<Vec<_>>(), [FLOOR, 1e-3]);
-        let Mark::Points { points, shape, .. } = &marks[1] else { panic!("{marks:?}") };
-        assert_eq!((points.len(), *shape), (1, Shape::Cross));
+        assert_eq!((at.len(), hue, shape, label.as_str()), (2, same_hue, same_shape, "lane (breaks)"));
+    }
+
+    fn error_axis(errors: &[f64]) -> Axis {
+        let race = race(errors, Expects::Within { limit: 1.0, why: "" });
+        match plot(&race).panels.remove(0) {
+            Panel::Chart(chart) => chart.y,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn rounding_does_not_fill_the_axis() {
+        for errors in [&[1e-15, 2.5e-15][..], &[0.0], &[3e-16, f64::NAN], &[1e-14, 1e-12], &[1e-19, 2e-19]] {
+            let (first, last) = error_axis(errors).range.unwrap();
+            assert!(last / first > 999.0, "{errors:?}: from {first} to {last}");
+            let drawn = |error: f64| if error == 0.0 { FLOOR } else { error };
+            assert!(errors.iter().filter(|error| !error.is_nan()).all(|e| first < drawn(*e) && drawn(*e) < last));
+            assert!(first > 9.9e-18 || errors[0] < 1e-18, "{errors:?}: from {first}");
+        }
+        let (first, last) = error_axis(&[1e-12, 1.0]).range.unwrap();
+        assert!(first > 1e-13 && last < 10.0, "from {first} to {last}");
+        assert_eq!(error_axis(&[f64::NAN]).range, None);
+        assert_eq!(error_axis(&[1.0]).label, "|ΔR|");
     }
 }

@@ -181,6 +181,7 @@ pub struct RaceReport {
     pub claim: &'static str,
     pub rows: &'static [&'static str],
     pub work: &'static str,
+    pub error: &'static str,
     pub reference: &'static str,
     pub lanes: Vec<LaneReport>,
 }

@@ -213,6 +213,7 @@ fn run_race(race: &Race, chosen: &Chosen, address: String) -> RaceReport {
         claim: race.claim,
         rows: race.rows,
         work: race.work,
+        error: race.error,
         reference: race.reference,
     }
 }

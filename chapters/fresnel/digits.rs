@@ -64,6 +64,7 @@ const FORMS: Race = Race {
     claim: "in a batch the form that keeps its digits costs no more than the plain cosines: R_n between clear media",
     rows: &["C10", "E42"],
     work: "evaluations of R_n",
+    error: "worst relative error of R_n",
     reference: "worst relative error against 256-bit arithmetic over angles down to 1e−9 and contrasts down to 1e−9",
     lanes: &[
         lane("written", "E42 as written", BREAKS, |bench, work| {
@@ -84,6 +85,7 @@ const FORMS_ABSORBING: Race = Race {
     claim: "into metals the form that keeps its digits is the faster one, even one by one",
     rows: &["C10"],
     work: "evaluations of R_n",
+    error: "worst relative error of R_n",
     reference: "worst relative error against 256-bit arithmetic over gold, a trace of absorption and k = 100",
     lanes: &[
         lane("written", "complex angles", BREAKS, |bench, work| {

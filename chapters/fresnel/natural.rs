@@ -179,6 +179,7 @@ const HEMISPHERE: Race = Race {
     claim: "the mean reflectance under an even sky: what a smooth rule gains over dice",
     rows: &["E42"],
     work: "evaluations of R_n",
+    error: "relative error of the mean R_n",
     reference: "relative error against Walsh's closed form, n = 1.5",
     lanes: &[
         Lane {

@@ -315,6 +315,7 @@ const SPEED: Race = Race {
     claim: "Schlick's error buys a few nanoseconds; with the rarer side's cosine it buys none",
     rows: &["E44"],
     work: "evaluations of R_n",
+    error: "largest |ΔR|",
     reference: "largest |ΔR|; R_n in 256 bits at 64 of the cosines",
     lanes: &[
         Lane {
@@ -466,6 +467,7 @@ const TABLE: Race = Race {
     claim: "a table gains digits as the square of its size, but only as the root where R has a vertical tangent",
     rows: &["E44"],
     work: "entries of the table (8192 look-ups each)",
+    error: "largest |ΔR|",
     reference: "largest |ΔR|; the exact R_n in f64, whose error is a trillionth of a table's",
     lanes: &[
         Lane {

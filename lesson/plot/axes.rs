@@ -2,8 +2,8 @@
 
 use super::canvas::{Anchor, Canvas, Frame, Place};
 use super::label::Label;
-use super::marks::Plane;
-use super::palette::{AID, GRID, INK};
+use super::marks::{self, Plane};
+use super::palette::{AID, BROKEN, GRID, INK};
 use super::ticks::{Extent, Tick};
 use super::{TEXT, text};
 use chapters::figure::{Axis, Mark};
@@ -20,6 +20,12 @@ const LEAST: f64 = 10.0;
 
 /// Rows in which names may stand above the frame.
 const ROWS: usize = 4;
+/// Between the frame or another line and the lowest part of a name above it.
+const NAME_GAP: f64 = 3.0;
+/// Height of the band of what has no finite value, its distance from the frame, and its name.
+const BAND: f64 = 18.0;
+const BAND_GAP: f64 = 5.0;
+const BAND_NAME: &str = "not finite";
 /// Steps of the search for places for the names: ample for a handful, and an end for a hundred.
 const PATIENCE: usize = 20_000;
 
@@ -38,6 +44,9 @@ pub struct Axes<'a> {
     pub frame: Frame,
     /// The axes in numbers.
     pub plane: Plane,
+    /// The band above the frame for what has no finite value, where there is any.
+    pub band: Option<Frame>,
+    marks: &'a [Mark],
     room: Frame,
     x_label: Label,
     y_label: Label,
@@ -61,7 +70,8 @@ impl<'a> Axes<'a> {
         let (x_label, y_label) = (Label::new(x, 0.9 * room.width()), Label::new(y, 0.9 * room.height()));
         let beneath = TICK + GAP + LINE + x_label.thickness() + spare.below;
         let y_ticks = ticks(&plane.y, y, room.height() - beneath - LEAST, Direction::Up);
-        let left = y_label.thickness() + tick_room(&y_ticks) + 2.0;
+        let has_band = marks::broken(marks).next().is_some();
+        let left = y_label.thickness() + tick_room(&y_ticks).max(band_room(has_band)) + 2.0;
         let x_ticks = ticks(&plane.x, x, room.width() - left - spare.right - LEAST, Direction::Across);
         let overhang =
             x_ticks.iter().filter(|tick| tick.at > 0.9).map(|tick| tick_width(tick) / 2.0).fold(0.0, f64::max);
@@ -76,13 +86,21 @@ impl<'a> Axes<'a> {
         let x_ticks = ticks(&plane.x, x, frame.width(), Direction::Across);
         let mut names = names(&plane, marks, &frame, room);
         let rows = names.iter().map(|name| name.row + 1).max().unwrap_or(0);
-        frame.top = (frame.top + rows as f64 * LINE).ceil();
+        let lines = (frame.top + rows as f64 * LINE).ceil();
+        let band = has_band.then_some(Frame { top: lines, bottom: lines + BAND, ..frame });
+        frame.top = band.map_or(lines, |band| band.bottom + BAND_GAP);
         frame.bottom = frame.bottom.max(frame.top + 1.0);
         for name in &mut names {
-            let bottom = frame.top - GAP - name.row as f64 * LINE;
+            let bottom = lines - NAME_GAP - text::DESCENT * TEXT - name.row as f64 * LINE;
             name.place = Frame { bottom, top: bottom - text::CAPITAL * TEXT, ..name.place };
         }
-        Self { frame, plane, room: *room, x_label, y_label, x_ticks, y_ticks, names }
+        Self { frame, plane, band, marks, room: *room, x_label, y_label, x_ticks, y_ticks, names }
+    }
+
+    /// The same ticks where `others` show the same extents: as many as there is room for on all of them.
+    pub fn agree(others: &mut [&mut Self]) {
+        agree(others, |axes| (axes.plane.x, &mut axes.x_ticks));
+        agree(others, |axes| (axes.plane.y, &mut axes.y_ticks));
     }
 
     /// Grid lines, for behind the curves.
@@ -113,14 +131,50 @@ impl<'a> Axes<'a> {
         }
         let ((across, up), room) = (frame.place(0.5, 0.5), &self.room);
         self.x_label.draw_under(canvas, frame.bottom + TICK + GAP + LINE, across, (room.left, room.right));
-        let left = frame.left - tick_room(&self.y_ticks) - self.y_label.thickness();
+        let beside = tick_room(&self.y_ticks).max(band_room(self.band.is_some()));
+        let left = frame.left - beside - self.y_label.thickness();
         self.y_label.draw_upwards(canvas, left, up, (room.top, room.bottom));
+        let top = self.band.map_or(frame.top, |band| band.top);
+        if let Some(band) = &self.band {
+            self.draw_band(canvas, band);
+        }
         for name in &self.names {
-            canvas.line((name.x, frame.top), (name.x, frame.top - GAP / 2.0 - name.row as f64 * LINE), AID, 1.2);
+            // The line of a name in a higher row goes on through the lower ones, which keep clear of it.
+            if name.row > 0 {
+                canvas.line((name.x, top), (name.x, top - name.row as f64 * LINE), AID, 1.2);
+            }
             let place = (name.place.left, name.place.bottom);
             canvas.text(name.label, place, Anchor(HPos::Left, VPos::Bottom), TEXT, AID);
         }
     }
+
+    fn draw_band(&self, canvas: &Canvas, band: &Frame) {
+        canvas.fill(band, BROKEN.1, 1.0);
+        canvas.outline(band, INK, 1.0);
+        let tick = Tick { at: 0.5, label: Some(BAND_NAME.into()) };
+        draw_y_tick(canvas, band.place(0.0, tick.at), &tick, -1.0);
+        marks::draw_broken(canvas, band, &self.plane, self.marks);
+    }
+}
+
+/// Gives axes of one extent the ticks of the one that has fewest labels.
+fn agree<'a>(all: &mut [&mut Axes<'a>], of: impl for<'b> Fn(&'b mut Axes<'a>) -> (Extent, &'b mut Vec<Tick>)) {
+    let labels = |ticks: &[Tick]| ticks.iter().filter(|tick| tick.label.is_some()).count();
+    for k in 1..all.len() {
+        let (before, rest) = all.split_at_mut(k);
+        let (extent, ticks) = of(&mut *rest[0]);
+        for other in before {
+            let (other_extent, others) = of(other);
+            if extent == other_extent {
+                if labels(ticks) < labels(others) { others.clone_from(ticks) } else { ticks.clone_from(others) }
+            }
+        }
+    }
+}
+
+/// Width that the name of the band takes beside the vertical axis.
+fn band_room(has_band: bool) -> f64 {
+    if has_band { text::width(BAND_NAME, TEXT) + TICK + GAP } else { 0.0 }
 }
 
 fn tick_length(tick: &Tick) -> f64 {

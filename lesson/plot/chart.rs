@@ -20,17 +20,17 @@ const INSET: f64 = 8.0;
 const KEY_BESIDE: f64 = 0.28;
 const NAMES_BESIDE: f64 = 0.36;
 
-/// Draws a chart into `room`.
-pub fn draw(canvas: &Canvas, chart: &Chart, room: &Frame) {
-    let Arrangement { axes, names, key } = arrange(chart, room);
+/// Draws a chart as arranged.
+pub fn draw(canvas: &Canvas, chart: &Chart, arrangement: &Arrangement) {
+    let Arrangement { axes, names, key } = arrangement;
     axes.draw_grid(canvas);
     axes.draw(canvas);
     marks::draw(canvas, &axes.frame, &axes.plane, &chart.marks, false);
     for (label, place) in names {
-        draw_name(canvas, label, place, AID);
+        draw_name(canvas, label, *place, AID);
     }
     if let Some((key, place)) = key {
-        key.draw(canvas, place);
+        key.draw(canvas, *place);
     }
 }
 
@@ -124,10 +124,10 @@ fn place_key<'a>(
 
 /// The axes in numbers: as given, or else as the marks need them.
 pub fn plane(x: &Axis, y: &Axis, marks: &[Mark]) -> Plane {
-    let dots = marks.iter().any(|mark| matches!(mark, Mark::Points { .. }));
+    let dots = marks.iter().any(|mark| matches!(mark, Mark::Points { .. } | Mark::Broken { .. }));
     let xs = marks::points(marks).filter(|[_, y]| y.is_finite()).map(|[x, _]| x);
     let at_x = marks.iter().filter_map(|mark| if let Mark::AtX { x, .. } = mark { Some(*x) } else { None });
-    let x = Extent::new(x, xs.chain(at_x), if dots { 0.04 } else { 0.0 });
+    let x = Extent::new(x, xs.chain(marks::broken(marks)).chain(at_x), if dots { 0.04 } else { 0.0 });
     let shown = |[along, _]: &[f64; 2]| (0.0..=1.0).contains(&x.fraction(*along));
     let at_y = marks.iter().filter_map(|mark| if let Mark::AtY { y, .. } = mark { Some(*y) } else { None });
     let ys = marks::points(marks).filter(shown).map(|[_, y]| y).chain(at_y);

@@ -41,9 +41,8 @@ pub fn arrange<'a>(map: &'a Map, room: &Frame) -> Arrangement<'a> {
     Arrangement { axes: Axes::new(&map.x, &map.y, plane, &map.marks, room, spare), bar, key }
 }
 
-/// Draws a map into `room`.
-pub fn draw(canvas: &Canvas, map: &Map, room: &Frame) {
-    let Arrangement { axes, bar, key } = arrange(map, room);
+/// Draws a map into `room` as arranged.
+pub fn draw(canvas: &Canvas, map: &Map, Arrangement { axes, bar, key }: &Arrangement, room: &Frame) {
     let plane = axes.plane;
     let cells = Cells { values: &map.values, columns: map.columns };
     cells.draw(canvas, &axes.frame, &bar.extent, map.ramp);
@@ -52,7 +51,7 @@ pub fn draw(canvas: &Canvas, map: &Map, room: &Frame) {
     name_lines(canvas, &axes.frame, &plane, &map.marks);
     bar.draw(canvas, &axes.frame);
     if let Some(key) = key {
-        key.draw(canvas, chart::outside_place(&key, &axes.frame, room, 0.0));
+        key.draw(canvas, chart::outside_place(key, &axes.frame, room, 0.0));
     }
 }
 

@@ -40,7 +40,7 @@ impl Plane {
     fn stroke(&self, mark: &Mark) -> Stroke {
         let pieces = match mark {
             Mark::Line { points, .. } | Mark::Points { points, joined: true, .. } => self.pieces(points),
-            Mark::Points { .. } => Vec::new(),
+            Mark::Points { .. } | Mark::Broken { .. } => Vec::new(),
             Mark::AtX { x, .. } => reference(self.x.fraction(*x), |along, across| (along, across)),
             Mark::AtY { y, .. } => reference(self.y.fraction(*y), |along, across| (across, along)),
         };
@@ -89,7 +89,7 @@ type Look = (RGBColor, f64, &'static [f32]);
 fn look(mark: &Mark) -> Look {
     match mark {
         Mark::Line { hue, dash, .. } => (palette::colour(*hue), CURVE, palette::dashes(*dash)),
-        Mark::Points { hue, .. } => (palette::colour(*hue), JOIN, &[]),
+        Mark::Points { hue, .. } | Mark::Broken { hue, .. } => (palette::colour(*hue), JOIN, &[]),
         Mark::AtX { .. } | Mark::AtY { .. } => (palette::AID, AID, &[]),
     }
 }
@@ -196,6 +196,23 @@ fn draw_point(canvas: &Canvas, (x, y): Place, radius: f64, shape: Shape, colour:
     }
 }
 
+/// Draws the points without a finite y into their band.
+pub fn draw_broken(canvas: &Canvas, band: &Frame, plane: &Plane, marks: &[Mark]) {
+    for mark in marks {
+        let Mark::Broken { hue, shape, at } = mark else { continue };
+        let along = at.iter().map(|x| plane.x.fraction(*x)).filter(|along| (0.0..=1.0).contains(along));
+        for place in apart(band, along.map(|along| (along, 0.5)).collect()) {
+            draw_point(canvas, place, radius(at.len()), *shape, palette::colour(*hue));
+        }
+    }
+}
+
+/// The x of points without a finite y.
+pub fn broken(marks: &[Mark]) -> impl Iterator<Item = f64> + '_ {
+    let at = marks.iter().filter_map(|mark| if let Mark::Broken { at, .. } = mark { Some(at) } else { None });
+    at.flatten().copied()
+}
+
 /// How a mark looks in a key, to the right of a place.
 pub fn draw_sample(canvas: &Canvas, mark: &Mark, (x, y): Place, length: f64) {
     let (colour, width, dashes) = look(mark);
@@ -238,7 +255,7 @@ pub fn points(marks: &[Mark]) -> impl Iterator<Item = [f64; 2]> + '_ {
         .iter()
         .flat_map(|mark| match mark {
             Mark::Line { points, .. } | Mark::Points { points, .. } => points.as_slice(),
-            Mark::AtX { .. } | Mark::AtY { .. } => &[],
+            Mark::Broken { .. } | Mark::AtX { .. } | Mark::AtY { .. } => &[],
         })
         .copied()
 }

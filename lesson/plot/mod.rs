@@ -23,7 +23,8 @@ mod tests;
 mod text;
 mod ticks;
 
-use canvas::{Anchor, Canvas, Frame};
+use axes::Axes;
+use canvas::{Anchor, Canvas, Frame, Place};
 use chapters::figure::{Axis, Chart, Map, Mark, Panel, Picture, Plot};
 use palette::INK;
 use plotters::style::text_anchor::{HPos, VPos};
@@ -42,7 +43,7 @@ const MARGIN: f64 = 10.0;
 /// Size of the only panel in a row.
 const ALONE: (f64, f64) = (620.0, 400.0);
 /// Size of one of several panels in a row.
-const AMONG: (f64, f64) = (440.0, 330.0);
+const AMONG: (f64, f64) = (390.0, 320.0);
 /// Share of a panel's usual height that the frame gets at least.
 const LEAST: f64 = 0.5;
 
@@ -58,7 +59,7 @@ pub fn svg(plot: &Plot) -> String {
 
 /// The figure on a sheet.
 fn draw(plot: &Plot) -> Sheet {
-    let columns = plot.columns.clamp(1, plot.panels.len().max(1));
+    let columns = columns(plot);
     let usual = if columns == 1 { ALONE } else { AMONG };
     let sizes: Vec<(f64, f64)> = plot.panels.iter().map(|panel| size(panel, usual)).collect();
     let widths: Vec<f64> =
@@ -70,16 +71,63 @@ fn draw(plot: &Plot) -> Sheet {
     let head = block_height(lines.len(), TITLE);
     let canvas = Canvas::new(width, heights.iter().sum::<f64>() + gaps(heights.len()) + head);
     draw_lines(&canvas, &lines, width / 2.0, MARGIN, TITLE);
+    let mut laid = Vec::new();
     let mut top = MARGIN + head;
     for (row, height) in plot.panels.chunks(columns).zip(&heights) {
         let mut left = MARGIN;
         for (panel, width) in row.iter().zip(&widths) {
-            draw_panel(&canvas, panel, &Frame::at((left, top), *width, *height));
+            laid.push(lay(panel, Frame::at((left, top), *width, *height)));
             left += width + MARGIN;
         }
         top += height + MARGIN;
     }
+    Axes::agree(&mut laid.iter_mut().filter_map(Laid::axes).collect::<Vec<_>>());
+    laid.iter().for_each(|panel| draw_panel(&canvas, panel));
     canvas.finish()
+}
+
+/// Panels in a row: as asked for, but no more than two with axes, whose text would be lost on a narrow page.
+fn columns(plot: &Plot) -> usize {
+    let has_axes = plot.panels.iter().any(|panel| !matches!(panel, Panel::Picture(_)));
+    plot.columns.min(if has_axes { 2 } else { usize::MAX }).clamp(1, plot.panels.len().max(1))
+}
+
+/// A panel in its room, the title's taken off.
+struct Laid<'a> {
+    title: (Vec<String>, Place),
+    room: Frame,
+    content: Content<'a>,
+}
+
+/// What a panel shows, with its arrangement.
+enum Content<'a> {
+    Chart(&'a Chart, chart::Arrangement<'a>),
+    Map(&'a Map, map::Arrangement<'a>),
+    Picture(&'a Picture),
+}
+
+impl<'a> Laid<'a> {
+    fn axes(&mut self) -> Option<&mut Axes<'a>> {
+        match &mut self.content {
+            Content::Chart(_, arrangement) => Some(&mut arrangement.axes),
+            Content::Map(_, arrangement) => Some(&mut arrangement.axes),
+            Content::Picture(_) => None,
+        }
+    }
+}
+
+fn lay(panel: &Panel, room: Frame) -> Laid<'_> {
+    let place = ((room.left + room.right) / 2.0, room.top);
+    let (lines, room) = match panel {
+        Panel::Chart(Chart { title, .. }) | Panel::Map(Map { title, .. }) => under_title(title, &room),
+        Panel::Picture(_) => (Vec::new(), room),
+    };
+    let content = match panel {
+        Panel::Chart(chart) => Content::Chart(chart, chart::arrange(chart, &room)),
+        Panel::Map(map) => Content::Map(map, map::arrange(map, &room)),
+        Panel::Picture(picture) => Content::Picture(picture),
+    };
+    Laid { title: (lines, place), room, content }
 }
 
 fn largest(lengths: impl Iterator<Item = f64>) -> f64 {
@@ -135,16 +183,12 @@ fn rows(picture: &Picture) -> usize {
     picture.pixels.len().checked_div(picture.width).unwrap_or(0)
 }
 
-fn draw_panel(canvas: &Canvas, panel: &Panel, room: &Frame) {
-    let titled = |title: &str| {
-        let (lines, rest) = under_title(title, room);
-        draw_lines(canvas, &lines, (room.left + room.right) / 2.0, room.top, HEADING);
-        rest
-    };
-    match panel {
-        Panel::Chart(chart) => chart::draw(canvas, chart, &titled(&chart.title)),
-        Panel::Map(map) => map::draw(canvas, map, &titled(&map.title)),
-        Panel::Picture(picture) => draw_picture(canvas, picture, room),
+fn draw_panel(canvas: &Canvas, Laid { title: (lines, (middle, top)), room, content }: &Laid) {
+    draw_lines(canvas, lines, *middle, *top, HEADING);
+    match content {
+        Content::Chart(chart, arrangement) => chart::draw(canvas, chart, arrangement),
+        Content::Map(map, arrangement) => map::draw(canvas, map, arrangement, room),
+        Content::Picture(picture) => draw_picture(canvas, picture, room),
     }
 }
 
@@ -191,10 +235,11 @@ fn heading(title: &str) -> String {
 }
 
 fn describe_marks(marks: &[Mark]) -> String {
-    let names = marks.iter().map(|mark| match mark {
+    let names = marks.iter().filter_map(|mark| match mark {
         Mark::Line { label, .. } | Mark::Points { label, .. } | Mark::AtX { label, .. } | Mark::AtY { label, .. } => {
-            label
+            Some(label)
         }
+        Mark::Broken { .. } => None,
     });
     let names: Vec<&str> = names.map(String::as_str).filter(|label| !label.is_empty()).collect();
     if names.is_empty() { String::new() } else { format!(", showing {}", names.join("; ")) }

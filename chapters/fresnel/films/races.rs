@@ -15,6 +15,7 @@ pub(super) const ORDINARY: Race = Race {
     claim: "",
     rows: &["C15"],
     work: "evaluations of one stack at one wavelength",
+    error: "largest relative error of T",
     reference: "largest relative error of T; Parratt's recursion in 256 bits at some of the wavelengths",
     lanes: &[],
 };
@@ -84,6 +85,7 @@ fn thick_mirror() -> Films {
 pub(super) const OPAQUE_FILM: Race = Race {
     id: "opaque_film",
     claim: "behind opaque silver the textbook forms lose every digit, however long they compute",
+    error: "largest relative error of ln T",
     reference: "largest relative error of ln T; Parratt's recursion in 256 bits at some of the wavelengths",
     lanes: &[
         Lane {
