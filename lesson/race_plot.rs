@@ -122,7 +122,15 @@ mod tests {
             verdict: Verdict::Passed,
             asserted,
         };
-        RaceReport { address: "c/s/r".into(), claim: "claim", rows: &[], work: "", error: "|ΔR|", reference: "", lanes: vec![lane] }
+        RaceReport {
+            address: "c/s/r".into(),
+            claim: "claim",
+            rows: &[],
+            work: "",
+            error: "|ΔR|",
+            reference: "",
+            lanes: vec![lane],
+        }
     }
 
     fn marks(race: &RaceReport) -> Vec<Mark> {

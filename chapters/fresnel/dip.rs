@@ -177,8 +177,8 @@ const THRESHOLD: Check = Check {
         limit: 1e-14, unit: "1", why: "bisection to rounding; the finite angle moves it by 1e−20"
     },
     measure: |_| threshold(|n| dip(n).is_some()),
-    spoiled: |_| threshold(|n| dip(n).is_some_and(|dip| dip.r_n > 0.25)),
-    slip: "a dip counts only where a quarter is reflected",
+    spoiled: |_| threshold(|n| n * n - 4.0 * n - 1.0 > 0.0),
+    slip: "−1 for +1 in n² − 4n + 1",
 };
 
 /// Distance between where the program's closed form begins to dip and where R_n itself does; and that the former is
