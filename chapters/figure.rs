@@ -10,7 +10,7 @@ pub struct Plot {
     pub title: String,
     /// Left to right, wrapped into rows of `columns`.
     pub panels: Vec<Panel>,
-    /// Panels in a row (at least 1).
+    /// Panels in a row (at least 1); those with axes stand at most two in a row, lest their text be lost.
     pub columns: usize,
 }
 

@@ -21,7 +21,7 @@ pub fn plot(race: &RaceReport) -> Plot {
     for (lane, at) in race.lanes.iter().zip(0..) {
         let points = curve(lane, whole);
         if let Expects::Order { order, .. } = lane.asserted {
-            chart.marks.extend(guide(&points, order));
+            chart.marks.extend(guide(&points, order).filter(|_| works_for_time(lane)));
         }
         chart = chart.with(Mark::Points {
             label: legend(lane),
@@ -87,6 +87,12 @@ fn guide(points: &[[f64; 2]], order: f64) -> Option<Mark> {
     Some(Mark::Line { label: String::new(), hue: Hue::Reference, dash: Dash::Dotted, points })
 }
 
+/// Whether more work took more time, so that an order in the work is one in the time: not of a table's entries.
+fn works_for_time(lane: &LaneReport) -> bool {
+    let ends = lane.points.first().zip(lane.points.last());
+    ends.is_some_and(|(first, last)| last.seconds / first.seconds > (last.work as f64 / first.work as f64).sqrt())
+}
+
 /// Whether the lane's errors fall with its work, so that a line tells something.
 fn converges(lane: &LaneReport) -> bool {
     let errors = || lane.points.iter().map(|point| point.error.0.max(FLOOR));
@@ -145,6 +151,15 @@ mod tests {
         let marks = marks(&race(&[1.0, 0.25, 0.0625], Expects::Order { order: 2.0, tolerance: 0.1 }));
         let Mark::Line { points, .. } = &marks[0] else { panic!("{marks:?}") };
         assert!((points[0][1] - 1.0).abs() < 1e-12 && (points[1][0] / 4.0 - 1.0).abs() < 1e-12, "{points:?}");
+    }
+
+    #[test]
+    fn an_order_in_what_costs_no_time_is_not_drawn() {
+        let mut race = race(&[1.0, 0.25, 0.0625], Expects::Order { order: 2.0, tolerance: 0.1 });
+        for (point, seconds) in race.lanes[0].points.iter_mut().zip([1e-6, 1e-6, 1.8e-6]) {
+            point.seconds = seconds;
+        }
+        assert!(matches!(&marks(&race)[..], [Mark::Points { .. }]));
     }
 
     #[test]

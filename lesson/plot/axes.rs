@@ -50,7 +50,8 @@ pub struct Axes<'a> {
     room: Frame,
     x_label: Label,
     y_label: Label,
-    x_ticks: Vec<Tick>,
+    /// Ticks of the horizontal axis.
+    pub x_ticks: Vec<Tick>,
     y_ticks: Vec<Tick>,
     names: Vec<Name<'a>>,
 }
@@ -97,10 +98,10 @@ impl<'a> Axes<'a> {
         Self { frame, plane, band, marks, room: *room, x_label, y_label, x_ticks, y_ticks, names }
     }
 
-    /// The same ticks where `others` show the same extents: as many as there is room for on all of them.
-    pub fn agree(others: &mut [&mut Self]) {
-        agree(others, |axes| (axes.plane.x, &mut axes.x_ticks));
-        agree(others, |axes| (axes.plane.y, &mut axes.y_ticks));
+    /// Gives pairs of axes the same ticks where they show the same extents: as many as all have room for.
+    pub fn agree(all: &mut [&mut Self]) {
+        agree(all, |axes| (axes.plane.x, &mut axes.x_ticks));
+        agree(all, |axes| (axes.plane.y, &mut axes.y_ticks));
     }
 
     /// Grid lines, for behind the curves.

@@ -197,7 +197,7 @@ pub fn metals() -> Plot {
     Plot::of("How metals reflect over the visible: where each takes its colour from, and why glass has none", chart)
 }
 
-/// Three in a row: phases, a narrow logarithmic axis, and an axis far from zero.
+/// Three panels: phases, a narrow logarithmic axis, and an axis far from zero.
 pub fn row() -> Plot {
     let phase = |n: f64| -> Vec<[f64; 2]> {
         let sin_c = 1.0 / n;

@@ -20,7 +20,7 @@ const fn rgb(code: u32) -> RGBColor {
     RGBColor((code >> 16) as u8, (code >> 8) as u8, code as u8)
 }
 
-/// The seventh of several equals: no role, and farthest from all of them by the same search; 0.09 at least.
+/// The seventh of several equals, which is no role: found by the same search, it differs from the others by 0.09.
 const PINK: RGBColor = rgb(0xFF3CC3);
 
 /// How many equals have colours of their own.

@@ -303,6 +303,75 @@ fn reference_names_keep_apart() {
 }
 
 #[test]
+fn lines_end_below_their_names() {
+    let axis = || Axis::linear("", "").range(0.0, 1.0);
+    let chart = Chart::new("", axis(), axis()).at_x(0.4, "θ_B").at_x(0.6, "θ_c");
+    let (frame, image) = (frame(&chart), decoded(&Plot::of("", chart)));
+    let is_white = |y: f64| {
+        let row = (y * f64::from(png::DENSITY)) as u32;
+        let columns = (frame.left as u32 + 1) * png::DENSITY..(frame.right as u32 - 1) * png::DENSITY;
+        columns.into_iter().all(|column| image.get_pixel(column, row).0 == [255; 3])
+    };
+    assert!(is_white(frame.top - 1.6), "a line goes on above the frame");
+    assert!(!is_white(frame.top - 10.0) && !is_white(frame.top + 10.0));
+}
+
+#[test]
+fn what_is_not_finite_is_above_the_frame() {
+    let chart = Chart::new("", Axis::log("t", "ns").range(1.0, 100.0), Axis::log("error", "").range(1e-16, 1.0))
+        .with(Mark::Points { label: "lane".into(), hue: Hue::P, shape: Shape::Disc, joined: false, points: vec![] })
+        .with(Mark::Broken { hue: Hue::P, shape: Shape::Disc, at: vec![10.0, 1e9, f64::NAN] })
+        .at_x(30.0, "θ_B");
+    let room = Frame::at((super::MARGIN, super::MARGIN), super::ALONE.0, super::ALONE.1);
+    let arrangement = chart::arrange(&chart, &room);
+    let (frame, band) = (arrangement.axes.frame, arrangement.axes.band.expect("a band"));
+    assert!(room.top < band.top && band.bottom < frame.top && (band.left, band.right) == (frame.left, frame.right));
+    let image = decoded(&Plot::of("", chart.clone()));
+    let at = |(x, y): Place| image.get_pixel(x as u32 * png::DENSITY, y as u32 * png::DENSITY).0;
+    let RGBColor(red, green, blue) = palette::colour(Hue::P);
+    assert_eq!(at(band.place(0.5, 0.5)), [red, green, blue]);
+    assert_ne!(at(band.place(0.25, 0.5)), [red, green, blue]);
+    let written = svg(&Plot::of("", chart));
+    let document = roxmltree::Document::parse(&written).unwrap();
+    let found = labels(&document);
+    for once in ["not finite", "lane"] {
+        assert_eq!(found.iter().filter(|label| *label == once).count(), 1, "{once} in {found:?}");
+    }
+    assert!(!svg(&gallery::race()).contains("not finite"));
+}
+
+#[test]
+fn panels_of_one_extent_agree_on_ticks() {
+    let wide = |title: &str| {
+        let mut map = grey_map(vec![0.5; 4], 2);
+        map.title = title.into();
+        map.x = Axis::log("x", "").range(1e-10, 1.0);
+        map
+    };
+    let narrow = Map { colour: Axis::linear("a b", "").range(0.0, 123_456.0), values: vec![f64::NAN; 4], ..wide("") };
+    for panels in [vec![wide("").into(), narrow.clone().into()], vec![narrow.into(), wide("").into()]] {
+        let mut laid: Vec<_> =
+            panels.iter().map(|panel| super::lay(panel, Frame::at((0.0, 0.0), AMONG.0, AMONG.1))).collect();
+        let ticks = |laid: &mut super::Laid| laid.axes().map(|axes| axes.x_ticks.clone()).unwrap();
+        assert_ne!(ticks(&mut laid[0]), ticks(&mut laid[1]), "the panels differ in room");
+        super::Axes::agree(&mut laid.iter_mut().filter_map(super::Laid::axes).collect::<Vec<_>>());
+        assert_eq!(ticks(&mut laid[0]), ticks(&mut laid[1]));
+    }
+}
+
+#[test]
+fn text_of_grids_is_readable_on_narrow_pages() {
+    for columns in 1..5 {
+        let sheet = super::draw(&Plot::grid("", columns, vec![Panel::Chart(straight(0.5)); 5]));
+        let shown = |page: f64| super::TEXT * (page / f64::from(sheet.width)).min(1.0);
+        assert!(shown(640.0) >= 9.0 && shown(400.0) >= 7.0, "{columns} columns: {} wide", sheet.width);
+    }
+    let picture = Picture { title: String::new(), width: 100, pixels: vec![[0.5; 3]; 10_000] };
+    let sheet = super::draw(&Plot::grid("", 3, vec![Panel::Picture(picture); 3]));
+    assert!(sheet.width > 2 * sheet.height, "pictures stay in a row");
+}
+
+#[test]
 fn the_same_figure_is_the_same_bytes() {
     assert_eq!(png(&gallery::grid()), png(&gallery::grid()));
     assert_eq!(svg(&gallery::grid()), svg(&gallery::grid()));
