@@ -90,7 +90,7 @@ Exit status: 0 if everything holds, 1 if a check broke, 2 if it could not run.";
 
 /// A lecture on the physics of rendering that proves itself.
 #[derive(Debug, Parser)]
-#[command(name = "lesson", version, after_help = EXAMPLES, args_conflicts_with_subcommands = true, args_override_self = true, max_term_width = 100)]
+#[command(name = "lesson", version, after_help = EXAMPLES, args_conflicts_with_subcommands = true, args_override_self = true, max_term_width = 80)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,

@@ -84,24 +84,28 @@ impl Page {
     }
 
     /// The page so far as screens of at most `height` lines: a section that does not fit under the one before it
-    /// begins a new screen, and one that is longer than a screen breaks where lines are empty.
+    /// begins a new screen, unless it is longer than a screen; such a one breaks where lines are empty.
     pub fn into_screens(self, height: usize) -> Vec<String> {
         let ends = self.sections.iter().copied().skip(1).chain([self.text.len()]);
         let starts = self.sections.iter().copied();
         let mut screens: Vec<Vec<&str>> = Vec::new();
         for (start, end) in starts.zip(ends) {
             let mut rest: Vec<&str> = self.text[start..end].trim_end().lines().collect();
-            if let Some(last) = screens.last_mut().filter(|last| last.len() + 1 + rest.len() <= height) {
-                last.push("");
-                last.append(&mut rest);
+            if let Some(last) = screens.last_mut() {
+                let room = height.saturating_sub(last.len() + 1);
+                if rest.len() <= room || (rest.len() > height && room > height / 2) {
+                    let tail = rest.split_off(breaking(&rest, room));
+                    last.push("");
+                    last.append(&mut rest);
+                    rest = tail;
+                }
             }
             while !rest.is_empty() {
                 let tail = rest.split_off(breaking(&rest, height.max(1)));
                 screens.push(std::mem::replace(&mut rest, tail));
-                rest.drain(..rest.iter().take_while(|line| line.is_empty()).count());
             }
         }
-        screens.into_iter().map(|lines| lines.join("\n") + "\n").collect()
+        screens.iter().map(|lines| lines.join("\n").trim_matches('\n').to_owned() + "\n").collect()
     }
 
     /// Begins a section: what belongs together on a screen.
@@ -310,7 +314,7 @@ fn breaking(lines: &[&str], height: usize) -> usize {
     if lines.len() <= height {
         return lines.len();
     }
-    (height / 2..height).rev().find(|at| lines[*at].is_empty()).unwrap_or(height)
+    ((height / 2).max(1)..height).rev().find(|at| lines[*at].is_empty()).unwrap_or(height)
 }
 
 /// Label markup (`R_s`, `10^{−6}`) with Unicode's own small letters where it has them all, and minus signs for the
@@ -345,9 +349,7 @@ fn is_symbol(before: &str) -> bool {
     let mut letters = before.chars().rev();
     let last = letters.next();
     match last {
-        Some(letter) if letter.is_alphabetic() => {
-            !letters.next().is_some_and(|c| c.is_alphabetic() || "_/".contains(c))
-        }
+        Some(letter) if letter.is_alphabetic() => !letters.next().is_some_and(|c| c.is_alphabetic() || c == '_'),
         _ => last.is_some_and(|c| c.is_numeric() || ")′".contains(c)),
     }
 }
@@ -449,9 +451,7 @@ mod tests {
 
     #[test]
     fn names_and_assignments_are_left_as_typed() {
-        for name in
-            ["total_reflection", "r_plus_t", "fresnel/r_s", "n_t=gold", "theta_1", "d_H", "-1 nm to p-polarised"]
-        {
+        for name in ["total_reflection", "r_plus_t", "n_t=gold", "theta_1", "d_H", "-1 nm to p-polarised"] {
             assert_eq!(typeset(name), name.replace("-1", "−1"), "{name}");
         }
     }
