@@ -1,6 +1,6 @@
 //! The checked functions that `lesson eval` offers to scripts.
 
-use crate::setting::{Fault, excerpt, parse_quantity};
+use crate::setting::{Fault, excerpt, parse_quantity, range};
 
 /// A function by name: the chapter's own physics behind a flat list of inputs and outputs.
 #[derive(Debug)]
@@ -57,6 +57,8 @@ pub enum Argument {
     List(Vec<Argument>),
     /// Named fields.
     Record(Vec<(String, Argument)>),
+    /// What no input can be: `true`, `false`, `null`.
+    Other,
 }
 
 /// Named arguments, checked against the function's inputs as they are read.
@@ -71,8 +73,9 @@ impl<'a> Arguments<'a> {
     pub fn new(function: &'a Function, given: &'a [(String, Argument)]) -> Result<Self, Fault> {
         for (at, (name, _)) in given.iter().enumerate() {
             if !function.inputs.iter().any(|input| input.name == name) {
-                let known: Vec<_> = function.inputs.iter().map(|input| input.name).collect();
-                return Err(Fault::new(excerpt(name), format!("{} takes: {}", function.name, known.join(", "))));
+                let known = function.inputs.iter().map(|input| input.name).collect();
+                let message = format!("no such input of {}", function.name);
+                return Err(Fault::unknown(excerpt(name), name, message, known));
             }
             if given[..at].iter().any(|(earlier, _)| earlier == name) {
                 return Err(Fault::new(name, "given twice"));
@@ -101,7 +104,12 @@ impl<'a> Arguments<'a> {
 
 /// `argument` as a number in `unit` within `domain`.
 pub fn number(place: &str, argument: &Argument, unit: &str, domain: Option<(f64, f64)>) -> Result<f64, Fault> {
-    let valid = domain.map_or(String::new(), |(min, max)| format!("; valid: {min} to {max}"));
+    let given = match argument {
+        Argument::Text(text) => excerpt(text),
+        Argument::Number(value) => value.to_string(),
+        _ => String::new(),
+    };
+    let valid = domain.map_or(String::new(), |(min, max)| format!("; {}", range(min, max, unit, &given)));
     let value = match argument {
         Argument::Number(value) => *value,
         Argument::Text(text) => {
@@ -110,7 +118,7 @@ pub fn number(place: &str, argument: &Argument, unit: &str, domain: Option<(f64,
         _ => return Err(Fault::new(place, format!("must be a number{valid}"))),
     };
     if !value.is_finite() || domain.is_some_and(|(min, max)| !(min..=max).contains(&value)) {
-        return Err(Fault::new(place, format!("{value} is out of range{valid}")));
+        return Err(Fault::new(place, format!("{given} is out of range{valid}")));
     }
     Ok(value)
 }

@@ -12,18 +12,48 @@ pub struct Fault {
     pub place: String,
     /// What is wrong with it and the valid range.
     pub message: String,
+    /// Set if a name is not known.
+    pub unknown: Option<Unknown>,
+}
+
+/// A name that is not known where it stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unknown {
+    /// The name as it was given.
+    pub word: String,
+    /// The names known there.
+    pub names: Vec<&'static str>,
 }
 
 impl Fault {
     /// A fault at `place`.
     pub fn new(place: impl Into<String>, message: impl Into<String>) -> Self {
-        Self { place: place.into(), message: message.into() }
+        Self { place: place.into(), message: message.into(), unknown: None }
+    }
+
+    /// A fault at `place`: `word` is none of the `names` known there.
+    pub fn unknown(
+        place: impl Into<String>,
+        word: impl Into<String>,
+        message: impl Into<String>,
+        names: Vec<&'static str>,
+    ) -> Self {
+        Self { unknown: Some(Unknown { word: excerpt(&word.into()), names }), ..Self::new(place, message) }
+    }
+
+    /// The end of the message: which names there are, if one was not known.
+    pub fn choice(&self) -> String {
+        match &self.unknown {
+            None => String::new(),
+            Some(unknown) if unknown.names.is_empty() => ". There is none".into(),
+            Some(unknown) => format!(". There is: {}", unknown.names.join(", ")),
+        }
     }
 }
 
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.place, self.message)
+        write!(f, "{}: {}{}", self.place, self.message, self.choice())
     }
 }
 
@@ -55,6 +85,13 @@ pub enum Kind {
         max: f64,
         /// SI unit: `rad`, `m`, `Hz`, `1`.
         unit: &'static str,
+    },
+    /// A whole number within `min ..= max` [1].
+    Count {
+        /// Smallest value.
+        min: u32,
+        /// Largest value.
+        max: u32,
     },
     /// A refractive index: a number, `n+ki`, or a material by name, evaluated at the step's `wavelength`.
     Medium,
@@ -98,17 +135,9 @@ impl Setting {
     /// With every `(name, text)` applied; names that the step lacks are faults.
     pub fn with(mut self, changes: &[(String, String)]) -> Result<Self, Fault> {
         for (name, text) in changes {
-            let known = self.entries.iter().map(|entry| entry.0.name).collect::<Vec<_>>().join(", ");
-            let entry = self.entries.iter_mut().find(|entry| entry.0.name == name).ok_or_else(|| {
-                Fault::new(
-                    name,
-                    if known.is_empty() {
-                        "this step has no parameters".into()
-                    } else {
-                        format!("no such parameter here; there are: {known}")
-                    },
-                )
-            })?;
+            let known = self.entries.iter().map(|entry| entry.0.name).collect();
+            let entry = self.entries.iter_mut().find(|entry| entry.0.name == name);
+            let entry = entry.ok_or_else(|| Fault::unknown(name, name, "no such parameter here", known))?;
             (entry.1, entry.2) = (text.clone(), entry.0.parse(text)?);
         }
         self.validate()?;
@@ -187,35 +216,55 @@ impl Parameter {
             Kind::Number { min, max, unit } => {
                 let value =
                     parse_quantity(text, unit).map_err(|reason| fault(format!("{reason}; {}", self.domain())))?;
-                if !(min..=max).contains(&value) {
-                    return Err(fault(format!("{text} is out of range; {}", self.domain())));
+                if (min..=max).contains(&value) {
+                    return Ok(Value::Number(value));
                 }
-                Ok(Value::Number(value))
+                Err(fault(format!("{} is out of range; {}{}", excerpt(text), self.domain_for(text), self.meant(text))))
             }
-            Kind::Medium | Kind::ClearMedium => parse_medium(text).map(Value::Medium).map_err(fault),
+            Kind::Count { min, max } => match text.trim().parse() {
+                Ok(count) if (min..=max).contains(&count) => Ok(Value::Number(f64::from(count))),
+                _ => Err(fault(format!("`{}` is not a whole number in range; {}", excerpt(text), self.domain()))),
+            },
+            Kind::Medium | Kind::ClearMedium => parse_medium(self.name, text).map(Value::Medium),
         }
     }
 
-    /// The valid values in words.
+    /// A number out of range without a unit may lack the one that the default has.
+    fn meant(&self, text: &str) -> String {
+        let Kind::Number { unit, .. } = self.kind else { return String::new() };
+        let (Some((suffix, _)), None) = (suffix(self.default, unit), suffix(text, unit)) else { return String::new() };
+        let meant = format!("{}{suffix}", text.trim());
+        self.parse(&meant).map_or(String::new(), |_| format!(" (did you mean `{meant}`?)"))
+    }
+
+    /// The valid values in words, in the unit of the default.
     pub fn domain(&self) -> String {
+        self.domain_for(self.default)
+    }
+
+    /// The valid values in words, in the unit of `text` or else of the default.
+    fn domain_for(&self, text: &str) -> String {
         match self.kind {
-            Kind::Number { min, max, unit: "rad" } => {
-                format!("valid: {}deg to {}deg", min.to_degrees(), max.to_degrees())
+            Kind::Number { min, max, unit } => {
+                range(min, max, unit, if suffix(text, unit).is_some() { text } else { self.default })
             }
-            Kind::Number { min, max, unit: "m" } if max <= 1.0 => {
-                format!("valid: {} nm to {} nm", significant(min * 1e9), significant(max * 1e9))
-            }
-            Kind::Number { min, max, unit: "1" } => format!("valid: {min} to {max}"),
-            Kind::Number { min, max, unit } => format!("valid: {min} to {max} {unit}"),
+            Kind::Count { min, max } => format!("valid: {min} to {max}"),
             Kind::Medium => "valid: an index such as 1.5 or 0.2+3.4i, or a material by name".into(),
             Kind::ClearMedium => "valid: a real index such as 1.5, or a clear material by name".into(),
         }
     }
 }
 
-/// `x` without the last digits that unit conversion leaves behind.
-fn significant(x: f64) -> f64 {
-    format!("{x:.9e}").parse().expect("a number just printed")
+/// The range `min ..= max` [`unit`] in words, in the unit that `text` carries, if any.
+pub fn range(min: f64, max: f64, unit: &str, text: &str) -> String {
+    let (suffix, factor) = suffix(text, unit).unwrap_or(("", 1.0));
+    format!("valid: {}{suffix} to {}{suffix}", number(min / factor), number(max / factor))
+}
+
+/// `x` as one would type it, without the last digits that unit conversion leaves behind.
+pub fn number(x: f64) -> String {
+    let x: f64 = format!("{x:.9e}").parse().expect("a number just printed");
+    if x == 0.0 || (1e-4..1e6).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
 }
 
 /// The parameter every optics step shares: the vacuum wavelength.
@@ -239,17 +288,22 @@ pub const THETA: Parameter = Parameter {
 /// Reads a finite number with an optional unit suffix, converted to `unit`.
 pub fn parse_quantity(text: &str, unit: &str) -> Result<f64, String> {
     let text = text.trim();
-    let (digits, factor) = suffixes(unit)
-        .iter()
-        .filter_map(|(suffix, factor)| Some((text.strip_suffix(suffix)?, *factor)))
-        .find(|(digits, _)| digits.trim_end().parse::<f64>().is_ok())
-        .unwrap_or((text, 1.0));
+    let (suffix, factor) = suffix(text, unit).unwrap_or(("", 1.0));
+    let digits = &text[..text.len() - suffix.len()];
     let value: f64 = digits.trim_end().parse().map_err(|_| format!("`{}` is not a number", excerpt(text)))?;
     let value = if factor == DEGREE { value.to_radians() } else { value * factor };
     if !value.is_finite() {
         return Err(format!("`{}` is not a finite number", excerpt(text)));
     }
     Ok(value)
+}
+
+/// The suffix that a quantity in `unit` carries, with its size in it.
+fn suffix(text: &str, unit: &str) -> Option<(&'static str, f64)> {
+    let text = text.trim();
+    let number =
+        |suffix: &str| text.strip_suffix(suffix).is_some_and(|digits| digits.trim_end().parse::<f64>().is_ok());
+    suffixes(unit).iter().copied().find(|(suffix, _)| number(suffix))
 }
 
 const DEGREE: f64 = PI / 180.0;
@@ -266,24 +320,24 @@ fn suffixes(unit: &str) -> &'static [(&'static str, f64)] {
 }
 
 /// Reads `1.5`, `0.2+3.4i` or a material's name.
-pub fn parse_medium(text: &str) -> Result<Medium, String> {
+///
+/// # Errors
+/// A fault at `place`, which names the materials there are if `text` is neither an index nor one of them.
+pub fn parse_medium(place: &str, text: &str) -> Result<Medium, Fault> {
     let text = text.trim();
     if let Some(material) = material::named(text) {
         return Ok(Medium::Material(material));
     }
     let index = parse_index(text).ok_or_else(|| {
-        let names: Vec<_> = material::MATERIALS.iter().map(|material| material.name).collect();
-        format!(
-            "`{}` is neither an index (1.5, 0.2+3.4i) nor a material; materials: {}",
-            excerpt(text),
-            names.join(", ")
-        )
+        let names = material::MATERIALS.iter().map(|material| material.name).collect();
+        let message = format!("`{}` is neither an index (1.5, 0.2+3.4i) nor a material", excerpt(text));
+        Fault::unknown(place, text, message, names)
     })?;
     if !(index.re.is_finite() && index.im.is_finite()) {
-        return Err(format!("`{}` is not a finite index; {INDEX_DOMAIN}", excerpt(text)));
+        return Err(Fault::new(place, format!("`{}` is not a finite index; {INDEX_DOMAIN}", excerpt(text))));
     }
     if !(INDEX_MIN..=INDEX_MAX).contains(&index.re) || !(0.0..=INDEX_MAX).contains(&index.im) {
-        return Err(format!("{} is out of range; {INDEX_DOMAIN}", excerpt(text)));
+        return Err(Fault::new(place, format!("{} is out of range; {INDEX_DOMAIN}", excerpt(text))));
     }
     Ok(Medium::Constant(index))
 }
@@ -332,6 +386,25 @@ mod tests {
     }
 
     #[test]
+    fn ranges_are_told_in_the_unit_given() {
+        let says = |parameter: Parameter, text: &str| parameter.parse(text).unwrap_err().message;
+        assert_eq!(says(THETA, "95deg"), "95deg is out of range; valid: 0deg to 90deg");
+        assert_eq!(says(WAVELENGTH, "550"), "550 is out of range; valid: 1nm to 1e6nm (did you mean `550nm`?)");
+        assert_eq!(says(WAVELENGTH, "5mm"), "5mm is out of range; valid: 1e-6mm to 1mm");
+        assert_eq!(range(1e-9, 1e9, "1", "x"), "valid: 1e-9 to 1e9");
+    }
+
+    #[test]
+    fn counts_are_whole() {
+        let pairs = Parameter { default: "3", kind: Kind::Count { min: 1, max: 9 }, ..THETA };
+        assert_eq!(Setting::defaults(&[pairs]).number(pairs.name), 3.0);
+        assert_eq!(pairs.parse("9"), Ok(Value::Number(9.0)));
+        for bad in ["0", "10", "2.5", "-1", "1e400", "three", ""] {
+            assert!(pairs.parse(bad).unwrap_err().message.ends_with("valid: 1 to 9"), "{bad}");
+        }
+    }
+
+    #[test]
     fn indices_are_numbers_or_pairs() {
         assert_eq!(parse_index("1.5"), Some(Complex64::new(1.5, 0.0)));
         assert_eq!(parse_index("0.2+3.4i"), Some(Complex64::new(0.2, 3.4)));
@@ -345,7 +418,7 @@ mod tests {
     #[test]
     fn media_outside_the_domain_are_refused() {
         for bad in ["-1.5", "0", "1-2i", "nan", "1e400", "unobtainium"] {
-            assert!(parse_medium(bad).is_err(), "{bad}");
+            assert!(parse_medium("n", bad).is_err(), "{bad}");
         }
     }
 }

@@ -303,7 +303,8 @@ pub fn digits(relative_error: f64) -> f64 {
     if relative_error.is_nan() {
         return 0.0;
     }
-    (-relative_error.max(f64::EPSILON / 2.0).log10()).clamp(0.0, 15.95)
+    // Adding zero takes the sign off a negative one.
+    (-relative_error.max(f64::EPSILON / 2.0).log10()).clamp(0.0, 15.95) + 0.0
 }
 
 /// Several methods for one number, each at growing work: error against run time.
@@ -477,6 +478,13 @@ mod tests {
         assert!(!Expects::Order { order: 2.0, tolerance: 0.01 }.admits(&broken));
         assert!(!Expects::Within { limit: f64::INFINITY, why: "" }.admits(&broken));
         assert!(Expects::Breaks { limit: f64::INFINITY, why: "" }.admits(&broken));
+    }
+
+    #[test]
+    fn no_digits_are_plain_zero() {
+        for error in [1.0, 10.0, f64::INFINITY, f64::NAN] {
+            assert_eq!(digits(error).to_bits(), 0, "{error}");
+        }
     }
 
     #[test]

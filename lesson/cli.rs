@@ -17,7 +17,7 @@ pub enum Request {
     /// The lecture's rows.
     Coverage { json: bool },
     /// One call of a checked function.
-    Eval { function: String, arguments: Vec<(String, String)> },
+    Eval { function: String, arguments: Vec<(String, String)>, json: bool },
     /// A stream of calls.
     EvalLines { function: String },
     /// What can be called.
@@ -47,17 +47,26 @@ pub struct Lesson {
 
 /// Reads the command line; ends the process for `--help`, `--version` and what clap refuses.
 pub fn parse() -> Result<Request, Stop> {
-    let cli = Cli::parse();
+    let cli = Cli::try_parse().map_err(refusal)?;
     match cli.command {
         None if cli.lesson.chapter.is_none() => match cli.lesson.is_bare() {
             true => Ok(Request::Contents),
             false => Err(Stop::at("chapter", "missing: these options need one, or `all`")),
         },
-        None => Ok(Request::Lesson(cli.lesson.into())),
+        None => cli.lesson.into_request(),
         Some(Command::Coverage { json }) => Ok(Request::Coverage { json }),
         Some(Command::Eval(eval)) => eval.into_request(),
         Some(Command::Completions { shell }) => Ok(Request::Completions(completions(shell))),
     }
+}
+
+/// clap's refusal in the manner of all others; help and version are shown, and the process ends.
+fn refusal(error: clap::Error) -> Stop {
+    if !error.use_stderr() {
+        error.exit();
+    }
+    let text = error.to_string();
+    Stop::Refused(text.strip_prefix("error: ").unwrap_or(&text).trim_end().to_owned())
 }
 
 const EXAMPLES: &str = "\
@@ -74,14 +83,14 @@ Examples:
   lesson eval fresnel --json-lines < inputs.jsonl > outputs.jsonl
   lesson coverage                          which rows of the lecture have what evidence
 
-On a terminal the walk is read with Enter (or n, space) for the next step, b for back,
-p to plot the step's figures, and q to leave.
+On a terminal the walk is read screen by screen: Enter (or n, space) for the next,
+b for the one before, p to plot the step's figures, ? for the keys, q to leave.
 
 Exit status: 0 if everything holds, 1 if a check broke, 2 if it could not run.";
 
 /// A lecture on the physics of rendering that proves itself.
 #[derive(Debug, Parser)]
-#[command(name = "lesson", version, after_help = EXAMPLES, args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
+#[command(name = "lesson", version, after_help = EXAMPLES, args_conflicts_with_subcommands = true, args_override_self = true, max_term_width = 80)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -113,11 +122,17 @@ const EVAL_EXAMPLES: &str = "\
 Examples:
   lesson eval --list
   lesson eval fresnel n1=1 n2=1.5 theta1=56.3deg
-  lesson eval thin-film lambda_nm=550 n0=1 theta0=0 pol=s 'layers=[{\"n\":1.38,\"k\":0,\"d_nm\":99.6}]' 'substrate={\"n\":1.52,\"k\":0}'
-  echo '{\"n1\":1,\"n2\":1.5,\"theta1\":\"56.3deg\"}' | lesson eval fresnel --json-lines
+  lesson eval fresnel n1=1 n2=1.5 theta1=56.3deg --json
+  lesson eval thin-film lambda_nm=550 n0=1 theta0=0 pol=s \\
+      'layers=[{\"n\":1.38,\"d_nm\":99.6}]' 'substrate={\"n\":1.52}'
+  echo '{\"n1\":1,\"n2\":1.5,\"theta1\":0.98}' | lesson eval fresnel --json-lines
 
-Every output is printed as `name value` with 17 significant digits, so that the double survives.
-With --json-lines a bad line gives {\"error\": …} in its place, and the exit status is 2 at the end.";
+Every output is printed as `name value` with 17 significant digits, so that the
+double survives. With --json-lines a bad line gives {\"error\": …} in its place,
+and the exit status is 2 at the end.";
+
+/// Where figures go if nothing else is said.
+const FOLDER: &str = "lesson-out";
 
 #[derive(Debug, Args)]
 struct LessonArgs {
@@ -139,11 +154,11 @@ struct LessonArgs {
     #[arg(long)]
     plot: bool,
     /// Folder for the figures.
-    #[arg(long, value_name = "DIR", default_value = "lesson-out", value_hint = ValueHint::DirPath)]
-    out: PathBuf,
+    #[arg(long, value_name = "DIR", help = format!("Folder for the figures [default: {FOLDER}]"), value_hint = ValueHint::DirPath)]
+    out: Option<PathBuf>,
     /// Format of the figures.
-    #[arg(long, value_enum, default_value = "png")]
-    format: FormatArg,
+    #[arg(long, value_enum, help = "Format of the figures [default: png]")]
+    format: Option<FormatArg>,
     /// Change a parameter of the selected steps: n_t=2.4, n_t=gold, theta=56.3deg, wavelength=550nm.
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     set: Vec<(String, String)>,
@@ -154,24 +169,28 @@ struct LessonArgs {
 
 impl LessonArgs {
     fn is_bare(&self) -> bool {
-        !(self.check || self.stress || self.race || self.plot || self.json) && self.set.is_empty()
+        let flags = self.check || self.stress || self.race || self.plot || self.json;
+        !flags && self.set.is_empty() && self.out.is_none() && self.format.is_none()
     }
-}
 
-impl From<LessonArgs> for Lesson {
-    fn from(args: LessonArgs) -> Self {
-        Self {
-            words: args.chapter.into_iter().chain(args.step).collect(),
-            parts: Parts { checks: args.check, stress: args.stress, races: args.race },
-            plot: args.plot,
-            out: args.out,
-            format: match args.format {
-                FormatArg::Png => Format::Png,
-                FormatArg::Svg => Format::Svg,
-            },
-            changes: args.set,
-            json: args.json,
+    fn into_request(self) -> Result<Request, Stop> {
+        for (flag, given) in [("--out", self.out.is_some()), ("--format", self.format.is_some())] {
+            if given && !self.plot {
+                return Err(Stop::at(flag, "needs --plot"));
+            }
         }
+        Ok(Request::Lesson(Lesson {
+            words: self.chapter.into_iter().chain(self.step).collect(),
+            parts: Parts { checks: self.check, stress: self.stress, races: self.race },
+            plot: self.plot,
+            out: self.out.unwrap_or_else(|| FOLDER.into()),
+            format: match self.format {
+                Some(FormatArg::Svg) => Format::Svg,
+                Some(FormatArg::Png) | None => Format::Png,
+            },
+            changes: self.set,
+            json: self.json,
+        }))
     }
 }
 
@@ -197,8 +216,8 @@ struct EvalArgs {
     /// Document every function: inputs, units, domains, outputs.
     #[arg(long)]
     list: bool,
-    /// With --list: as one JSON document.
-    #[arg(long, requires = "list")]
+    /// The outputs, or with --list the documentation, as one JSON document.
+    #[arg(long, conflicts_with = "json_lines")]
     json: bool,
 }
 
@@ -207,7 +226,7 @@ impl EvalArgs {
         Ok(match self.function {
             _ if self.list => Request::Functions { json: self.json },
             Some(function) if self.json_lines => Request::EvalLines { function },
-            Some(function) => Request::Eval { function, arguments: self.arguments },
+            Some(function) => Request::Eval { function, arguments: self.arguments, json: self.json },
             None => return Err(Stop::at("function", "missing; `lesson eval --list` names them")),
         })
     }

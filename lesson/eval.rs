@@ -2,13 +2,14 @@
 
 use crate::page::{Page, Tone};
 use crate::report::Number;
-use crate::stop::{Stop, did_you_mean, plain};
+use crate::stop::{Stop, plain};
 use crate::text::full;
 use chapters::CURRICULUM;
-use chapters::function::{Argument, Arguments, Function, Input};
-use chapters::setting::excerpt;
+use chapters::function::{Argument, Arguments, Function, Input, Outcome};
+use chapters::setting::{self, Fault, excerpt, range};
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::json;
+use serde_json::value::RawValue;
 use std::fmt;
 use std::io::{self, BufRead, BufReader, BufWriter, Write, stdin, stdout};
 use std::process::ExitCode;
@@ -20,35 +21,49 @@ fn functions() -> impl Iterator<Item = &'static Function> {
 fn find(name: &str) -> Result<&'static Function, Stop> {
     let wanted = plain(name);
     functions().find(|function| plain(function.name) == wanted).ok_or_else(|| {
-        let names: Vec<_> = functions().map(|function| function.name).collect();
-        let hint = did_you_mean(name, names.iter().copied());
-        Stop::at(excerpt(name), format!("no such function{hint}. There is: {}", names.join(", ")))
+        let names = functions().map(|function| function.name).collect();
+        Fault::unknown(excerpt(name), name, "no such function", names).into()
     })
 }
 
-/// One call: a line `name value` for each output.
-pub fn once(name: &str, given: &[(String, String)]) -> Result<String, Stop> {
+/// One call: a line `name value` for each output, or all of them as one JSON object.
+pub fn once(name: &str, given: &[(String, String)], json: bool) -> Result<Vec<u8>, Stop> {
     let function = find(name)?;
-    let given: Result<Vec<_>, Stop> =
-        given.iter().map(|(name, text)| Ok((name.clone(), argument(name, text)?))).collect();
+    let given: Result<Vec<_>, Fault> =
+        given.iter().map(|(name, text)| Ok((name.clone(), argument(function, name, text)?))).collect();
     let outputs = call(function, &given?)?;
-    Ok(outputs.iter().map(|(name, value)| format!("{name} {}\n", full(Number(*value)))).collect())
+    let mut text = Vec::new();
+    if json {
+        write_outputs(&mut text, &outputs).map_err(Stop::writing)?;
+    } else {
+        let line = |(name, value): &(&str, f64)| format!("{name} {}\n", full(Number(*value)));
+        text.extend(outputs.iter().map(line).collect::<String>().into_bytes());
+    }
+    Ok(text)
 }
 
-fn call(function: &Function, given: &[(String, Argument)]) -> Result<Vec<(&'static str, f64)>, Stop> {
-    Ok((function.call)(&Arguments::new(function, given)?)?)
+fn call(function: &Function, given: &[(String, Argument)]) -> Outcome {
+    (function.call)(&Arguments::new(function, given)?)
 }
 
 /// A value as the command line gives it: JSON if it looks structured, a number, or text.
-fn argument(name: &str, text: &str) -> Result<Argument, Stop> {
+fn argument(function: &Function, name: &str, text: &str) -> Result<Argument, Fault> {
     if text.starts_with(['[', '{', '"']) {
-        return serde_json::from_str(text)
-            .map(|Json(argument)| argument)
-            .map_err(|error| Stop::at(excerpt(name), reason(&error)));
+        return from_json(function, name, text);
     }
     Ok(match text.parse() {
         Ok(number) if f64::is_finite(number) => Argument::Number(number),
         _ => Argument::Text(text.to_owned()),
+    })
+}
+
+/// The JSON value `text` of the input `name`.
+fn from_json(function: &Function, name: &str, text: &str) -> Result<Argument, Fault> {
+    serde_json::from_str(text).map(|Json(argument)| argument).map_err(|error| {
+        let input = function.inputs.iter().find(|input| input.name == name);
+        let domain = input.and_then(|input| Some((input.domain?, input.unit)));
+        let valid = domain.map_or(String::new(), |((min, max), unit)| format!("; {}", range(min, max, unit, "")));
+        Fault::new(excerpt(name), format!("{}{valid}", reason(&error)))
     })
 }
 
@@ -67,7 +82,7 @@ pub fn lines(name: &str) -> Result<ExitCode, Stop> {
 
 /// Answers `input` line by line; whether every line was good.
 fn answer<R: io::Read>(function: &Function, input: &mut BufReader<R>, output: &mut impl Write) -> Result<bool, Stop> {
-    let (mut line, mut number, mut all_good) = (Vec::new(), 0_u64, true);
+    let (mut line, mut number, mut blank, mut all_good) = (Vec::new(), 0_u64, 0_u64, true);
     loop {
         // Whoever waits for an answer before the next question gets it.
         if !input.buffer().contains(&b'\n') {
@@ -77,37 +92,38 @@ fn answer<R: io::Read>(function: &Function, input: &mut BufReader<R>, output: &m
         let Some(whole) = read else { return Ok(all_good) };
         number += 1;
         if line.iter().all(u8::is_ascii_whitespace) {
+            blank += 1;
             continue;
         }
-        let answer = if whole { parse(&line) } else { Err(format!("longer than {} MiB", LONGEST >> 20)) };
-        let answer = answer.and_then(|given| {
-            call(function, &given).map_err(|stop| match stop {
-                Stop::Refused(message) => message,
-                Stop::ClosedPipe => unreachable!("a function writes nothing"),
-            })
-        });
+        // Empty lines at the end of input are no questions; others are.
+        for number in number - blank..number {
+            all_good = false;
+            write_error(output, number, "empty").map_err(Stop::writing)?;
+        }
+        blank = 0;
+        let answer = if whole { parse(function, &line) } else { Err(format!("longer than {} MiB", LONGEST >> 20)) };
+        let answer = answer.and_then(|given| call(function, &given).map_err(|fault| Stop::from(fault).to_string()));
         all_good &= answer.is_ok();
-        write_answer(output, number, answer).map_err(Stop::writing)?;
+        match answer {
+            Ok(outputs) => write_outputs(output, &outputs),
+            Err(message) => write_error(output, number, &message),
+        }
+        .map_err(Stop::writing)?;
     }
 }
 
-fn write_answer(
-    output: &mut impl Write,
-    number: u64,
-    answer: Result<Vec<(&'static str, f64)>, String>,
-) -> io::Result<()> {
-    match answer {
-        Ok(outputs) => {
-            for (at, (name, value)) in outputs.iter().enumerate() {
-                output.write_all(if at == 0 { b"{\"" } else { b",\"" })?;
-                output.write_all(name.as_bytes())?;
-                output.write_all(b"\":")?;
-                serde_json::to_writer(&mut *output, &Number(*value))?;
-            }
-            output.write_all(b"}\n")
-        }
-        Err(message) => writeln!(output, "{}", json!({ "error": format!("line {number}: {message}") })),
+fn write_outputs(output: &mut impl Write, outputs: &[(&'static str, f64)]) -> io::Result<()> {
+    for (at, (name, value)) in outputs.iter().enumerate() {
+        output.write_all(if at == 0 { b"{\"" } else { b",\"" })?;
+        output.write_all(name.as_bytes())?;
+        output.write_all(b"\":")?;
+        serde_json::to_writer(&mut *output, &Number(*value))?;
     }
+    output.write_all(b"}\n")
+}
+
+fn write_error(output: &mut impl Write, number: u64, message: &str) -> io::Result<()> {
+    writeln!(output, "{}", json!({ "error": format!("line {number}: {message}") }))
 }
 
 /// Reads a line without its end into `line`: `Some(false)` if it was too long to keep, `None` at the end of input.
@@ -142,11 +158,40 @@ fn read_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<Option<
     }
 }
 
-fn parse(line: &[u8]) -> Result<Vec<(String, Argument)>, String> {
-    match serde_json::from_slice(line) {
-        Ok(Json(Argument::Record(fields))) => Ok(fields),
-        Ok(_) => Err("must be a JSON object such as {\"n1\": 1}".to_owned()),
-        Err(error) => Err(reason(&error)),
+fn parse(function: &Function, line: &[u8]) -> Result<Vec<(String, Argument)>, String> {
+    let Fields(fields) = serde_json::from_slice(line).map_err(|error| reason(&error))?;
+    let mut arguments = Vec::with_capacity(fields.len());
+    for (name, value) in fields {
+        let argument = from_json(function, &name, value.get()).map_err(|fault| fault.to_string())?;
+        arguments.push((name, argument));
+    }
+    Ok(arguments)
+}
+
+/// The fields of a JSON object, each value still as text, so that what is wrong with it can be told with its name.
+struct Fields<'a>(Vec<(String, &'a RawValue)>);
+
+impl<'de> Deserialize<'de> for Fields<'de> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(FieldsReader).map(Self)
+    }
+}
+
+struct FieldsReader;
+
+impl<'de> Visitor<'de> for FieldsReader {
+    type Value = Vec<(String, &'de RawValue)>;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a JSON object such as {\"n1\": 1}")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Self::Value, A::Error> {
+        let mut fields = Vec::new();
+        while let Some(entry) = entries.next_entry()? {
+            fields.push(entry);
+        }
+        Ok(fields)
     }
 }
 
@@ -173,6 +218,14 @@ impl<'de> Visitor<'de> for Reader {
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str("a number, a text, a list or an object")
+    }
+
+    fn visit_bool<E: de::Error>(self, _: bool) -> Result<Argument, E> {
+        Ok(Argument::Other)
+    }
+
+    fn visit_unit<E: de::Error>(self) -> Result<Argument, E> {
+        Ok(Argument::Other)
     }
 
     fn visit_f64<E: de::Error>(self, value: f64) -> Result<Argument, E> {
@@ -240,8 +293,8 @@ fn field(page: &mut Page, name: &str, unit: &str, says: &str, limits: &str) {
 }
 
 fn limits(input: &Input) -> String {
-    let domain = input.domain.map_or(String::new(), |(min, max)| format!(", {min} to {max}"));
-    let default = input.default.map_or(String::new(), |value| format!(", {value} if left out"));
+    let domain = input.domain.map_or(String::new(), |(min, max)| format!(", {}", range(min, max, input.unit, "")));
+    let default = input.default.map_or(String::new(), |value| format!(", {} if left out", setting::number(value)));
     domain + &default
 }
 

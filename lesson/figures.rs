@@ -1,6 +1,6 @@
 //! The figures of a run, drawn in parallel and written where the reader asked for them.
 
-use crate::out::Folder;
+use crate::out::{self, Folder};
 use crate::plot;
 use crate::progress::Progress;
 use crate::race_plot;
@@ -36,14 +36,15 @@ impl Format {
 }
 
 /// A figure still to be drawn.
-struct Draft<'a> {
+struct Subject<'a> {
     address: String,
     says: &'static str,
     rows: &'static [&'static str],
     plot: Box<dyn Fn() -> Plot + Send + Sync + 'a>,
 }
 
-/// Draws the figures of the selected steps and the races in `report`, and notes their paths there.
+/// Draws the figures of the selected steps and the races in `report`, and notes their paths there. Either all of them
+/// are in the folder afterwards or none.
 pub fn write(
     selection: &Selection,
     report: &mut Report,
@@ -51,28 +52,32 @@ pub fn write(
     format: Format,
     progress: &Progress,
 ) -> Result<(), Stop> {
+    let mut files = Vec::new();
     let steps: Vec<_> = report.chapters.iter_mut().flat_map(|chapter| &mut chapter.steps).collect();
     for (chosen, step) in selection.steps.iter().zip(steps) {
-        let drafts = drafts(chosen, &step.races);
-        progress.expect(drafts.len() as u64);
-        let written: Result<Vec<_>, Stop> = drafts
+        let subjects = subjects(chosen, &step.races);
+        progress.expect(subjects.len() as u64);
+        let drawn: Result<Vec<_>, Stop> = subjects
             .par_iter()
-            .map(|draft| progress.during(draft.address.clone(), |address| draw(draft, address, folder, format)))
+            .map(|subject| progress.during(subject.address.clone(), |address| draw(subject, address, folder, format)))
             .collect();
-        step.figures = written?;
+        let (figures, drafts): (Vec<_>, Vec<_>) = drawn?.into_iter().unzip();
+        step.figures = figures;
+        files.extend(drafts);
     }
+    out::publish(&files)?;
     progress.end();
     Ok(())
 }
 
-fn drafts<'a>(chosen: &'a Chosen, races: &'a [RaceReport]) -> Vec<Draft<'a>> {
-    let figures = chosen.step.figures.iter().filter(|figure| chosen.wants(figure.id)).map(|figure| Draft {
+fn subjects<'a>(chosen: &'a Chosen, races: &'a [RaceReport]) -> Vec<Subject<'a>> {
+    let figures = chosen.step.figures.iter().filter(|figure| chosen.wants(figure.id)).map(|figure| Subject {
         address: format!("{}/{}", chosen.address(), figure.id),
         says: figure.says,
         rows: figure.rows,
         plot: Box::new(|| (figure.plot)(&chosen.setting)),
     });
-    let races = races.iter().map(|race| Draft {
+    let races = races.iter().map(|race| Subject {
         address: race.address.clone(),
         says: race.claim,
         rows: race.rows,
@@ -81,8 +86,14 @@ fn drafts<'a>(chosen: &'a Chosen, races: &'a [RaceReport]) -> Vec<Draft<'a>> {
     figures.chain(races).collect()
 }
 
-fn draw(draft: &Draft, address: String, folder: &Folder, format: Format) -> Result<FigureReport, Stop> {
+fn draw(
+    subject: &Subject,
+    address: String,
+    folder: &Folder,
+    format: Format,
+) -> Result<(FigureReport, out::Draft), Stop> {
     let name = format!("{}.{}", address.replace('/', "-"), format.extension());
-    let path = folder.write(&name, &format.draw(&(draft.plot)()))?;
-    Ok(FigureReport { address, says: draft.says, rows: draft.rows, path })
+    let draft = folder.draft(&name, &format.draw(&(subject.plot)()))?;
+    let path = draft.path().to_owned();
+    Ok((FigureReport { address, says: subject.says, rows: subject.rows, path }, draft))
 }

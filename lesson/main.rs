@@ -47,7 +47,7 @@ fn serve(request: Request) -> Result<ExitCode, Stop> {
             coverage::table(&mut page);
             out::print(page.into_text().as_bytes())?;
         }
-        Request::Eval { function, arguments } => out::print(eval::once(&function, &arguments)?.as_bytes())?,
+        Request::Eval { function, arguments, json } => out::print(&eval::once(&function, &arguments, json)?)?,
         Request::EvalLines { function } => return eval::lines(&function),
         Request::Functions { json: true } => out::print(eval::list_json().as_bytes())?,
         Request::Functions { json: false } => {

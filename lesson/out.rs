@@ -1,6 +1,7 @@
 //! Where results go: standard output, and files that are either whole or not there.
 
 use crate::stop::Stop;
+use std::fmt::Display;
 use std::fs;
 use std::io::{Write, stderr, stdout};
 use std::path::{Path, PathBuf};
@@ -32,16 +33,57 @@ impl Folder {
         Ok(Self { path: path.to_owned() })
     }
 
-    /// Writes a file under a temporary name and moves it into place; returns its path.
-    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<PathBuf, Stop> {
-        let path = self.path.join(name);
-        let draft = self.path.join(format!(".{name}-{}.tmp", std::process::id()));
-        fs::write(&draft, bytes).and_then(|()| fs::rename(&draft, &path)).map_err(|error| {
-            let _ = fs::remove_file(&draft);
-            Stop::at(path.display(), format!("cannot be written: {error}"))
-        })?;
-        Ok(path)
+    /// Writes a file under a temporary name; [`publish`] puts it in its place.
+    pub fn draft(&self, name: &str, bytes: &[u8]) -> Result<Draft, Stop> {
+        let draft = Draft {
+            path: self.path.join(name),
+            temporary: self.path.join(format!(".{name}-{}.tmp", std::process::id())),
+        };
+        match draft.path.is_dir() {
+            true => Err(draft.refused("there is a folder of that name")),
+            false => match fs::write(&draft.temporary, bytes) {
+                Ok(()) => Ok(draft),
+                Err(error) => Err(draft.refused(error)),
+            },
+        }
     }
+}
+
+/// A file that is written but not yet in its place. Dropped, it is gone.
+#[derive(Debug)]
+pub struct Draft {
+    path: PathBuf,
+    temporary: PathBuf,
+}
+
+impl Draft {
+    /// Where it will be.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    fn refused(&self, why: impl Display) -> Stop {
+        Stop::at(self.path.display(), format!("cannot be written: {why}"))
+    }
+}
+
+impl Drop for Draft {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.temporary);
+    }
+}
+
+/// Moves all of `drafts` into place, or none: those already moved are taken away again.
+pub fn publish(drafts: &[Draft]) -> Result<(), Stop> {
+    for (at, draft) in drafts.iter().enumerate() {
+        fs::rename(&draft.temporary, &draft.path).map_err(|error| {
+            for moved in &drafts[..at] {
+                let _ = fs::remove_file(&moved.path);
+            }
+            draft.refused(error)
+        })?;
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -53,8 +95,17 @@ mod tests {
         let path = std::env::temp_dir().join(format!("lesson-out-test-{}", std::process::id()));
         let folder = Folder::open(&path).unwrap();
         fs::create_dir(path.join("taken.png")).unwrap();
-        assert!(matches!(folder.write("taken.png", b"x"), Err(Stop::Refused(_))));
-        assert_eq!(folder.write("free.png", b"x").unwrap(), path.join("free.png"));
+        assert!(matches!(folder.draft("taken.png", b"x"), Err(Stop::Refused(_))));
+        // A place that is taken between draft and publication spoils the whole set.
+        let drafts = ["first.png", "second.png"].map(|name| folder.draft(name, b"x").unwrap());
+        fs::create_dir(path.join("second.png")).unwrap();
+        assert!(matches!(publish(&drafts), Err(Stop::Refused(_))));
+        drop(drafts);
+        fs::remove_dir(path.join("second.png")).unwrap();
+        let drafts = [folder.draft("free.png", b"x").unwrap()];
+        publish(&drafts).unwrap();
+        assert_eq!(drafts[0].path(), path.join("free.png"));
+        drop(drafts);
         let mut names: Vec<_> = fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().file_name()).collect();
         names.sort();
         assert_eq!(names, ["free.png", "taken.png"]);

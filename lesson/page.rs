@@ -2,6 +2,7 @@
 
 use console::Term;
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
+use std::borrow::Cow;
 use std::io::{IsTerminal, stdout};
 use unicode_width::UnicodeWidthStr;
 
@@ -12,9 +13,13 @@ pub enum Tone {
     Heading,
     Emphasis,
     Strong,
+    /// What one types; shown letter by letter, as the next two are.
     Code,
+    /// A word of the command line.
+    Name,
+    Address,
     Equation,
-    /// Addresses, units, asides.
+    /// Units, asides.
     Dim,
     Good,
     Bad,
@@ -27,12 +32,20 @@ impl Tone {
             Self::Plain => "",
             Self::Heading => "1;4",
             Self::Emphasis => "3",
-            Self::Strong => "1",
+            Self::Strong | Self::Name => "1",
             Self::Code => "33",
             Self::Equation => "36",
-            Self::Dim => "2",
+            Self::Dim | Self::Address => "2",
             Self::Good => "32",
             Self::Bad => "1;31",
+        }
+    }
+
+    /// `text` as it is shown: typeset, unless it is there to be typed.
+    fn face(self, text: &str) -> Cow<'_, str> {
+        match self {
+            Self::Code | Self::Name | Self::Address => Cow::Borrowed(text),
+            _ => Cow::Owned(typeset(text)),
         }
     }
 }
@@ -46,6 +59,8 @@ pub struct Page {
     width: usize,
     colour: bool,
     text: String,
+    /// Where sections begin [byte].
+    sections: Vec<usize>,
 }
 
 impl Page {
@@ -60,12 +75,45 @@ impl Page {
 
     /// A page of `width` columns (40 to 100 are used).
     pub fn new(width: usize, colour: bool) -> Self {
-        Self { width: width.clamp(40, 100), colour, text: String::new() }
+        Self { width: width.clamp(40, 100), colour, text: String::new(), sections: Vec::new() }
     }
 
     /// The page so far.
     pub fn into_text(self) -> String {
         self.text
+    }
+
+    /// The page so far as screens of at most `height` lines: a section that does not fit under the one before it
+    /// begins a new screen, unless it is longer than a screen; such a one breaks where lines are empty.
+    pub fn into_screens(self, height: usize) -> Vec<String> {
+        let ends = self.sections.iter().copied().skip(1).chain([self.text.len()]);
+        let starts = self.sections.iter().copied();
+        let mut screens: Vec<Vec<&str>> = Vec::new();
+        for (start, end) in starts.zip(ends) {
+            let mut rest: Vec<&str> = self.text[start..end].trim_end().lines().collect();
+            if let Some(last) = screens.last_mut() {
+                let room = height.saturating_sub(last.len() + 1);
+                if rest.len() <= room || (rest.len() > height && room > height / 2) {
+                    let tail = rest.split_off(breaking(&rest, room));
+                    last.push("");
+                    last.append(&mut rest);
+                    rest = tail;
+                }
+            }
+            while !rest.is_empty() {
+                let tail = rest.split_off(breaking(&rest, height.max(1)));
+                screens.push(std::mem::replace(&mut rest, tail));
+            }
+        }
+        screens.iter().map(|lines| lines.join("\n").trim_matches('\n').to_owned() + "\n").collect()
+    }
+
+    /// Begins a section: what belongs together on a screen.
+    pub fn section(&mut self) {
+        self.gap();
+        if self.sections.last() != Some(&self.text.len()) {
+            self.sections.push(self.text.len());
+        }
     }
 
     /// An empty line, unless there is one already.
@@ -78,10 +126,12 @@ impl Page {
     /// A paragraph: the first line starts at column `first`, the others at `rest`. Lines break at spaces; spans that
     /// touch stay together.
     pub fn wrap(&mut self, first: usize, rest: usize, spans: &[Span]) {
+        let faces: Vec<_> = spans.iter().map(|(tone, text)| (*tone, tone.face(text))).collect();
+        let spans: Vec<Span> = faces.iter().map(|(tone, text)| (*tone, text.as_ref())).collect();
         let mut line = Line { page: self, column: first, tone: Tone::Plain };
         line.page.spaces(first);
         let mut empty = true;
-        for word in words(spans) {
+        for word in words(&spans) {
             let wide: usize = word.iter().map(|(_, text)| text.width()).sum();
             let blank = word.iter().all(|(_, text)| text.trim_start().is_empty());
             if !empty && !blank && line.column + wide > line.page.width {
@@ -113,9 +163,10 @@ impl Page {
         let mut column = indent;
         let mut padded = Vec::new();
         for (&(tone, cell), &width) in cells.iter().zip(widths) {
+            let cell = tone.face(cell);
             let padding = " ".repeat((width.unsigned_abs() as usize).saturating_sub(cell.width()));
             let (before, after) = if width < 0 { (padding, String::new()) } else { (String::new(), padding) };
-            padded.push((tone, before + cell + &after));
+            padded.push((tone, before + &cell + &after));
         }
         let mut spans: Vec<Span> = Vec::new();
         for (at, (tone, cell)) in padded.iter().enumerate() {
@@ -173,7 +224,8 @@ impl Page {
                     }
                 }
                 Event::Text(text) => block.push((*tones.last().unwrap_or(&Tone::Plain), text.into_string())),
-                Event::Code(text) => block.push((Tone::Code, text.into_string())),
+                // The course text marks its symbols as code.
+                Event::Code(text) => block.push((Tone::Code, typeset(&text))),
                 Event::SoftBreak | Event::HardBreak => block.push((Tone::Plain, " ".to_owned())),
                 _ => {}
             }
@@ -257,21 +309,62 @@ impl Line<'_> {
     }
 }
 
-/// Label markup (`R_s`, `10^{−6}`) with Unicode's own small letters where it has them all.
-pub fn label(markup: &str) -> String {
-    let (mut out, mut rest) = (String::new(), markup);
-    while let Some(at) = rest.find(['_', '^']) {
+/// Where to break `lines` so that a screen of `height` is filled: after the last empty line of its second half, if any.
+fn breaking(lines: &[&str], height: usize) -> usize {
+    if lines.len() <= height {
+        return lines.len();
+    }
+    ((height / 2).max(1)..height).rev().find(|at| lines[*at].is_empty()).unwrap_or(height)
+}
+
+/// Label markup (`R_s`, `10^{−6}`) with Unicode's own small letters where it has them all, and minus signs for the
+/// hyphens of numbers. Longer names (`r_plus_t`) and assignments (`n_t=gold`) are left alone.
+pub fn typeset(text: &str) -> String {
+    let (mut out, mut rest) = (String::new(), text);
+    while let Some(at) = rest.find(['_', '^', '-']) {
         out.push_str(&rest[..at]);
         let (mark, tail) = rest[at..].split_at(1);
-        let (body, next) = match tail.strip_prefix('{').and_then(|open| open.split_once('}')) {
-            Some(split) => split,
-            None => tail.split_at(tail.chars().next().map_or(0, char::len_utf8)),
+        let small = match mark {
+            "-" => minus(&out, tail).then(|| ("−".to_owned(), tail)),
+            _ => small(mark == "_", tail).filter(|(_, next)| ends_symbol(next) && is_symbol(&out)),
         };
-        let small: Option<String> = body.chars().map(|letter| shifted(letter, mark == "_")).collect();
-        out.push_str(&small.unwrap_or_else(|| format!("{mark}{body}")));
+        let (face, next) = small.unwrap_or_else(|| (mark.to_owned(), tail));
+        out.push_str(&face);
         rest = next;
     }
     out + rest
+}
+
+/// The mark's letter or `{letters}` at the start of `tail` in small, and what follows.
+fn small(lowered: bool, tail: &str) -> Option<(String, &str)> {
+    let (body, next) = match tail.strip_prefix('{').and_then(|open| open.split_once('}')) {
+        Some(split) => split,
+        None => tail.split_at(tail.chars().next().filter(|letter| letter.is_alphanumeric())?.len_utf8()),
+    };
+    Some((body.chars().map(|letter| shifted(letter, lowered)).collect::<Option<String>>()?, next))
+}
+
+/// Whether `before` ends in one letter, a number or a bracket: what carries an index or a power.
+fn is_symbol(before: &str) -> bool {
+    let mut letters = before.chars().rev();
+    let last = letters.next();
+    match last {
+        Some(letter) if letter.is_alphabetic() => !letters.next().is_some_and(|c| c.is_alphabetic() || c == '_'),
+        _ => last.is_some_and(|c| c.is_numeric() || ")′".contains(c)),
+    }
+}
+
+/// Whether a symbol may end before `next`.
+fn ends_symbol(next: &str) -> bool {
+    !next.starts_with(|c: char| c.is_alphanumeric() || "_=".contains(c))
+}
+
+/// Whether a hyphen between `before` and `after` is the sign of a number or of its exponent.
+fn minus(before: &str, after: &str) -> bool {
+    let exponent =
+        before.strip_suffix('e').is_some_and(|number| number.ends_with(|c: char| c.is_ascii_digit() || c == '.'));
+    let alone = !before.ends_with(|c: char| c.is_alphanumeric() || "-_^/)]".contains(c));
+    after.starts_with(|c: char| c.is_ascii_digit()) && (exponent || alone)
 }
 
 /// The lowered or raised form of a letter, if Unicode has one.
@@ -348,9 +441,43 @@ mod tests {
 
     #[test]
     fn labels_use_small_letters_where_there_are_all() {
-        assert_eq!(label("R_s"), "Rₛ");
-        assert_eq!(label("θ_B"), "θ_B");
-        assert_eq!(label("10^{−6}"), "10⁻⁶");
-        assert_eq!(label("n_t/n_i"), "nₜ/nᵢ");
+        assert_eq!(typeset("R_s"), "Rₛ");
+        assert_eq!(typeset("θ_B"), "θ_B");
+        assert_eq!(typeset("10^{−6}"), "10⁻⁶");
+        assert_eq!(typeset("n_t/n_i"), "nₜ/nᵢ");
+        assert_eq!(typeset("e^(−iωt)"), "e^(−iωt)");
+        assert_eq!(typeset("(R_s−R_p)/(R_s+R_p) of Im r_s"), "(Rₛ−Rₚ)/(Rₛ+Rₚ) of Im rₛ");
+    }
+
+    #[test]
+    fn names_and_assignments_are_left_as_typed() {
+        for name in ["total_reflection", "r_plus_t", "n_t=gold", "theta_1", "d_H", "-1 nm to p-polarised"] {
+            assert_eq!(typeset(name), name.replace("-1", "−1"), "{name}");
+        }
+    }
+
+    #[test]
+    fn numbers_carry_minus_signs_and_words_hyphens() {
+        assert_eq!(typeset("-1.5e-10, s-polarised, n-1, x = -2"), "−1.5e−10, s-polarised, n-1, x = −2");
+    }
+
+    #[test]
+    fn screens_keep_sections_whole_and_lose_no_line() {
+        let mut page = Page::new(40, false);
+        for section in 0..4 {
+            page.section();
+            for line in 0..=3 * section {
+                page.line(0, Tone::Plain, &format!("{section}.{line}"));
+                if line % 4 == 3 {
+                    page.gap();
+                }
+            }
+        }
+        let text = page.text.clone();
+        let screens = page.into_screens(6);
+        assert!(screens.iter().all(|screen| screen.lines().count() <= 6), "{screens:?}");
+        assert_eq!(screens[0], "0.0\n\n1.0\n1.1\n1.2\n1.3\n");
+        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+        assert_eq!(words(&screens.concat()), words(&text));
     }
 }

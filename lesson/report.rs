@@ -172,6 +172,9 @@ pub struct CaseReport {
     pub condition: Number,
     /// How many inputs this one is the worst of.
     pub worst_of: usize,
+    /// Whether the reference is exactly zero.
+    #[serde(skip)]
+    pub vanishes: bool,
     pub verdict: Verdict,
 }
 
@@ -232,6 +235,14 @@ impl From<bool> for Verdict {
     }
 }
 
+impl Report {
+    /// Whether nothing was judged and nothing drawn.
+    pub fn is_empty(&self) -> bool {
+        let mut steps = self.chapters.iter().flat_map(|chapter| &chapter.steps);
+        self.passed + self.failed == 0 && steps.all(|step| step.figures.is_empty())
+    }
+}
+
 impl StepReport {
     /// The verdict of everything judged in this step.
     pub fn verdicts(&self) -> impl Iterator<Item = Verdict> + '_ {
@@ -286,6 +297,12 @@ pub fn seventeen_digits(value: &Real) -> String {
     format!("{sign}{}.{tail}e{magnitude}", &digits[..1])
 }
 
+/// A bound's limit in words: whole multiples of the rounding unit as such, `64 ε`.
+pub fn limit(x: f64) -> String {
+    let units = x / f64::EPSILON;
+    if (1.0..=1e6).contains(&units) && units.fract() == 0.0 { format!("{units} ε") } else { short(x) }
+}
+
 /// Up to six significant digits.
 pub fn short(x: f64) -> String {
     if let Some(name) = Number(x).non_finite() {
@@ -328,6 +345,11 @@ mod tests {
         let tiny = precise::real(1e-300);
         let tinier = &(&tiny * &tiny) * &tiny;
         assert!(seventeen_digits(&tinier).ends_with("e-900"), "{}", seventeen_digits(&tinier));
+    }
+
+    #[test]
+    fn limits_count_rounding_units_where_they_are_whole() {
+        assert_eq!([64.0 * f64::EPSILON, 1e-14, 0.5, 0.0].map(limit), ["64 ε", "1e-14", "0.5", "0"]);
     }
 
     #[test]

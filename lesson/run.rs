@@ -8,6 +8,7 @@ use chapters::setting::{Kind, Setting, Value};
 use chapters::vocabulary::{
     Bench, Bound, Check, Expects, Extreme, Heat, Lane, Race, SEED, Stress, digits, fitted_order, rms, sidak,
 };
+use light::precise;
 use rayon::prelude::*;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -106,6 +107,7 @@ fn parameters(setting: &Setting) -> Vec<ParameterReport> {
         };
         let unit = match parameter.kind {
             Kind::Number { unit, .. } => unit,
+            Kind::Count { .. } => "1",
             Kind::Medium | Kind::ClearMedium => "1",
         };
         ParameterReport {
@@ -138,8 +140,9 @@ fn check(check: &Check, setting: &Setting, address: String) -> CheckReport {
     let measured = (check.measure)(&mut Bench::new(setting, SEED, &address));
     let seconds = started.elapsed().as_secs_f64();
     let tests = chapters::statistical_checks();
+    let words = crate::report::limit;
     let (bound, limit, unit, why) = match check.bound {
-        Bound::AtMost { limit, unit, why } => (format!("at most {} {unit}", short(limit)), limit, unit, why),
+        Bound::AtMost { limit, unit, why } => (format!("at most {} {unit}", words(limit)), limit, unit, why),
         Bound::Order { order, tolerance, why } => (format!("order {order} ± {tolerance}"), order, "1", why),
         Bound::PValue { significance } => {
             let limit = sidak(significance, tests);
@@ -192,6 +195,7 @@ fn case(extreme: &Extreme) -> CaseReport {
         allowed_digits: digits(extreme.allowed()),
         condition: Number(extreme.condition),
         worst_of: extreme.worst_of,
+        vanishes: extreme.reference == precise::real(0.0),
         verdict: extreme.holds().into(),
     }
 }
@@ -251,8 +255,8 @@ fn run_lane(lane: &Lane, chosen: &Chosen, address: String, patience: Duration) -
 fn expectation(expects: Expects) -> String {
     match expects {
         Expects::Order { order, tolerance } => format!("order {order} ± {tolerance}"),
-        Expects::Within { limit, why } => format!("error at most {}: {why}", short(limit)),
-        Expects::Breaks { limit, why } => format!("error above {}: {why}", short(limit)),
+        Expects::Within { limit, why } => format!("error at most {}: {why}", crate::report::limit(limit)),
+        Expects::Breaks { limit, why } => format!("error above {}: {why}", crate::report::limit(limit)),
     }
 }
 

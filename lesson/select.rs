@@ -1,8 +1,11 @@
 //! From the words of a command line to the part of the curriculum that they name.
 
-use crate::stop::{Stop, did_you_mean, plain};
+use crate::run::Parts;
+use crate::stop::{Stop, plain};
 use chapters::lecture::LECTURE;
-use chapters::setting::{DEFAULT_WAVELENGTH, Kind, Parameter, Setting, Value, WAVELENGTH, excerpt, parse_medium};
+use chapters::setting::{
+    DEFAULT_WAVELENGTH, Fault, Kind, Parameter, Setting, Value, WAVELENGTH, excerpt, parse_medium,
+};
 use chapters::{CURRICULUM, Chapter, Step};
 
 /// The steps that a run is about, in teaching order.
@@ -23,6 +26,14 @@ pub struct Chosen {
     pub lane: Option<&'static str>,
 }
 
+/// A change that a step cannot take.
+#[derive(Debug)]
+struct Left {
+    name: String,
+    why: String,
+    fault: Fault,
+}
+
 impl Chosen {
     fn whole(chapter: &'static Chapter, step: &'static Step) -> Self {
         Self { chapter, step, setting: Setting::defaults(step.parameters), item: None, lane: None }
@@ -37,8 +48,32 @@ impl Chosen {
         self.step.parameters.iter().find(|parameter| parameter.name == name)
     }
 
-    fn must_be_clear(&self, name: &str) -> bool {
-        self.parameter(name).is_some_and(|parameter| parameter.kind == Kind::ClearMedium)
+    /// The setting with those of the `changes` that the step can take, and those that it has to leave.
+    fn settle(&self, changes: &[(String, String)]) -> Result<(Setting, Vec<Left>), Fault> {
+        let known = changes.iter().filter(|(name, _)| self.parameter(name).is_some());
+        let mut kept: Vec<_> = known.cloned().collect();
+        let mut left = Vec::new();
+        loop {
+            let fault = match self.setting.clone().with(&kept) {
+                Ok(setting) => return Ok((setting, left)),
+                Err(fault) => fault,
+            };
+            let text = kept.iter().rev().find(|(name, _)| *name == fault.place).map(|(_, text)| text.as_str());
+            let must_be_clear =
+                self.parameter(&fault.place).is_some_and(|parameter| parameter.kind == Kind::ClearMedium);
+            let (name, why) = match text {
+                Some(text) if must_be_clear && absorbs(text, wavelength(&kept)) => {
+                    (fault.place.clone(), format!("it needs a clear medium, not {text}"))
+                }
+                // Only the wavelength can have made a default invalid.
+                None if kept.iter().any(|(name, _)| name == WAVELENGTH.name) => {
+                    (WAVELENGTH.name.to_owned(), format!("there, {fault}"))
+                }
+                _ => return Err(fault),
+            };
+            kept.retain(|(kept, _)| *kept != name);
+            left.push(Left { name, why, fault });
+        }
     }
 
     /// Whether the item `id` was asked for.
@@ -95,9 +130,8 @@ fn find_chapter(word: &str) -> Result<&'static Chapter, Stop> {
         let written: Vec<_> = CURRICULUM.iter().map(|chapter| chapter.id).collect();
         return Err(Stop::at(&wanted, format!("this chapter is not written yet; there is: {}", written.join(", "))));
     }
-    let names = chapter_names();
-    let hint = did_you_mean(word, names.iter().copied().chain(COMMANDS));
-    Err(Stop::at(excerpt(word), format!("no such chapter{hint}. There is: {}", names.join(", "))))
+    let names = chapter_names().into_iter().chain(COMMANDS).collect();
+    Err(Fault::unknown(excerpt(word), word, "no such chapter", names).into())
 }
 
 fn find_step(chapter: &'static Chapter, word: &str) -> Result<&'static Step, Stop> {
@@ -115,21 +149,23 @@ fn find_lane(chosen: &Chosen, word: &str) -> Result<&'static str, Stop> {
 fn find(what: &str, word: &str, place: &str, ids: &[&'static str]) -> Result<&'static str, Stop> {
     let wanted = plain(word);
     ids.iter().find(|id| plain(id) == wanted).copied().ok_or_else(|| {
-        let hint = did_you_mean(word, ids.iter().copied());
-        let list = if ids.is_empty() { "none".to_owned() } else { ids.join(", ") };
-        Stop::at(format!("{place}/{}", excerpt(word)), format!("no such {what}{hint}. There is: {list}"))
+        Fault::unknown(format!("{place}/{}", excerpt(word)), word, format!("no such {what}"), ids.to_vec()).into()
     })
+}
+
+/// The ids of what `--check` judges.
+fn checked(step: &Step) -> Vec<&'static str> {
+    let statements = step.statements.iter().map(|item| item.id);
+    let derivations = step.derivations.iter().map(|item| item.id);
+    statements.chain(derivations).chain(step.checks.iter().map(|item| item.id)).collect()
 }
 
 /// The ids of everything in a step that has an address.
 pub fn items(step: &Step) -> Vec<&'static str> {
-    let statements = step.statements.iter().map(|item| item.id);
-    let derivations = step.derivations.iter().map(|item| item.id);
-    let checks = step.checks.iter().map(|item| item.id);
     let stress = step.stress.iter().map(|item| item.id);
     let races = step.races.iter().map(|item| item.id);
     let figures = step.figures.iter().map(|item| item.id);
-    statements.chain(derivations).chain(checks).chain(stress).chain(races).chain(figures).collect()
+    checked(step).into_iter().chain(stress).chain(races).chain(figures).collect()
 }
 
 /// Every chapter of the lecture, written or not, in teaching order.
@@ -140,31 +176,56 @@ pub fn chapter_names() -> Vec<&'static str> {
 }
 
 impl Selection {
-    /// Applies `--set`: each change goes to every selected step that has the name. Where a step needs a clear medium
-    /// and another takes the absorbing one that was set, the first keeps its own; the notes returned say so.
+    /// Applies `--set`: each change goes to every selected step that has the name. Where it clashes with what the step
+    /// itself demands, a clear medium or a default that has no index at the wavelength set, the step keeps its own
+    /// value; the notes returned say so. A change that every step would have to leave is refused.
     pub fn set(&mut self, changes: &[(String, String)]) -> Result<Vec<String>, Stop> {
         for (name, _) in changes {
             self.require(name)?;
         }
-        let open: Vec<_> = self.parameters().filter(|p| p.kind == Kind::Medium).map(|p| p.name).collect();
         let alone = self.steps.len() == 1;
-        let mut notes = Vec::new();
+        let mut all_left = Vec::new();
         for chosen in &mut self.steps {
-            let known = changes.iter().filter(|(name, _)| chosen.parameter(name).is_some());
-            let (kept, left): (Vec<_>, Vec<_>) = known.cloned().partition(|change| {
-                let elsewhere = open.contains(&change.0.as_str());
-                !(elsewhere && chosen.must_be_clear(&change.0) && absorbs(&change.1, wavelength(changes)))
-            });
-            chosen.setting = chosen.setting.clone().with(&kept).map_err(|fault| match alone {
-                true => Stop::from(fault),
-                false => Stop::at(chosen.address(), fault),
-            })?;
-            let note = |(name, text)| {
-                format!("{} keeps its own {name}: it needs a clear medium, not {text}", chosen.address())
-            };
-            notes.extend(left.into_iter().map(note));
+            let placed = |fault| if alone { Stop::from(fault) } else { Stop::from(fault).within(chosen.address()) };
+            let (setting, left) = chosen.settle(changes).map_err(placed)?;
+            let address = chosen.address();
+            all_left.extend(left.into_iter().map(|left| (address.clone(), left)));
+            chosen.setting = setting;
         }
-        Ok(notes)
+        for (name, _) in changes {
+            let holders = self.steps.iter().filter(|chosen| chosen.parameter(name).is_some()).count();
+            let mut leavers = all_left.iter().filter(|(_, left)| left.name == *name);
+            if leavers.clone().count() == holders
+                && let Some((address, left)) = leavers.next()
+            {
+                let stop = Stop::from(left.fault.clone());
+                return Err(if alone { stop } else { stop.within(address) });
+            }
+        }
+        let note = |(address, left): &(String, Left)| format!("{address} keeps its own {}: {}", left.name, left.why);
+        Ok(all_left.iter().map(note).collect())
+    }
+
+    /// That nothing of the kind asked for is there, and what is.
+    pub fn lacks(&self, parts: Parts, plot: bool) -> String {
+        let place = match &self.steps[..] {
+            [chosen] => chosen.item.map_or(chosen.address(), |item| format!("{}/{item}", chosen.address())),
+            steps => steps.first().map_or(String::new(), |chosen| chosen.chapter.id.to_owned()),
+        };
+        let any = |ids: fn(&Step) -> Vec<&'static str>| {
+            self.steps.iter().any(|chosen| ids(chosen.step).iter().any(|id| chosen.wants(id)))
+        };
+        let ids = [
+            ("--check", "checks", parts.checks, any(checked)),
+            ("--stress", "extreme cases", parts.stress, any(|step| step.stress.iter().map(|item| item.id).collect())),
+            ("--race", "races", parts.races, any(|step| step.races.iter().map(|item| item.id).collect())),
+            ("--plot", "figures", plot, any(|step| step.figures.iter().map(|item| item.id).collect())),
+        ];
+        let lacks: Vec<_> =
+            ids.iter().filter(|(_, _, asked, held)| *asked && !held).map(|(_, noun, ..)| *noun).collect();
+        let has: Vec<_> = ids.iter().filter(|(.., held)| *held).map(|(flag, ..)| *flag).collect();
+        let has = if has.is_empty() { "nothing else".to_owned() } else { has.join(", ") };
+        format!("{place} has no {}; it has {has}", lacks.join(", no "))
     }
 
     /// Refuses a parameter name that no selected step has.
@@ -178,9 +239,7 @@ impl Selection {
                 known.push(parameter.name);
             }
         }
-        let hint = did_you_mean(name, known.iter().copied());
-        let list = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
-        Err(Stop::at(excerpt(name), format!("no such parameter here{hint}. There is: {list}")))
+        Err(Fault::unknown(excerpt(name), name, "no such parameter here", known).into())
     }
 
     fn parameters(&self) -> impl Iterator<Item = &'static Parameter> + '_ {
@@ -199,8 +258,8 @@ fn wavelength(changes: &[(String, String)]) -> f64 {
 
 /// Whether `text` names a medium that absorbs at `wavelength` [m].
 fn absorbs(text: &str, wavelength: f64) -> bool {
-    parse_medium(text).is_ok_and(|medium| medium.index(wavelength).is_ok_and(|index| index.im > 0.0))
+    parse_medium("", text).is_ok_and(|medium| medium.index(wavelength).is_ok_and(|index| index.im > 0.0))
 }
 
 /// Words that stand where a chapter's name may stand.
-const COMMANDS: [&str; 4] = ["all", "coverage", "eval", "completions"];
+const COMMANDS: [&str; 5] = ["all", "coverage", "eval", "completions", "help"];

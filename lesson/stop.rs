@@ -1,7 +1,7 @@
 //! Why a run ends before its work is done.
 
 use chapters::setting::Fault;
-use std::fmt::Display;
+use std::fmt::{self, Display};
 use std::io;
 
 /// Why a run ends early.
@@ -19,6 +19,14 @@ impl Stop {
         Self::Refused(format!("{place}: {message}"))
     }
 
+    /// The same, said of a part of `place`.
+    pub fn within(self, place: impl Display) -> Self {
+        match self {
+            Self::Refused(message) => Self::at(place, message),
+            Self::ClosedPipe => self,
+        }
+    }
+
     /// What a failed write to standard output means.
     pub fn writing(error: io::Error) -> Self {
         match error.kind() {
@@ -28,17 +36,28 @@ impl Stop {
     }
 }
 
+impl fmt::Display for Stop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Refused(message) => message,
+            Self::ClosedPipe => "nobody reads any more",
+        })
+    }
+}
+
 impl From<Fault> for Stop {
     fn from(fault: Fault) -> Self {
-        Self::Refused(fault.to_string())
+        let hint = fault.unknown.as_ref().map(|unknown| did_you_mean(&unknown.word, &unknown.names));
+        let Fault { place, message, .. } = &fault;
+        Self::Refused(format!("{place}: {message}{}{}", hint.unwrap_or_default(), fault.choice()))
     }
 }
 
 /// ` (did you mean …?)` if one of `names` resembles `word`, otherwise nothing.
-pub fn did_you_mean<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> String {
+fn did_you_mean(word: &str, names: &[&str]) -> String {
     let word = plain(word);
     let likeness = |name: &str| strsim::jaro_winkler(&word, &plain(name));
-    let nearest = names.into_iter().map(|name| (likeness(name), name)).max_by(|a, b| a.0.total_cmp(&b.0));
+    let nearest = names.iter().map(|name| (likeness(name), name)).max_by(|a, b| a.0.total_cmp(&b.0));
     match nearest {
         Some((likeness, name)) if likeness > 0.75 => format!(" (did you mean `{name}`?)"),
         _ => String::new(),

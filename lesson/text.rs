@@ -1,6 +1,6 @@
 //! The report as text for a reader.
 
-use crate::page::{Page, Span, Tone, label};
+use crate::page::{Page, Span, Tone, typeset};
 use crate::report::*;
 use crate::run::Parts;
 use chapters::lecture::LECTURE;
@@ -26,8 +26,8 @@ fn written(page: &mut Page, chapter: &Chapter) {
     page.wrap(0, 4, &[(Tone::Heading, chapter.id), (Tone::Plain, "  "), (Tone::Strong, chapter.title)]);
     page.line(2, Tone::Plain, chapter.says);
     for step in chapter.steps {
-        page.wrap(2, 6, &[(Tone::Strong, step.id), (Tone::Plain, ": "), (Tone::Plain, step.says)]);
-        page.line(6, Tone::Dim, &inventory(step));
+        page.wrap(2, 6, &[(Tone::Name, step.id), (Tone::Plain, ": "), (Tone::Plain, step.says)]);
+        page.line(6, Tone::Address, &inventory(step));
     }
 }
 
@@ -59,8 +59,22 @@ fn coming(page: &mut Page, name: &str) {
     page.wrap(0, 4, &[(Tone::Strong, name), (Tone::Dim, "  to be written: "), (Tone::Dim, &rows.join(" "))]);
 }
 
+/// The signs used in verdicts.
+pub fn legend(page: &mut Page) {
+    page.section();
+    for line in [
+        "ε = 2⁻⁵² is the rounding unit of the machine's numbers. κ in ε(1+κ) is the condition number: how strongly the \
+         exact answer reacts to its inputs.",
+        "[…] is a unit, [1] a pure number. E36 or C10 is a row of the lecture (`lesson coverage`).",
+    ] {
+        page.wrap(0, 2, &[(Tone::Dim, line)]);
+    }
+    page.gap();
+}
+
 /// The heading of a chapter, and the prose before its first step.
 pub fn chapter(page: &mut Page, chapter: &Chapter) {
+    page.section();
     page.wrap(0, 0, &[(Tone::Heading, chapter.title)]);
     page.gap();
     page.markdown(chapter.prose.split("<!-- step:").next().unwrap_or_default(), chapter.title);
@@ -74,20 +88,27 @@ pub fn section<'a>(prose: &'a str, id: &str) -> &'a str {
 
 /// A step as the walk shows it: text, equations, derivations, numbers, verdicts, and where to look next.
 pub fn lecture(page: &mut Page, chapter: &Chapter, step: &Step, found: &StepReport) {
+    page.section();
     heading(page, found);
     page.line(0, Tone::Emphasis, found.says);
     page.gap();
     page.markdown(section(chapter.prose, step.id), step.title);
+    page.section();
     for statement in &found.statements {
         show_statement(page, statement);
     }
     for derivation in &found.derivations {
+        page.section();
         show_derivation(page, derivation);
     }
+    page.section();
     numbers(page, found);
+    page.section();
     for check in &found.checks {
         show_check(page, check);
+        page.gap();
     }
+    page.section();
     pointers(page, step, &found.address);
     page.gap();
 }
@@ -123,7 +144,7 @@ pub fn findings(page: &mut Page, found: &StepReport, parts: Parts) {
     }
     page.gap();
     for figure in &found.figures {
-        page.line(2, Tone::Plain, &label(figure.says));
+        page.line(2, Tone::Plain, figure.says);
         page.verbatim(&figure.path.display().to_string());
     }
     page.gap();
@@ -132,7 +153,7 @@ pub fn findings(page: &mut Page, found: &StepReport, parts: Parts) {
 fn heading(page: &mut Page, found: &StepReport) {
     let rows = found.rows.join(" ");
     page.wrap(0, 0, &[(Tone::Heading, found.title)]);
-    page.wrap(0, 0, &[(Tone::Dim, &found.address), (Tone::Dim, "  "), (Tone::Dim, &rows)]);
+    page.wrap(0, 0, &[(Tone::Address, &found.address), (Tone::Dim, "  "), (Tone::Dim, &rows)]);
     page.gap();
 }
 
@@ -145,7 +166,7 @@ fn verdict(page: &mut Page, verdict: Verdict, address: &str, spans: &[Span]) {
     let mut all = vec![sign];
     all.extend_from_slice(spans);
     page.wrap(2, 4, &all);
-    page.line(4, Tone::Dim, address);
+    page.line(4, Tone::Address, address);
 }
 
 fn show_statement(page: &mut Page, statement: &StatementReport) {
@@ -181,10 +202,6 @@ fn show_derivation(page: &mut Page, derivation: &DerivationReport) {
     if let Some(mismatch) = &derivation.mismatch {
         page.line(6, Tone::Bad, mismatch);
     }
-    for line in &derivation.hypotheses {
-        let by = format!("  {}", line.by.join(", "));
-        page.wrap(6, 8, &[(Tone::Plain, "given "), (Tone::Equation, &line.unicode), (Tone::Dim, &by)]);
-    }
     for line in &derivation.lines {
         page.wrap(6, 8, &[(Tone::Equation, &line.unicode)]);
         if let Some(hop) = &line.hop {
@@ -196,6 +213,12 @@ fn show_derivation(page: &mut Page, derivation: &DerivationReport) {
             page.line(10, Tone::Dim, line.says);
         }
     }
+    // The hypotheses as substitutions: they place the sample points, the lines above are the argument.
+    let given = |line: &LineReport| format!("{} ({})", line.unicode, line.by.join(", "));
+    let points: Vec<String> = derivation.hypotheses.iter().map(given).collect();
+    if !points.is_empty() {
+        page.line(6, Tone::Dim, &format!("checked at points where {}", points.join(", ")));
+    }
     page.gap();
 }
 
@@ -205,7 +228,7 @@ fn numbers(page: &mut Page, found: &StepReport) {
         let setting: Vec<String> = found.setting.iter().map(|p| format!("{}={}", p.name, p.text)).collect();
         page.wrap(2, 4, &[(Tone::Plain, "At "), (Tone::Code, &setting.join(", ")), (Tone::Plain, ":")]);
     }
-    let symbols: Vec<String> = found.readout.iter().map(|quantity| label(quantity.symbol)).collect();
+    let symbols: Vec<String> = found.readout.iter().map(|quantity| typeset(quantity.symbol)).collect();
     let values: Vec<String> = found.readout.iter().map(|quantity| value(quantity.value.0, quantity.unit)).collect();
     let widths = [widest(&symbols), widest(&values), 0];
     for ((quantity, symbol), value) in found.readout.iter().zip(&symbols).zip(&values) {
@@ -221,7 +244,10 @@ fn widest(texts: &[String]) -> i32 {
 
 /// A value with its unit as people read it: angles in degrees, lengths of light in nanometres.
 fn value(value: f64, unit: &str) -> String {
+    let sign = if value < 0.0 { "−" } else { "" };
     match unit {
+        _ if value.is_nan() => "none".to_owned(),
+        _ if value.is_infinite() => format!("{sign}∞"),
         "rad" => format!("{}°", short(value.to_degrees())),
         "m" if value.abs() < 1e-5 => format!("{} nm", short(value * 1e9)),
         "1" | "" => short(value),
@@ -260,34 +286,42 @@ fn show_stress(page: &mut Page, stress: &StressReport) {
     page.line(4, if broken == 0 { Tone::Good } else { Tone::Bad }, &summary);
     page.wrap(4, 6, &[(Tone::Dim, "textbook: "), (Tone::Dim, stress.textbook)]);
     page.wrap(4, 6, &[(Tone::Dim, "reference: "), (Tone::Dim, stress.reference)]);
-    for case in telling(&stress.cases) {
-        show_case(page, case);
-    }
-    let hidden = stress.cases.len().saturating_sub(CASES_SHOWN);
+    let shown = telling(&stress.cases);
+    shown.iter().for_each(|case| show_case(page, case));
+    let hidden = stress.cases.len() - shown.len();
     if hidden > 0 {
         page.line(6, Tone::Dim, &format!("… and {hidden} more (--json has them all)"));
     }
 }
 
-/// The cases worth printing, in their order: the broken ones, then those that the textbook form fares worst on.
+/// The cases worth printing: the broken ones, then those that cost the textbook form most. Where the exact answer is
+/// zero there are no digits to compare.
 fn telling(cases: &[CaseReport]) -> Vec<&CaseReport> {
-    let mut order: Vec<usize> = (0..cases.len()).collect();
-    let rank = |at: &usize| (cases[*at].verdict == Verdict::Passed, cases[*at].textbook_digits);
-    order.sort_by(|a, b| rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1)));
-    order.truncate(CASES_SHOWN);
-    order.sort_unstable();
-    order.into_iter().map(|at| &cases[at]).collect()
+    let rank = |case: &CaseReport| (case.verdict == Verdict::Passed, case.textbook_digits);
+    let mut telling: Vec<_> = cases.iter().filter(|case| case.verdict == Verdict::Failed || !case.vanishes).collect();
+    telling.sort_by(|a, b| rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1)));
+    telling.truncate(CASES_SHOWN);
+    telling
+}
+
+/// A quantity's key as a symbol: `r_s_re` is Re r_s.
+fn symbol(key: &str) -> String {
+    match (key.strip_suffix("_re"), key.strip_suffix("_im")) {
+        (Some(of), _) => format!("Re {of}"),
+        (_, Some(of)) => format!("Im {of}"),
+        _ => key.to_owned(),
+    }
 }
 
 fn show_case(page: &mut Page, case: &CaseReport) {
-    let symbol = label(case.quantity);
+    let symbol = symbol(case.quantity);
     let of = if case.worst_of > 1 { format!(" (worst of {})", case.worst_of) } else { String::new() };
     page.wrap(6, 8, &[(Tone::Equation, &symbol), (Tone::Plain, " at "), (Tone::Plain, &case.input), (Tone::Dim, &of)]);
     let (good, bad) = (Tone::Good, Tone::Bad);
     let tone = if case.verdict == Verdict::Passed { good } else { bad };
     let textbook_tone = if case.textbook_digits < case.allowed_digits { bad } else { good };
     let widths = [9, 25, 0];
-    let allowed = format!("{:.1} digits can be kept", case.allowed_digits);
+    let allowed = format!("at least {:.1} digits owed", case.allowed_digits);
     let kept = |digits: f64| format!("{digits:.1} digits");
     page.row(8, &widths, &[(Tone::Dim, "reference"), (Tone::Plain, &case.reference), (Tone::Dim, &allowed)]);
     page.row(
@@ -306,7 +340,7 @@ pub fn full(x: Number) -> String {
 fn show_race(page: &mut Page, race: &RaceReport) {
     page.gap();
     page.wrap(2, 4, &[(Tone::Strong, race.claim)]);
-    page.line(4, Tone::Dim, &race.address);
+    page.line(4, Tone::Address, &race.address);
     page.wrap(
         4,
         6,
@@ -356,7 +390,7 @@ fn pointers(page: &mut Page, step: &Step, address: &str) {
     let mut rows: Vec<(&str, String)> = Vec::new();
     rows.extend(step.stress.iter().map(|stress| ("--stress", stress.claim.to_owned())));
     rows.extend(step.races.iter().map(|race| ("--race", race.claim.to_owned())));
-    rows.extend(step.figures.iter().map(|figure| ("--plot", label(figure.says))));
+    rows.extend(step.figures.iter().map(|figure| ("--plot", figure.says.to_owned())));
     if rows.is_empty() {
         return;
     }

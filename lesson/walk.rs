@@ -12,7 +12,7 @@ use crate::stop::Stop;
 use crate::text;
 use chapters::Step;
 use console::{Key, Term};
-use std::io::{IsTerminal, stdin, stdout};
+use std::io::{ErrorKind, IsTerminal, stdin, stdout};
 use std::process::ExitCode;
 
 /// What a run shows.
@@ -31,12 +31,7 @@ pub fn serve(lesson: &Lesson) -> Result<ExitCode, Stop> {
         out::say(&format!("lesson: {note}"));
     }
     let (view, parts, plot) = plan(lesson, &selection);
-    if view == View::Lecture
-        && !lesson.json
-        && selection.steps.len() > 1
-        && stdin().is_terminal()
-        && stdout().is_terminal()
-    {
+    if view == View::Lecture && !lesson.json && stdin().is_terminal() && stdout().is_terminal() {
         return interactive(selection, lesson);
     }
     let folder = plot.then(|| Folder::open(&lesson.out)).transpose()?;
@@ -44,6 +39,9 @@ pub fn serve(lesson: &Lesson) -> Result<ExitCode, Stop> {
     let mut report = run::run(&selection, parts, &progress);
     if let Some(folder) = &folder {
         figures::write(&selection, &mut report, folder, lesson.format, &progress)?;
+    }
+    if report.is_empty() {
+        out::say(&format!("lesson: {}", selection.lacks(parts, plot)));
     }
     let tally = text::tally(report.passed, report.failed);
     if lesson.json {
@@ -85,6 +83,9 @@ fn exit_code(failed: usize) -> ExitCode {
 fn at_once(selection: &Selection, report: &Report, view: View, parts: Parts, tally: &str) -> String {
     let mut page = Page::for_stdout();
     let steps = report.chapters.iter().flat_map(|chapter| &chapter.steps);
+    if parts != Parts::default() && !report.is_empty() {
+        text::legend(&mut page);
+    }
     let mut previous = "";
     for (chosen, step) in selection.steps.iter().zip(steps) {
         match view {
@@ -110,60 +111,108 @@ enum Turn {
     Next,
     Back,
     Plot,
+    Help,
     Quit,
 }
 
-/// One step after the other. Keys are read one at a time, and the terminal is itself again between any two.
+impl Turn {
+    fn of(key: &Key) -> Self {
+        match key {
+            Key::Enter | Key::Char(' ' | 'n') | Key::ArrowRight | Key::ArrowDown | Key::PageDown => Self::Next,
+            Key::Char('b') | Key::ArrowLeft | Key::ArrowUp | Key::PageUp | Key::Backspace => Self::Back,
+            Key::Char('p') => Self::Plot,
+            Key::Char('q' | END_OF_TRANSMISSION) | Key::Escape | Key::CtrlC => Self::Quit,
+            _ => Self::Help,
+        }
+    }
+}
+
+/// What Ctrl-D sends.
+const END_OF_TRANSMISSION: char = '\x04';
+const KEYS: &str = "Keys: Enter, space or n for what comes next, b for what was before, p for this step's figures, \
+                    q, Ctrl-C or Ctrl-D to leave, ? or h for this.";
+
+/// One screen after the other. Keys are read one at a time, and the terminal is itself again between any two.
 fn interactive(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> {
-    let term = Term::stdout();
-    let mut steps: Vec<Selection> =
-        selection.steps.into_iter().map(|chosen| Selection { steps: vec![chosen] }).collect();
-    let mut seen: Vec<Option<(usize, usize)>> = vec![None; steps.len()];
-    let mut at = 0;
-    while at < steps.len() {
-        let report = run::run(&steps[at], Parts { checks: true, ..Parts::default() }, &Progress::new());
-        seen[at] = Some((report.passed, report.failed));
-        let first = at == 0 || steps[at].steps[0].chapter.id != steps[at - 1].steps[0].chapter.id;
-        show(&steps[at].steps[0], &report, first)?;
-        at = loop {
-            match ask(&term, at + 1, steps.len())? {
-                Turn::Next => break at + 1,
-                Turn::Back => break at.saturating_sub(1),
-                Turn::Quit => break steps.len(),
-                Turn::Plot => plot(&mut steps[at], lesson)?,
+    let mut walk = Walk::new(selection);
+    let (mut at, mut screen) = (0, 0);
+    while at < walk.steps.len() {
+        let screens = walk.screens(at);
+        screen = screen.min(screens.len() - 1);
+        out::print(screens[screen].as_bytes())?;
+        let turn = loop {
+            match walk.ask(at)? {
+                Turn::Plot => plot(&mut walk.steps[at], lesson)?,
+                Turn::Help => print(|page| page.line(0, Tone::Dim, KEYS))?,
+                turn => break turn,
             }
         };
+        (at, screen) = match turn {
+            Turn::Quit => break,
+            Turn::Next if screen + 1 < screens.len() => (at, screen + 1),
+            Turn::Next => (at + 1, 0),
+            _ if screen > 0 => (at, screen - 1),
+            // The screen before a step's first is the last one of the step before.
+            _ if at > 0 => (at - 1, usize::MAX),
+            _ => (at, screen),
+        };
     }
-    let (passed, failed) = seen.iter().flatten().fold((0, 0), |sum, step| (sum.0 + step.0, sum.1 + step.1));
+    let (passed, failed) =
+        walk.seen.iter().flatten().fold((0, 0), |(p, f), found| (p + found.passed, f + found.failed));
     out::print(format!("{}\n", text::tally(passed, failed)).as_bytes())?;
     Ok(exit_code(failed))
 }
 
-fn show(chosen: &Chosen, report: &Report, first: bool) -> Result<(), Stop> {
-    let mut page = Page::for_stdout();
-    if first {
-        text::chapter(&mut page, chosen.chapter);
-    }
-    text::lecture(&mut page, chosen.chapter, chosen.step, &report.chapters[0].steps[0]);
-    out::print(page.into_text().as_bytes())
+/// The steps of a walk and what was found in those seen so far.
+struct Walk {
+    term: Term,
+    steps: Vec<Selection>,
+    seen: Vec<Option<Report>>,
 }
 
-fn ask(term: &Term, at: usize, of: usize) -> Result<Turn, Stop> {
-    let mut page = Page::for_stdout();
-    let keys = format!("step {at} of {of}: Enter next, b back, p plot, q quit");
-    page.line(0, Tone::Dim, &keys);
-    out::print(page.into_text().trim_end().as_bytes())?;
-    let turn = loop {
-        match term.read_key().map_err(|error| Stop::at("terminal", error))? {
-            Key::Enter | Key::Char(' ' | 'n') | Key::ArrowRight | Key::PageDown => break Turn::Next,
-            Key::Char('b') | Key::ArrowLeft | Key::PageUp | Key::Backspace => break Turn::Back,
-            Key::Char('p') => break Turn::Plot,
-            Key::Char('q') | Key::Escape | Key::CtrlC => break Turn::Quit,
-            _ => {}
+impl Walk {
+    fn new(selection: Selection) -> Self {
+        let alone = |chosen| Selection { steps: vec![chosen] };
+        let steps: Vec<_> = selection.steps.into_iter().map(alone).collect();
+        Self { term: Term::stdout(), seen: steps.iter().map(|_| None).collect(), steps }
+    }
+
+    /// The step `at` as screens of the terminal as it is now, one line left for the prompt.
+    fn screens(&mut self, at: usize) -> Vec<String> {
+        let parts = Parts { checks: true, ..Parts::default() };
+        let report = self.seen[at].get_or_insert_with(|| run::run(&self.steps[at], parts, &Progress::new()));
+        let chosen = &self.steps[at].steps[0];
+        let mut page = Page::for_stdout();
+        if self.steps.len() > 1 && (at == 0 || self.steps[at - 1].steps[0].chapter.id != chosen.chapter.id) {
+            text::chapter(&mut page, chosen.chapter);
         }
-    };
-    term.clear_line().map_err(Stop::writing)?;
-    Ok(turn)
+        if at == 0 {
+            text::legend(&mut page);
+        }
+        text::lecture(&mut page, chosen.chapter, chosen.step, &report.chapters[0].steps[0]);
+        page.into_screens(usize::from(self.term.size().0).saturating_sub(1))
+    }
+
+    /// Asks for a key; the prompt is gone again when there is an answer.
+    fn ask(&self, at: usize) -> Result<Turn, Stop> {
+        let prompt = format!("{}/{} Enter on, b back, p plot, q quit", at + 1, self.steps.len());
+        let columns = usize::from(self.term.size().1);
+        out::print(prompt.chars().take(columns.saturating_sub(1)).collect::<String>().as_bytes())?;
+        let turn = match self.term.read_key_raw() {
+            Ok(key) => Ok(Turn::of(&key)),
+            Err(error) if matches!(error.kind(), ErrorKind::UnexpectedEof | ErrorKind::Interrupted) => Ok(Turn::Quit),
+            Err(error) => Err(Stop::at("terminal", error)),
+        };
+        self.term.clear_line().map_err(Stop::writing)?;
+        turn
+    }
+}
+
+/// Sets a page and prints it.
+fn print(set: impl FnOnce(&mut Page)) -> Result<(), Stop> {
+    let mut page = Page::for_stdout();
+    set(&mut page);
+    out::print(page.into_text().as_bytes())
 }
 
 /// Draws the figures of a step and says where they are; a folder that cannot be used does not end the walk.
@@ -172,17 +221,17 @@ fn plot(step: &mut Selection, lesson: &Lesson) -> Result<(), Stop> {
     let mut report = run::run(step, Parts { races: true, ..Parts::default() }, &progress);
     let drawn = Folder::open(&lesson.out)
         .and_then(|folder| figures::write(step, &mut report, &folder, lesson.format, &progress));
-    let mut page = Page::for_stdout();
-    match drawn {
-        Ok(()) => {
+    if matches!(drawn, Err(Stop::ClosedPipe)) {
+        return drawn;
+    }
+    print(|page| match drawn {
+        Err(Stop::Refused(message)) => page.line(0, Tone::Bad, &message),
+        _ => {
             let figures = &report.chapters[0].steps[0].figures;
             figures.iter().for_each(|figure| page.verbatim(&figure.path.display().to_string()));
             if figures.is_empty() {
                 page.line(0, Tone::Dim, "this step has no figures");
             }
         }
-        Err(Stop::Refused(message)) => page.line(0, Tone::Bad, &message),
-        Err(Stop::ClosedPipe) => return Err(Stop::ClosedPipe),
-    }
-    out::print(page.into_text().as_bytes())
+    })
 }

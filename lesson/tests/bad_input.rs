@@ -48,6 +48,15 @@ fn values_outside_their_domain() {
     refused("fresnel natural --set n_t=gold --set wavelength=900um", &["gold"]);
     refused("fresnel --set n_t=gold --set wavelength=900um", &["gold"]);
     refused("fresnel --set wavelength=-1nm", &["wavelength", "valid"]);
+    refused("fresnel brewster --set wavelength=550", &["did you mean `550nm`", "1nm to 1e6nm"]);
+    refused("fresnel brewster --set n_t=glod", &["glod", "did you mean `gold`"]);
+    refused("fresnel metals --set wavelength=5um", &["n_t", "gold"]);
+}
+
+#[test]
+fn folders_and_formats_are_for_figures() {
+    refused("fresnel brewster --out figures", &["--out", "needs --plot"]);
+    refused("fresnel brewster --check --format svg", &["--format", "needs --plot"]);
 }
 
 #[test]
@@ -55,7 +64,7 @@ fn malformed_flags_are_clap_s_to_refuse() {
     for arguments in ["fresnel --set theta", "fresnel --format bmp", "fresnel --no-such-flag", "completions tcsh9"] {
         let run = lesson(arguments);
         assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments}");
-        assert!(!run.err.is_empty(), "{arguments}");
+        assert!(run.err.starts_with("lesson: ") && !run.err.contains("error:"), "{arguments}: {run:?}");
     }
 }
 
@@ -72,15 +81,18 @@ fn folders_that_cannot_be_written_to() {
 }
 
 #[test]
-fn a_figure_that_cannot_be_put_in_place_leaves_no_draft() {
+fn a_figure_that_cannot_be_put_in_place_takes_its_set_with_it() {
     let place = folder("taken");
-    let made = lesson(&format!("fresnel brewster --plot --out {}", place.display()));
-    let path = made.out.lines().find(|line| line.ends_with(".png")).unwrap().to_owned();
-    std::fs::remove_file(&path).unwrap();
-    std::fs::create_dir(&path).unwrap();
-    refused(&format!("fresnel brewster --plot --out {}", place.display()), &["cannot be written"]);
-    let left = std::fs::read_dir(&place).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap());
-    assert!(left.into_iter().all(|name| !name.ends_with(".tmp")));
+    let command = format!("fresnel total_reflection --plot --out {}", place.display());
+    let made = lesson(&command);
+    let paths: Vec<_> = made.out.lines().filter(|line| line.ends_with(".png")).collect();
+    assert!(paths.len() > 1, "{made:?}");
+    paths.iter().for_each(|path| std::fs::remove_file(path).unwrap());
+    let last = paths.last().unwrap();
+    std::fs::create_dir(last).unwrap();
+    refused(&command, &["cannot be written"]);
+    let left: Vec<_> = std::fs::read_dir(&place).unwrap().map(|file| file.unwrap().path()).collect();
+    assert_eq!(left, [std::path::Path::new(last)]);
 }
 
 #[cfg(target_os = "linux")]

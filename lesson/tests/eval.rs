@@ -55,7 +55,8 @@ fn bad_arguments_name_their_place_and_range() {
         ("eval fresnel n1=1 n2=-1.5 theta1=0", &["n2", "valid"]),
         ("eval fresnel n1=1 n2=nan theta1=0", &["n2", "valid"]),
         ("eval fresnel n1=1 n2=1e400 theta1=0", &["n2", "1e400", "valid"]),
-        ("eval fresnel n1=1 n2=1.5 theta1=95deg", &["theta1", "valid"]),
+        ("eval fresnel n1=1 n2=1.5 theta1=95deg", &["theta1", "95deg", "valid: 0deg to 90deg"]),
+        ("eval fresnel n1=1 n2=1.5 thet1=0", &["no such input of fresnel", "did you mean `theta1`"]),
         ("eval fresnel n1=1 n2=1.5 theta1=[1]", &["theta1", "must be a number"]),
         ("eval fresnel n1=1 n2=1.5 theta1=[1", &["theta1", "column"]),
         ("eval fresnel n1=1 n2=1.5 psi=0", &["psi", "n1"]),
@@ -98,12 +99,29 @@ fn every_bad_line_leaves_its_error_in_its_place() {
         input.extend_from_slice(b"\r\n\n");
     }
     let (code, answers) = answers(&input);
-    assert_eq!((code, answers.len()), (2, 2 * bad.len()));
-    for (at, pair) in answers.chunks(2).enumerate() {
+    // The blank line after the last answer is no question.
+    assert_eq!((code, answers.len()), (2, 3 * bad.len() - 1));
+    for (at, pair) in answers.chunks(3).enumerate() {
         let error = pair[0]["error"].as_str().unwrap_or_else(|| panic!("{:?}: {}", bad[at], pair[0]));
         assert!(error.starts_with(&format!("line {}: ", 3 * at + 1)) && error.len() < 400, "{error}");
         assert!(pair[1]["R_s"].is_f64(), "{}", pair[1]);
+        assert!(pair.get(2).is_none_or(|blank| blank["error"] == format!("line {}: empty", 3 * at + 3)));
     }
+}
+
+#[test]
+fn values_of_the_wrong_kind_name_their_field_and_range() {
+    for value in ["true", "null", "1e400", "[1]", "{}", "\"one\"", "-1"] {
+        let (code, answers) = answers(format!("{{\"n1\":1,\"n2\":{value},\"theta1\":0}}").as_bytes());
+        let error = answers[0]["error"].as_str().unwrap();
+        assert!(code == 2 && error.starts_with("line 1: n2: ") && error.contains("valid: 1e-9 to 1e9"), "{error}");
+    }
+}
+
+#[test]
+fn outputs_come_as_one_object_too() {
+    let object: Value = serde_json::from_str(&lesson("eval fresnel n1=1 n2=1.5 theta1=0 --json").out).unwrap();
+    assert_eq!(object, answers(br#"{"n1": 1, "n2": 1.5, "theta1": 0}"#).1[0]);
 }
 
 #[test]

@@ -132,6 +132,37 @@ fn a_metal_goes_where_it_can_and_nowhere_else() {
 }
 
 #[test]
+fn a_wavelength_that_a_default_has_no_data_for_is_left_where_it_clashes() {
+    for (setting, own) in [("wavelength=190nm", "fresnel/films"), ("wavelength=5um", "fresnel/metals")] {
+        let run = lesson(&format!("fresnel --check --set {setting}"));
+        assert!(run.code <= 1, "{run:?}");
+        assert!(run.err.contains(&format!("lesson: {own} keeps its own wavelength: ")), "{}", run.err);
+    }
+}
+
+#[test]
+fn nothing_of_the_kind_is_explained() {
+    let run = lesson("fresnel digits --check");
+    assert_eq!((run.code, run.out.as_str()), (0, "0 passed, 0 failed\n"));
+    assert_eq!(run.err, "lesson: fresnel/digits has no checks; it has --stress, --race, --plot\n");
+}
+
+#[test]
+fn symbols_are_typeset_and_what_is_typed_is_not() {
+    let text = lesson("fresnel r_s --stress").out;
+    assert!(text.contains("Re rₛ") && text.contains("digits owed") && text.contains("fresnel/r_s/"), "{text}");
+    assert!(!text.contains("rₛᵣe") && !text.contains("-0.0"), "{text}");
+    let lecture = lesson("fresnel r_s").out;
+    assert!(lecture.contains("checked at points where") && lecture.contains("ε = 2⁻⁵²"), "{lecture}");
+    assert!(lecture.contains("n_i=1, n_t=1.5"), "{lecture}");
+}
+
+#[test]
+fn a_flag_may_be_repeated() {
+    assert_eq!(lesson("fresnel snell --check --check").out, lesson("fresnel snell --check").out);
+}
+
+#[test]
 fn a_race_reports_error_and_time() {
     let report = json("fresnel natural --race --json");
     let race = &report["chapters"][0]["steps"][0]["races"][0];
@@ -191,6 +222,10 @@ fn coverage_has_a_row_for_every_row_of_the_lecture() {
 #[test]
 fn help_teaches_and_completions_know_the_steps() {
     let help = lesson("--help");
+    assert_eq!(lesson("help").out, help.out);
+    for line in [&help.out, &lesson("-h").out, &lesson("eval --help").out].into_iter().flat_map(|text| text.lines()) {
+        assert!(unicode_width::UnicodeWidthStr::width(line) <= 80, "{line}");
+    }
     assert!(help.code == 0 && help.out.contains("lesson fresnel brewster") && help.out.contains("--set"));
     for shell in ["bash", "zsh", "fish"] {
         assert!(lesson(&format!("completions {shell}")).out.contains("brewster"), "{shell}");
