@@ -169,7 +169,7 @@ fn least_time(order: fn(f64, f64) -> (f64, f64)) -> Measured {
 }
 
 const MIRROR: Check = Check {
-    id: "mirror",
+    id: "shortest_way",
     claim: "the reflected ray leaves at the angle of incidence",
     rows: &["E33"],
     route: "Fermat's principle: golden-section search for the point of the shortest way by way of the interface",

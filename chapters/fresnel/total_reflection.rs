@@ -212,7 +212,7 @@ fn against_phase_formula(denominator: fn(f64) -> f64) -> Measured {
 }
 
 const DEPTH: Check = Check {
-    id: "depth",
+    id: "tunnelling",
     claim: "behind the interface the field falls to 1/e in the depth shown",
     rows: &["C13"],
     route: "a second prism brought near: ln T through the gap falls by 2/depth for each metre, by the film formulas",

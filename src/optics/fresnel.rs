@@ -67,17 +67,11 @@ pub fn powers(incidence: Incidence, n_i: f64, n_t: Complex64) -> Powers {
     if side.q_t.re == 0.0 {
         return Powers { r_s: 1.0, t_s: 0.0, r_p: 1.0, t_p: 0.0 };
     }
-    // r_s = −(n_t² − n_i²)/(q_i + q_t)², r_p = (n_t² − n_i²)(n_t² cos² θ_i − n_i² sin² θ_i)/(n_t² cos θ_i + n_i q_t)².
-    let modulus = n_t.norm_sqr();
-    let p_norm = modulus * modulus * side.p_norm;
-    let contrast = side.contrast.norm_sqr();
-    let (cos, square) = (incidence.cos(), square(n_t));
-    let turned = square.im * cos * cos;
-    let balance = brewster_balance(incidence, n_i, n_t, square.re);
+    let [r_s, r_p] = side.reflectances();
     Powers {
-        r_s: contrast / (side.s_norm * side.s_norm),
+        r_s,
         t_s: 4.0 * side.q_i * side.q_t.re / side.s_norm,
-        r_p: contrast * (balance * balance + turned * turned) / (p_norm * p_norm),
+        r_p,
         t_p: 4.0 * side.cos_i * side.g.re / side.p_norm,
     }
 }
@@ -144,6 +138,24 @@ impl Solution {
         let s_norm = s_sum * s_sum + q_t.im * q_t.im;
         let p_norm = p_sum * p_sum + g.im * g.im;
         Some(Self { incidence, n_i, n_t, cos_i, q_i, q2_t, q_t, contrast, g, along, s_norm, p_norm })
+    }
+
+    /// R_s and R_p. Where much is reflected the difference q_i − q_t has its digits, and |q_i − q_t|² + 4 q_i Re q_t =
+    /// |q_i + q_t|² makes R + T one to rounding. Where little is, r_s = −(n_t² − n_i²)/(q_i + q_t)² and r_p =
+    /// (n_t² − n_i²)(n_t² cos² θ_i − n_i² sin² θ_i)/(n_t² cos θ_i + n_i q_t)².
+    fn reflectances(&self) -> [f64; 2] {
+        let Self { incidence, n_i, n_t, cos_i, q_i, q_t, g, s_norm, p_norm, .. } = *self;
+        let contrast = self.contrast.norm_sqr();
+        let (direct_s, direct_p) = ((q_i - q_t).norm_sqr(), (cos_i - g).norm_sqr());
+        let r_s = if direct_s > 0.25 * s_norm { direct_s / s_norm } else { contrast / (s_norm * s_norm) };
+        if direct_p > 0.25 * p_norm {
+            return [r_s, direct_p / p_norm];
+        }
+        let (cos, square, modulus) = (incidence.cos(), square(n_t), n_t.norm_sqr());
+        let p_norm = modulus * modulus * p_norm;
+        let turned = square.im * cos * cos;
+        let balance = brewster_balance(incidence, n_i, n_t, square.re);
+        [r_s, contrast * (balance * balance + turned * turned) / (p_norm * p_norm)]
     }
 
     /// (q_i − q_t)(q_i + q_t*)/|q_i + q_t|². Its real part needs q_i² − |q_t|², which is

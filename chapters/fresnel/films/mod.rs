@@ -32,7 +32,7 @@ const PAIRS: Parameter = Parameter {
     symbol: "N",
     says: "low–high pairs under the mirror's first high film: 2N + 1 films",
     default: "10",
-    kind: Kind::Number { min: 0.0, max: 200.0, unit: "1" },
+    kind: Kind::Count { min: 0, max: 200 },
 };
 /// The wavelength that the films are a quarter of.
 const DESIGN: Parameter =
