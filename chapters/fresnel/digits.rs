@@ -4,7 +4,7 @@ use super::extremes::{families, ours, worst_cases};
 use super::{N_I, N_T, interface};
 use crate::figure::{Axis, Map, Panel, Plot, Ramp};
 use crate::setting::{Parameter, Setting, THETA, WAVELENGTH};
-use crate::vocabulary::{Bench, Expects, Figure, Heat, Lane, Quantity, Race, Step, Stress, digits};
+use crate::vocabulary::{ALLOWED_ULPS, Bench, Expects, Figure, Heat, Lane, Quantity, Race, Step, Stress, digits};
 use light::Complex64;
 use light::evidence::fresnel::{Exact, Input, NAMES};
 use light::optics::fresnel::{natural_reflectance, natural_reflectance_absorbing, powers};
@@ -34,7 +34,7 @@ pub(super) const STEP: Step = Step {
     races: &[FORMS, FORMS_ABSORBING],
     figures: &[Figure {
         id: "digits_lost",
-        says: "Digits of R_n kept by the formula as written, by the cosines most renderers use, and by the program.",
+        says: "Digits of R_n kept by the formula as written, by the cosines most renderers use, and by the program; and how many the condition number asks for.",
         rows: &["C10"],
         plot: digits_lost,
     }],
@@ -181,46 +181,55 @@ fn heat(
     }
 }
 
+/// Cells of the maps; the fourth, whose cells cost five solutions each, has half as many along either side.
 const COLUMNS: usize = 72;
 const ROWS: usize = 54;
 
 fn digits_lost(_: &Setting) -> Plot {
+    let at = NAMES.iter().position(|name| *name == "R_n").expect("an output");
     let forms: [(&str, Form); 3] = [
         ("as written (E42)", |cos, n_t| by_angles(cos.acos(), n_t.re)),
         ("by the cosines", |cos, n_t| natural_reflectance_by_cosines(cos, 1.0, n_t.re)),
         ("the program", one_by_one),
     ];
-    let at = NAMES.iter().position(|name| *name == "R_n").expect("an output");
-    let cell = |column: usize, row: usize| {
-        let angle = 10f64.powf(-10.0 + 10.0 * (column as f64 + 0.5) / COLUMNS as f64);
-        let contrast = 10f64.powf(-12.0 + 12.0 * (row as f64 + 0.5) / ROWS as f64);
-        (angle.cos(), 1.0 + contrast)
-    };
-    let cells: Vec<(f64, f64)> = (0..ROWS)
-        .flat_map(|row| (0..COLUMNS).map(move |column| (column, row)))
-        .map(|(column, row)| cell(column, row))
-        .collect();
-    let exact: Vec<_> = cells
-        .iter()
-        .map(|&(cos, n_t)| Exact::new(&Input { direction: Direction::Cos(cos), n_i: 1.0, n_t: n_t.into() }))
-        .collect();
+    let fine = cells(COLUMNS, ROWS);
     let panels = forms.map(|(title, form)| {
-        let kept = |(&(cos, n_t), exact): (&(f64, f64), &Exact)| {
-            let value = form(cos, n_t.into());
+        let kept = |(cos, n_t, exact): &(f64, f64, Exact)| {
+            let value = form(*cos, (*n_t).into());
             if value.is_finite() { digits(precise::relative_error(value, &exact.outputs[at])) } else { f64::NAN }
         };
-        Panel::Map(Map {
-            title: title.into(),
-            x: Axis::log("angle of incidence θ_1", "rad").range(1e-10, 1.0),
-            y: Axis::log("contrast n_2/n_1 − 1", "").range(1e-12, 1.0),
-            colour: Axis::linear("decimal digits kept", "").range(0.0, 16.0).tick(4.0),
-            ramp: Ramp::Sequential,
-            columns: COLUMNS,
-            values: cells.iter().zip(&exact).map(kept).collect(),
-            marks: Vec::new(),
-        })
+        map(title, "decimal digits kept", COLUMNS, fine.iter().map(kept).collect())
     });
-    Plot::grid("Digits of R_n kept, of the sixteen there are", 3, panels.into())
+    let owed = |(.., exact): &(f64, f64, Exact)| digits(ALLOWED_ULPS * f64::EPSILON * (1.0 + exact.conditions()[at]));
+    let coarse = cells(COLUMNS / 2, ROWS / 2);
+    let owed = map("what 16 ε(1+κ) asks for", "decimal digits owed", COLUMNS / 2, coarse.iter().map(owed).collect());
+    Plot::grid("Digits of R_n kept, of the sixteen there are", 2, panels.into_iter().chain([owed]).collect())
+}
+
+/// cos θ₁, n₂/n₁ and the exact solution in every cell, row by row from the bottom.
+fn cells(columns: usize, rows: usize) -> Vec<(f64, f64, Exact)> {
+    let all = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
+    let cell = |(column, row)| {
+        let middle = |at: usize, of: usize| (at as f64 + 0.5) / of as f64;
+        let (angle, contrast) =
+            (10f64.powf(10.0 * middle(column, columns) - 10.0), 10f64.powf(12.0 * middle(row, rows) - 12.0));
+        let (cos, n_t) = (angle.cos(), 1.0 + contrast);
+        (cos, n_t, Exact::new(&Input { direction: Direction::Cos(cos), n_i: 1.0, n_t: n_t.into() }))
+    };
+    all.map(cell).collect()
+}
+
+fn map(title: &str, colour: &str, columns: usize, values: Vec<f64>) -> Panel {
+    Panel::Map(Map {
+        title: title.into(),
+        x: Axis::log("angle of incidence θ_1", "rad").range(1e-10, 1.0),
+        y: Axis::log("contrast n_2/n_1 − 1", "").range(1e-12, 1.0),
+        colour: Axis::linear(colour, "").range(0.0, 16.0).tick(4.0),
+        ramp: Ramp::Sequential,
+        columns,
+        values,
+        marks: Vec::new(),
+    })
 }
 
 #[cfg(test)]
