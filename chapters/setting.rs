@@ -45,8 +45,8 @@ impl Fault {
     pub fn choice(&self) -> String {
         match &self.unknown {
             None => String::new(),
-            Some(unknown) if unknown.names.is_empty() => ". There is none".into(),
-            Some(unknown) => format!(". There is: {}", unknown.names.join(", ")),
+            Some(unknown) if unknown.names.is_empty() => ". There are none".into(),
+            Some(unknown) => format!(". Known: {}", unknown.names.join(", ")),
         }
     }
 }
