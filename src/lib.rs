@@ -12,6 +12,19 @@
 //! - `n_i`, `cos_i`: the side the light comes from; `n_t`, `cos_t`: the other side.
 //! - z is the local normal; `wi` and `wo` both point away from the surface.
 //! - The same inputs and seed give the same bits, whatever the number of threads.
+//!
+//! # Where things are
+//!
+//! | idea | formula | claimed in |
+//! |---|---|---|
+//! | directions without loss at either end | [`optics::incidence`] | `fresnel/snell` |
+//! | interface: amplitudes, powers, Brewster, dip | [`optics::fresnel`] | `fresnel`, `r_s` to `metals` |
+//! | the same as the lecture writes it | [`optics::textbook`] | `fresnel/digits` |
+//! | Schlick and its descendants | [`optics::schlick`] | `fresnel/schlick` |
+//! | stacks of films | [`optics::film`] | `fresnel/films` |
+//! | real media | [`optics::material`] | every step, by name |
+//! | equations, units, faces, derivations | [`equation`] | every step |
+//! | references, condition numbers, orders, quadrature | [`evidence`] | every check |
 
 pub mod equation;
 pub mod evidence;

@@ -27,7 +27,7 @@ pub const NAMES: [&str; 14] = [
 /// The outputs at an input, exact for every purpose of `f64`.
 #[derive(Debug)]
 pub struct Exact {
-    wide: Wide,
+    resolved: Resolved,
     /// In the order of [`NAMES`].
     pub outputs: Outputs,
 }
@@ -35,15 +35,15 @@ pub struct Exact {
 impl Exact {
     /// Solves the interface at `input`.
     pub fn new(input: &Input) -> Self {
-        let wide = Wide::new(input);
-        Self { outputs: wide.outputs(), wide }
+        let resolved = Resolved::new(input);
+        Self { outputs: resolved.outputs(), resolved }
     }
 
     /// The condition number of each output [1]: Σ |x ∂y/∂x| / |y| over the inputs x (the direction and both indices'
     /// parts); infinite where y = 0 although it could move, 0 where nothing moves it.
     pub fn conditions(&self) -> [f64; NAMES.len()] {
         let mut condition = [0.0; NAMES.len()];
-        for moved in self.wide.neighbours(&precise::real(STEP)) {
+        for moved in self.resolved.neighbours(&precise::real(STEP)) {
             for ((sum, there), here) in condition.iter_mut().zip(&moved.outputs()).zip(&self.outputs) {
                 let change = there - here;
                 if !is_zero(&change) {
@@ -57,14 +57,14 @@ impl Exact {
 
 /// cos θ_t [1] between clear media below the critical angle, and its condition number.
 pub fn refracted_cosine(input: &Input) -> (Real, f64) {
-    let cosine = |wide: &Wide| {
-        let sin_t = &wide.n_i * &wide.sin / &wide.n;
+    let cosine = |resolved: &Resolved| {
+        let sin_t = &resolved.n_i * &resolved.sin / &resolved.n;
         (precise::real(1.0) - &sin_t * &sin_t).sqrt()
     };
-    let wide = Wide::new(input);
-    let here = cosine(&wide);
-    let change = |moved: Wide| precise::to_f64(&((cosine(&moved) - &here) / &here)).abs() / STEP;
-    let condition = wide.neighbours(&precise::real(STEP)).map(change).sum();
+    let resolved = Resolved::new(input);
+    let here = cosine(&resolved);
+    let change = |moved: Resolved| precise::to_f64(&((cosine(&moved) - &here) / &here)).abs() / STEP;
+    let condition = resolved.neighbours(&precise::real(STEP)).map(change).sum();
     (here, condition)
 }
 
@@ -77,7 +77,7 @@ fn is_zero(x: &Real) -> bool {
 
 /// The inputs with sine and cosine resolved.
 #[derive(Clone, Debug)]
-struct Wide {
+struct Resolved {
     sin: Real,
     cos: Real,
     /// What a relative step of the direction's own number changes: (d sin, d cos) per unit of relative step.
@@ -87,7 +87,7 @@ struct Wide {
     k: Real,
 }
 
-impl Wide {
+impl Resolved {
     fn new(input: &Input) -> Self {
         let (sin, cos, turn) = match input.direction {
             Direction::Angle(theta) => {
