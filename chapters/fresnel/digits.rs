@@ -176,7 +176,9 @@ fn heat(
                 let exact = Exact::new(&Input { direction: Direction::Cos(inputs[case]), n_i: 1.0, n_t: *n_t });
                 precise::relative_error(results[medium * share + case], &exact.outputs[at])
             });
-            worst.fold(0.0, |worst: f64, error| if error.total_cmp(&worst).is_gt() { error } else { worst })
+            worst
+                .map(f64::abs)
+                .fold(0.0, |worst: f64, error| if error.total_cmp(&worst).is_gt() { error } else { worst })
         }),
     }
 }

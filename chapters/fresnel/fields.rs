@@ -68,5 +68,21 @@ pub fn tangential_step([incident, reflected, transmitted]: &[Wave; 3]) -> f64 {
         let scale = 1.0 + incident.h[axis].norm() + transmitted.h[axis].norm();
         [e.norm(), h.norm() / scale]
     });
-    steps.fold(0.0, |worst: f64, step| if step.total_cmp(&worst).is_gt() { step } else { worst })
+    // |NaN| sorts above all numbers; a NaN with its sign set, as 0/0 gives on some machines, would sort below them.
+    steps.map(f64::abs).fold(0.0, |worst: f64, step| if step.total_cmp(&worst).is_gt() { step } else { worst })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_field_that_is_not_a_number_breaks_continuity() {
+        let zero: Vector = [Complex64::ZERO; 3];
+        for broken in [f64::NAN, -f64::NAN] {
+            let waves = [Wave { e: zero, h: zero }; 2];
+            let third = Wave { e: [broken.into(), Complex64::ZERO, Complex64::ZERO], h: zero };
+            assert!(tangential_step(&[waves[0], waves[1], third]).is_nan());
+        }
+    }
 }
