@@ -38,8 +38,14 @@ pub fn derive(derivation: &Derivation, address: String) -> DerivationReport {
 }
 
 fn hypothesis(given: &Given) -> LineReport {
-    let equation = Equation::new(&given.symbol, &given.value);
-    LineReport { latex: equation.latex(), unicode: equation.to_string(), by: vec![given.by], says: "", hop: None }
+    let equation = Equation::new(&given.what, &given.value);
+    LineReport {
+        latex: equation.latex(),
+        unicode: equation.to_string(),
+        by: vec![given.by.into()],
+        says: "",
+        hop: None,
+    }
 }
 
 fn lines(chain: &Chain, hops: &[Hop]) -> Vec<LineReport> {

@@ -2,6 +2,7 @@
 
 use light::precise::Real;
 use serde::{Serialize, Serializer};
+use std::borrow::Cow;
 use std::path::PathBuf;
 
 /// Name of the JSON document's layout.
@@ -108,7 +109,7 @@ pub struct LineReport {
     pub latex: String,
     pub unicode: String,
     /// The rules that justify it.
-    pub by: Vec<&'static str>,
+    pub by: Vec<Cow<'static, str>>,
     #[serde(skip_serializing_if = "str::is_empty")]
     pub says: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]

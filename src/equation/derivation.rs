@@ -5,7 +5,7 @@
 //! arithmetic at that point can tell, cancellation included.
 
 use super::Equation;
-use super::expr::Expr;
+use super::expr::{Expr, Node};
 use super::symbol::{Domain, Symbol};
 use super::tracked::Tracked;
 use super::units::Mismatch;
@@ -14,27 +14,42 @@ use crate::precise::{self, Complex};
 use crate::sampling::Stream;
 use num_complex::Complex64;
 use rand::RngExt;
+use std::borrow::Cow;
 
 /// Hypotheses and lines.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chain {
     /// The hypotheses as substitutions, each naming the rule it comes from. They are triangular: none leads back
-    /// to its own symbol. Snell's law, for one, is n₁ := k sin θ₂, n₂ := k sin θ₁.
+    /// to its own left side. Snell's law, for one, is n₁ := k sin θ₂, n₂ := k sin θ₁.
     pub given: Vec<Given>,
+    /// What the premises among the lines are solved for; they are linear in these.
+    pub unknowns: Vec<Symbol>,
+    /// The antiderivatives that integrals are taken with.
+    pub primitives: Vec<Primitive>,
     /// In order. A line that is an expression equals the end of the line before it; a line that is an equation
-    /// holds by itself under the hypotheses.
+    /// holds by itself under the hypotheses and the premises.
     pub lines: Vec<Line>,
 }
 
-/// A hypothesis: a symbol and what stands for it.
+/// A hypothesis: what is replaced and what stands for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Given {
-    /// What is replaced.
-    pub symbol: Symbol,
+    /// What is replaced: a symbol; a field's derivative ∂F/∂t or divergence ∇·F, with which all derivatives of it go;
+    /// or any other form, where it stands as it is written.
+    pub what: Expr,
     /// By what.
     pub value: Expr,
     /// The rule or law that says so.
     pub by: &'static str,
+}
+
+/// An antiderivative: whatever integrand ∂`of`/∂`variable` is equal to is integrated by it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Primitive {
+    /// F, entire in the variable.
+    pub of: Expr,
+    /// The variable of integration.
+    pub variable: Symbol,
 }
 
 /// One line of a chain.
@@ -43,9 +58,26 @@ pub struct Line {
     /// What it states.
     pub claim: Claim,
     /// The rules that lead to it, by name; none for a start.
-    pub by: Vec<&'static str>,
+    pub by: Vec<Cow<'static, str>>,
     /// Why, in words; may be empty.
     pub says: &'static str,
+    /// How it comes to stand there.
+    pub role: Role,
+    /// The single steps that it sums up, where the program found it; may be empty.
+    pub unfolded: Vec<Line>,
+}
+
+/// How a line comes to stand where it does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Assumed: an equation that the rest follows from.
+    Premise,
+    /// Stated by the author.
+    Stated,
+    /// Stated by the author, who leaves it to the program to find the way there.
+    Goal,
+    /// Found by the program.
+    Found,
 }
 
 /// What a line states.
@@ -75,7 +107,7 @@ pub struct Hop {
     /// The line it leads to: an index into [`Chain::lines`].
     pub line: usize,
     /// The rules that justify it.
-    pub by: Vec<&'static str>,
+    pub by: Vec<Cow<'static, str>>,
     /// What the program found.
     pub verdict: Verdict,
 }
@@ -115,21 +147,57 @@ impl Verdict {
     }
 }
 
+impl Line {
+    fn new(claim: impl Into<Claim>, by: &[&'static str], role: Role) -> Self {
+        let by = by.iter().map(|&rule| rule.into()).collect();
+        Self { claim: claim.into(), by, says: "", role, unfolded: Vec::new() }
+    }
+}
+
 impl Chain {
     /// A chain that starts from an expression or an equation.
     pub fn new(start: impl Into<Claim>) -> Self {
-        Self { given: Vec::new(), lines: vec![Line { claim: start.into(), by: Vec::new(), says: "" }] }
+        Self { lines: vec![Line::new(start, &[], Role::Stated)], ..Self::default() }
     }
 
-    /// With the hypothesis `symbol` := `value`, known as `by`.
-    pub fn given(mut self, symbol: Symbol, value: impl Into<Expr>, by: &'static str) -> Self {
-        self.given.push(Given { symbol, value: value.into(), by });
+    /// A chain that starts from what is assumed: the equation known as `by`.
+    pub fn assume(equation: Equation, by: &'static str) -> Self {
+        Self::default().and(equation, by)
+    }
+
+    /// With one more equation that is assumed, known as `by`.
+    pub fn and(mut self, equation: Equation, by: &'static str) -> Self {
+        self.lines.push(Line::new(equation, &[by], Role::Premise));
+        self
+    }
+
+    /// With the premises solved for `unknowns`, in which they are linear: as many as there are premises.
+    pub fn solve_for<const N: usize>(mut self, unknowns: [Symbol; N]) -> Self {
+        self.unknowns.extend(unknowns);
+        self
+    }
+
+    /// With the hypothesis `what` := `value`, known as `by`.
+    pub fn given(mut self, what: impl Into<Expr>, value: impl Into<Expr>, by: &'static str) -> Self {
+        self.given.push(Given { what: what.into(), value: value.into(), by });
+        self
+    }
+
+    /// With the antiderivative `of` in `variable`.
+    pub fn primitive(mut self, of: impl Into<Expr>, variable: Symbol) -> Self {
+        self.primitives.push(Primitive { of: of.into(), variable });
         self
     }
 
     /// With one more line, which follows `by` these rules.
     pub fn then<const N: usize>(mut self, claim: impl Into<Claim>, by: [&'static str; N]) -> Self {
-        self.lines.push(Line { claim: claim.into(), by: by.into(), says: "" });
+        self.lines.push(Line::new(claim, &by, Role::Stated));
+        self
+    }
+
+    /// With one more line, to which the program finds the way.
+    pub fn find(mut self, goal: impl Into<Claim>) -> Self {
+        self.lines.push(Line::new(goal, &[], Role::Goal));
         self
     }
 
@@ -145,7 +213,7 @@ impl Chain {
     /// of what it stands for.
     pub fn units(&self) -> Result<(), Mismatch> {
         for given in &self.given {
-            Equation::new(&given.symbol, &given.value).dimension()?;
+            Equation::new(&given.what, &given.value).dimension()?;
         }
         for (_, left, right) in self.pairs() {
             Equation::new(left, right).dimension()?;
@@ -206,7 +274,7 @@ impl Chain {
         });
         for expr in lines.chain(self.given.iter().map(|given| &given.value)) {
             for symbol in expr.symbols() {
-                let is_given = self.given.iter().any(|given| given.symbol.name() == symbol.name());
+                let is_given = self.given.iter().any(|given| given.what == Expr::from(symbol));
                 if !is_given && found.iter().all(|known| known.name() != symbol.name()) {
                     found.push(symbol);
                 }
@@ -222,7 +290,9 @@ impl Chain {
             bindings.bind(symbol.name(), Tracked::exact(Complex::from_parts(part(value.re), part(value.im)), bits));
         }
         for given in &self.given {
-            bindings.define(&given.symbol, given.value.clone());
+            if let Node::Symbol(symbol) = given.what.node() {
+                bindings.define(symbol, given.value.clone());
+            }
         }
         bindings
     }

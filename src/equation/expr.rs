@@ -59,6 +59,8 @@ pub enum Node {
     Negate(Expr),
     /// A function of one argument.
     Function(Function, Expr),
+    /// A vector by its Cartesian components.
+    Vector([Expr; 3]),
     /// a·b of vectors.
     Dot(Expr, Expr),
     /// a×b of vectors.
@@ -159,6 +161,7 @@ impl Expr {
         match self.node() {
             Node::Number(_) | Node::Pi | Node::ImaginaryUnit | Node::Symbol(_) => vec![],
             Node::Apply(_, parts) | Node::Sum(parts) | Node::Product(parts) => parts.iter().collect(),
+            Node::Vector(parts) => parts.iter().collect(),
             Node::Quotient(a, b) | Node::Dot(a, b) | Node::Cross(a, b) => vec![a, b],
             Node::Power(a, _) | Node::Negate(a) | Node::Function(_, a) | Node::Nabla(_, a) => vec![a],
             Node::Differential(a) | Node::Mean(a) => vec![a],
@@ -175,6 +178,45 @@ impl Expr {
         let mut found = Vec::new();
         self.collect_symbols(&mut found);
         found
+    }
+
+    /// The same outermost part over other expressions: every child replaced by its `image`.
+    pub fn map(&self, image: &mut impl FnMut(&Expr) -> Expr) -> Self {
+        let mut each = |parts: &[Expr]| parts.iter().map(&mut *image).collect::<Vec<_>>();
+        match self.node() {
+            Node::Number(_) | Node::Pi | Node::ImaginaryUnit | Node::Symbol(_) => self.clone(),
+            Node::Apply(symbol, arguments) => Self::new(Node::Apply(symbol.clone(), each(arguments))),
+            Node::Sum(terms) => each(terms).into_iter().reduce(Self::sum).expect("a sum has terms"),
+            Node::Product(factors) => each(factors).into_iter().reduce(Self::product).expect("a product has factors"),
+            Node::Vector(parts) => Self::new(Node::Vector(parts.each_ref().map(image))),
+            Node::Quotient(a, b) => image(a).quotient(image(b)),
+            Node::Power(base, exponent) => image(base).pow(*exponent),
+            Node::Negate(of) => image(of).negated(),
+            Node::Function(function, of) => Self::new(Node::Function(*function, image(of))),
+            Node::Dot(a, b) => dot(image(a), image(b)),
+            Node::Cross(a, b) => cross(image(a), image(b)),
+            Node::Nabla(nabla, of) => Self::new(Node::Nabla(*nabla, image(of))),
+            Node::Partial(of, by) => {
+                let of = image(of);
+                Self::new(Node::Partial(of, by.iter().map(image).collect()))
+            }
+            Node::Differential(of) => d(image(of)),
+            Node::Mean(of) => mean(image(of)),
+            Node::Integral(of, by, range) => {
+                let (of, by) = (image(of), by.iter().map(&mut *image).collect());
+                let range = match range {
+                    Range::Between(from, to) => Range::Between(image(from), image(to)),
+                    other => other.clone(),
+                };
+                Self::new(Node::Integral(of, by, range))
+            }
+        }
+    }
+
+    /// The same with every part that has the form of `what` replaced by `by`, from the outside inwards; what comes in
+    /// is not searched again.
+    pub fn replace(&self, what: &Expr, by: &Expr) -> Self {
+        if self == what { by.clone() } else { self.map(&mut |child| child.replace(what, by)) }
     }
 
     fn collect_symbols<'a>(&'a self, found: &mut Vec<&'a Symbol>) {
@@ -414,6 +456,11 @@ functions! {
     re Re;
     /// Imaginary part.
     im Im;
+}
+
+/// The vector with these Cartesian components.
+pub fn vector(x: impl Into<Expr>, y: impl Into<Expr>, z: impl Into<Expr>) -> Expr {
+    Expr::new(Node::Vector([x.into(), y.into(), z.into()]))
 }
 
 /// a·b

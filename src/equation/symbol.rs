@@ -33,13 +33,14 @@ pub struct Symbol {
     dimension: Dimension,
     rank: Rank,
     domain: Domain,
+    is_field: bool,
 }
 
 impl Symbol {
     /// A scalar. Until said otherwise it is sampled with a real part in 0.25..1.25 and an imaginary part within ±0.25.
     pub const fn scalar(name: &'static str, dimension: Dimension) -> Self {
         let domain = Domain { re: (0.25, 1.25), im: (-0.25, 0.25) };
-        Self { name: Cow::Borrowed(name), dimension, rank: Rank::Scalar, domain }
+        Self { name: Cow::Borrowed(name), dimension, rank: Rank::Scalar, domain, is_field: false }
     }
 
     /// A vector.
@@ -47,6 +48,13 @@ impl Symbol {
         let mut symbol = Self::scalar(name, dimension);
         symbol.rank = Rank::Vector;
         symbol
+    }
+
+    /// The same quantity as a field: it depends on position (x, y, z) and time (t). Any other symbol is a constant to
+    /// a derivative by another.
+    pub const fn field(mut self) -> Self {
+        self.is_field = true;
+        self
     }
 
     /// The same quantity between `min` and `max`, real only: for equations that hold on the real axis alone.
@@ -88,6 +96,11 @@ impl Symbol {
     /// Scalar or vector.
     pub fn rank(&self) -> Rank {
         self.rank
+    }
+
+    /// Whether it depends on position and time.
+    pub fn is_field(&self) -> bool {
+        self.is_field
     }
 
     /// Where it is sampled.

@@ -136,6 +136,17 @@ fn infer(expr: &Expr) -> Result<Kind, Mismatch> {
         Node::Power(of, exponent) => scalar(power(expr, scalar_only(of, "a power")?, *exponent)?),
         Node::Negate(of) | Node::Mean(of) | Node::Differential(of) => infer(of),
         Node::Function(function, of) => infer_function(expr, *function, of),
+        Node::Vector(parts) => {
+            let (mut first, mut kind) = (&parts[0], None);
+            for part in parts {
+                let found = infer(part)?;
+                if kind.is_none() {
+                    first = part;
+                }
+                kind = agree(first, kind, part, found)?;
+            }
+            Ok(kind.map(|(dimension, _)| (dimension, Rank::Vector)))
+        }
         Node::Dot(a, b) => scalar(times(expr, vector_only(a, "a dot product")?, vector_only(b, "a dot product")?)?),
         Node::Cross(a, b) => {
             let dimension = times(expr, vector_only(a, "a cross product")?, vector_only(b, "a cross product")?)?;

@@ -186,6 +186,7 @@ fn write<P: Pen>(pen: &P, expr: &Expr) -> Written {
         Node::Power(base, exponent) => power(pen, base, *exponent),
         Node::Negate(of) => (pen.row(&[pen.prefix('−'), at_least(pen, of, Level::Slash)]), Level::Negative),
         Node::Function(function, of) => apply(pen, *function, of, false),
+        Node::Vector(parts) => (pen.fence('(', &list(pen, parts), ')'), Level::Atom),
         Node::Dot(a, b) => (infix(pen, a, Sign::Dot, b), Level::Open),
         Node::Cross(a, b) => (infix(pen, a, Sign::Cross, b), Level::Open),
         Node::Nabla(nabla, of) => (nabla_of(pen, *nabla, of), Level::Prefix),
