@@ -199,6 +199,19 @@ proptest! {
     }
 
     #[test]
+    fn layouts_are_rectangles(expr in anything()) {
+        let block = expr.layout();
+        prop_assert!(block.rows().iter().all(|row| row.chars().count() == block.width()), "{block}");
+        prop_assert!(block.baseline() < block.rows().len());
+        // Without a fraction nothing tells the two faces apart.
+        if block.rows().len() == 1 {
+            prop_assert_eq!(&block.rows()[0], &expr.to_string());
+        }
+        let is_flat = |part: &Expr| !matches!(part.node(), Node::Quotient(..) | Node::Partial(..) | Node::Integral(..));
+        prop_assert!(block.rows().len() == 1 || !with_parts(&expr).iter().all(is_flat), "{block}");
+    }
+
+    #[test]
     fn one_face_means_one_value(trees in proptest::collection::vec(algebraic(), 40), x in number(), y in number()) {
         let mut seen: HashMap<String, Complex64> = HashMap::new();
         for tree in trees.iter().flat_map(with_parts) {

@@ -265,3 +265,48 @@ impl Pen for Stacked {
         face.rows[0].starts_with(['(', '⎛'])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::equation::Symbol;
+    use crate::equation::dimension::Dimension;
+    use crate::equation::parse::{parse, parse_equation};
+
+    /// The layout of `text`, but for the space at the ends of rows.
+    fn draws(text: &str, rows: &[&str]) {
+        let known = [Symbol::vector("E", Dimension::ONE), Symbol::scalar("f", Dimension::ONE)];
+        let block = match parse(text, &known) {
+            Ok(expr) => expr.layout(),
+            Err(_) => parse_equation(text, &known).unwrap().layout(),
+        };
+        let drawn: Vec<_> = block.rows().iter().map(|row| row.trim_end()).collect();
+        assert_eq!(drawn, rows, "\n{block}");
+    }
+
+    #[test]
+    fn fractions_have_two_storeys_and_what_surrounds_them_fits() {
+        draws(
+            "r_p = tan(theta_1 - theta_2)/tan(theta_1 + theta_2)",
+            &["     tan(θ₁ − θ₂)", "rₚ = ────────────", "     tan(θ₁ + θ₂)"],
+        );
+        draws("-sin(θ₁ − θ₂)/sin(θ₁ + θ₂)", &["  sin(θ₁ − θ₂)", "− ────────────", "  sin(θ₁ + θ₂)"]);
+        draws("T = (n₂ cos θ₂/(n₁ cos θ₁)) t²", &["    n₂ cos θ₂", "T = ───────── t²", "    n₁ cos θ₁"]);
+        draws(
+            "½(sin²(θ₁ − θ₂)/sin²(θ₁ + θ₂) + 1)",
+            &[" ⎛sin²(θ₁ − θ₂)    ⎞", "½⎜───────────── + 1⎟", " ⎝sin²(θ₁ + θ₂)    ⎠"],
+        );
+        draws("√(μ/ε) + 1", &[" ┌──", " │ μ", " │ ─ + 1", "╲│ ε"]);
+        draws("∂²E/∂t² − (a/b)^(3/2)", &["         3/2", "∂²E   ⎛a⎞", "─── − ⎜─⎟", "∂t²   ⎝b⎠"]);
+        draws(
+            "exp(i (k z - t/2)) (1 + x/y)^2",
+            &["                 ⎛    x⎞²", "exp(i(kz − t/2)) ⎜1 + ─⎟", "                 ⎝    y⎠"],
+        );
+        draws("(1/T) ∫_0^T |E| dt", &["1", "─ ∫₀ᵀ |E| dt", "T"]);
+        draws("∫_0^(π/2) cos θ dθ", &["π/2", " ∫  cos θ dθ", " 0"]);
+        draws("(a/b)/(1 + c/d)", &["  a/b", "───────", "1 + c/d"]);
+        draws("|f(x/y)|", &["│ ⎛x⎞│", "│f⎜─⎟│", "│ ⎝y⎠│"]);
+        draws("x + (3/2) y", &["    3", "x + ─ y", "    2"]);
+        draws("∂(∇×E)/∂t", &["∂", "──(∇×E)", "∂t"]);
+        draws("2πr (1 − cos θ₁)²", &["2πr (1 − cos θ₁)²"]);
+    }
+}

@@ -196,7 +196,8 @@ impl<'a> Parser<'a> {
 
     fn product(&mut self) -> Read {
         let at = self.token(0).at;
-        let mut factors = vec![self.factor()?];
+        let mut factors = self.factors()?;
+        let mut is_vector = factors.iter().any(|factor| factor.is_vector);
         loop {
             let end = factors.last().expect("a factor").end;
             let sign = match self.kind() {
@@ -210,19 +211,39 @@ impl<'a> Parser<'a> {
             self.may_follow(end, sign)?;
             self.at += usize::from(sign != ' ');
             let is_negative = sign != ' ' && self.minus();
-            let next = self.factor()?.negated(is_negative);
-            match sign {
-                '/' => {
-                    let above = Part::of(factors, Expr::product_of);
-                    let height = above.height.max(next.height) + 1;
-                    let is_vector = above.is_vector;
-                    let end = if next.end == End::Bare { End::SlashBare } else { End::Slash };
-                    let part = Part { expr: above.expr / next.expr, height, is_vector, end };
-                    factors = vec![self.checked(part, at)?];
-                }
-                _ => self.multiply(&mut factors, next, sign, sign_at)?,
+            if sign == '/' {
+                let (above, below) = (Part::of(factors, Expr::product_of), self.factor()?.negated(is_negative));
+                factors = vec![self.checked(quotient(above, below), at)?];
+                continue;
             }
+            let mut more = self.factors()?;
+            let first = more.remove(0).negated(is_negative);
+            let is_more_vector = first.is_vector || more.iter().any(|factor| factor.is_vector);
+            factors.extend(std::iter::once(first).chain(more));
+            if is_vector && is_more_vector {
+                return Err(fault(sign_at, "two vectors in a product: expected · or × between them, or brackets"));
+            }
+            is_vector |= is_more_vector;
         }
+    }
+
+    /// A factor; two vectors with · or × between them are one.
+    fn factors(&mut self) -> Result<Vec<Part>, Fault> {
+        let mut factors = vec![self.factor()?];
+        let Kind::Sign(sign @ ('·' | '×')) = *self.kind() else { return Ok(factors) };
+        let Some(a) = factors.pop_if(|factor| factor.is_vector) else { return Ok(factors) };
+        self.at += 1;
+        let is_negative = self.minus();
+        let b = self.factor()?.negated(is_negative);
+        if !b.is_vector {
+            return Ok(vec![a, b]);
+        }
+        if matches!(self.kind(), Kind::Sign('·' | '×')) {
+            return Err(self.fault("expected brackets in a product of three vectors"));
+        }
+        let (first, second) = (a.expr.clone(), b.expr.clone());
+        let node = if sign == '·' { Node::Dot(first, second) } else { Node::Cross(first, second) };
+        Ok(vec![Part::new(node, &[&a, &b], sign == '×').ending(b.end)])
     }
 
     /// Whether the next token begins a factor that is multiplied without a sign.
@@ -263,27 +284,6 @@ impl<'a> Parser<'a> {
             End::Integral => Err(self.fault("expected +, − or the end after an integral: put it in brackets")),
             End::Closed | End::Slash => Ok(()),
         }
-    }
-
-    /// Appends the factor `next`: in a dot or cross product with the one before if both are vectors.
-    fn multiply(&self, factors: &mut Vec<Part>, next: Part, sign: char, at: usize) -> Result<(), Fault> {
-        let vectors = next.is_vector && factors.iter().any(|factor| factor.is_vector);
-        if !vectors {
-            factors.push(next);
-            return Ok(());
-        }
-        let last = factors.pop().expect("a factor");
-        if !last.is_vector {
-            return Err(fault(at, "expected brackets in a product of several vectors"));
-        }
-        let node = match sign {
-            '·' => Node::Dot(last.expr.clone(), next.expr.clone()),
-            '×' => Node::Cross(last.expr.clone(), next.expr.clone()),
-            _ => return Err(fault(at, "two vectors: expected · or × between them")),
-        };
-        let end = next.end;
-        factors.push(Part::new(node, &[&last, &next], sign == '×').ending(end));
-        Ok(())
     }
 
     /// What is multiplied: a function's value, a root, a derivative, an integral, or something with an exponent.
@@ -741,6 +741,12 @@ fn opener(closer: char) -> char {
 fn value(function: Function, of: &Part) -> Part {
     let is_vector = of.is_vector && matches!(function, Function::Conj | Function::Re | Function::Im);
     Part::new(Node::Function(function, of.expr.clone()), &[of], is_vector)
+}
+
+fn quotient(above: Part, below: Part) -> Part {
+    let height = above.height.max(below.height) + 1;
+    let end = if below.end == End::Bare { End::SlashBare } else { End::Slash };
+    Part { expr: above.expr / below.expr, height, is_vector: above.is_vector, end }
 }
 
 fn symbol_part(symbol: &Symbol) -> Part {
