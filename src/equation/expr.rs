@@ -142,6 +142,11 @@ impl Expr {
         if value.is_negative() { -Self::number(value.negated()) } else { Self::new(Node::Number(value)) }
     }
 
+    /// `function` of `of`.
+    pub fn function(function: Function, of: Self) -> Self {
+        Self::new(Node::Function(function, of))
+    }
+
     /// Its power. `x.pow(2)`, `x.pow(rational)`.
     pub fn pow(&self, exponent: impl Into<Rational>) -> Self {
         Self::new(Node::Power(self.clone(), exponent.into()))

@@ -9,6 +9,7 @@ pub mod dimension;
 pub mod expr;
 pub mod face;
 pub mod rational;
+pub mod ring;
 pub mod symbol;
 mod tracked;
 pub mod units;
