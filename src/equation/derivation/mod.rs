@@ -4,16 +4,14 @@
 //! With every value goes a bound of its rounding error, so that a difference is called real, or not, by what the
 //! arithmetic at that point can tell, cancellation included.
 
+mod judge;
+mod sample;
+
 use super::Equation;
 use super::expr::{Expr, Node};
-use super::symbol::{Domain, Symbol};
-use super::tracked::Tracked;
+use super::symbol::Symbol;
 use super::units::Mismatch;
-use super::value::{Bindings, Evaluation, Unevaluable};
-use crate::precise::{self, Complex};
 use crate::sampling::Stream;
-use num_complex::Complex64;
-use rand::RngExt;
 use std::borrow::Cow;
 
 /// Hypotheses and lines.
@@ -221,7 +219,7 @@ impl Chain {
         Ok(())
     }
 
-    /// What each hop claims to be equal: the line's index and two expressions.
+    /// What each line claims to be equal: its index and two expressions. A first expression claims nothing.
     fn pairs(&self) -> Vec<(usize, &Expr, &Expr)> {
         let mut pairs = Vec::new();
         let mut end: Option<&Expr> = None;
@@ -240,151 +238,11 @@ impl Chain {
         pairs
     }
 
-    /// Judges every hop at `points` points of the domain with `bits` of precision (at least 53). The same `stream`
-    /// gives the same points.
+    /// Judges every hop: by its normal form, and in any case at points of the domain with `bits` of precision (at
+    /// least 53). Where the normal form decides, a few points guard it; otherwise there are `points` of them. The same
+    /// `stream` gives the same points.
     pub fn verify(&self, points: usize, bits: usize, stream: &mut Stream) -> Vec<Hop> {
-        let pairs = self.pairs();
-        let symbols = self.free_symbols();
-        let mut hops: Vec<Tally> = pairs.iter().map(|_| Tally::default()).collect();
-        for attempt in 0..points * ATTEMPTS {
-            if hops.iter().all(|hop| hop.is_done(points)) {
-                break;
-            }
-            let sample = draw(&symbols, attempt % 2 == 1, stream);
-            let bindings = self.bind(&sample, bits);
-            let mut evaluation = Evaluation::new(&bindings);
-            for (hop, (_, left, right)) in hops.iter_mut().zip(&pairs) {
-                if !hop.is_done(points) {
-                    hop.look(&mut evaluation, left, right, &sample, bits);
-                }
-            }
-        }
-        let judged = hops.into_iter().zip(&pairs);
-        judged
-            .map(|(hop, (line, ..))| Hop { line: *line, by: self.lines[*line].by.clone(), verdict: hop.verdict() })
-            .collect()
-    }
-
-    /// The symbols that no hypothesis replaces, each once.
-    fn free_symbols(&self) -> Vec<&Symbol> {
-        let mut found: Vec<&Symbol> = Vec::new();
-        let lines = self.lines.iter().flat_map(|line| match &line.claim {
-            Claim::Expr(expr) => vec![expr],
-            Claim::Equation(equation) => vec![&equation.lhs, &equation.rhs],
-        });
-        for expr in lines.chain(self.given.iter().map(|given| &given.value)) {
-            for symbol in expr.symbols() {
-                let is_given = self.given.iter().any(|given| given.what == Expr::from(symbol));
-                if !is_given && found.iter().all(|known| known.name() != symbol.name()) {
-                    found.push(symbol);
-                }
-            }
-        }
-        found
-    }
-
-    fn bind(&self, sample: &[(&Symbol, Complex64)], bits: usize) -> Bindings<Tracked> {
-        let mut bindings = Bindings::with_bits(bits);
-        for (symbol, value) in sample {
-            let part = |x| precise::real_at(x, bits);
-            bindings.bind(symbol.name(), Tracked::exact(Complex::from_parts(part(value.re), part(value.im)), bits));
-        }
-        for given in &self.given {
-            if let Node::Symbol(symbol) = given.what.node() {
-                bindings.define(symbol, given.value.clone());
-            }
-        }
-        bindings
-    }
-}
-
-/// How many points are tried for each one that is wanted.
-const ATTEMPTS: usize = 4;
-
-/// How far apart, in units of the two error bounds, values may lie that are still called equal: room for the few
-/// units in the last place that the functions themselves may be off.
-const ALLOWANCE: f64 = 16.0;
-
-fn draw<'a>(symbols: &[&'a Symbol], off_axis: bool, stream: &mut Stream) -> Vec<(&'a Symbol, Complex64)> {
-    symbols.iter().map(|symbol| (*symbol, draw_one(symbol.domain(), off_axis, stream))).collect()
-}
-
-/// A point of the domain. On the real axis where the domain touches it, unless `off_axis`.
-fn draw_one(domain: Domain, off_axis: bool, stream: &mut Stream) -> Complex64 {
-    let mut within = |(min, max): (f64, f64)| min + (max - min) * stream.random::<f64>();
-    let (re, im) = (within(domain.re), within(domain.im));
-    let touches_axis = domain.im.0 <= 0.0 && domain.im.1 >= 0.0;
-    Complex64::new(re, if touches_axis && !off_axis { 0.0 } else { im })
-}
-
-/// What was seen of a hop so far.
-#[derive(Default)]
-struct Tally {
-    compared: usize,
-    skipped: usize,
-    digits: Option<f64>,
-    last_singularity: String,
-    settled: Option<Verdict>,
-}
-
-impl Tally {
-    fn is_done(&self, points: usize) -> bool {
-        self.settled.is_some() || self.compared >= points
-    }
-
-    fn look(
-        &mut self,
-        evaluation: &mut Evaluation<Tracked>,
-        left: &Expr,
-        right: &Expr,
-        sample: &[(&Symbol, Complex64)],
-        bits: usize,
-    ) {
-        let values = evaluation.value(left).and_then(|l| Ok((l, evaluation.value(right)?)));
-        let (left, right) = match values {
-            Ok(values) => values,
-            Err(Unevaluable::Singular(face)) => {
-                self.skipped += 1;
-                self.last_singularity = face;
-                return;
-            }
-            Err(other) => {
-                self.settled = Some(Verdict::Unknown { why: other.to_string() });
-                return;
-            }
-        };
-        let Some(difference) = left.difference(&right) else {
-            self.skipped += 1;
-            return;
-        };
-        self.compared += 1;
-        let all = bits as f64 * std::f64::consts::LOG10_2;
-        let digits = (-difference.log10()).min(all);
-        if difference <= ALLOWANCE * (-(bits as f64)).exp2() {
-            self.digits = Some(self.digits.map_or(digits, |worst| worst.min(digits)));
-        } else {
-            let at = sample.iter().map(|(symbol, value)| (symbol.to_string(), text(*value))).collect();
-            self.settled = Some(Verdict::Refuted { at, digits });
-        }
-    }
-
-    fn verdict(self) -> Verdict {
-        match (self.settled, self.digits) {
-            (Some(verdict), _) => verdict,
-            (None, Some(digits)) => Verdict::Agrees { points: self.compared, skipped: self.skipped, digits },
-            (None, None) if self.skipped == 0 => Verdict::Unknown { why: "no point was asked for".to_owned() },
-            (None, None) => Verdict::Unknown {
-                why: format!("{} has no finite value at any of {} points", self.last_singularity, self.skipped),
-            },
-        }
-    }
-}
-
-fn text(value: Complex64) -> String {
-    match value.im {
-        0.0 => value.re.to_string(),
-        im if im < 0.0 => format!("{} − {}i", value.re, -im),
-        im => format!("{} + {im}i", value.re),
+        judge::judge(self, points, bits, stream)
     }
 }
 
