@@ -126,7 +126,7 @@ pub enum Range {
 }
 
 impl Expr {
-    fn new(node: Node) -> Self {
+    pub(super) fn new(node: Node) -> Self {
         let mut hasher = DefaultHasher::new();
         node.hash(&mut hasher);
         Self(Arc::new(Hashed { hash: hasher.finish(), node }))

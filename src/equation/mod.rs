@@ -4,6 +4,7 @@
 //! ([`face`]), the units of both sides ([`units`]), its value in any number type ([`value`]), and the
 //! verification of the lines that lead to it ([`derivation`]).
 
+pub mod calculus;
 pub mod derivation;
 pub mod dimension;
 pub mod expr;
