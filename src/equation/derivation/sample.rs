@@ -142,7 +142,9 @@ impl Comparison {
         if difference <= ALLOWANCE * (-(bits as f64)).exp2() {
             self.digits = Some(self.digits.map_or(digits, |worst| worst.min(digits)));
         } else {
-            let at = sample.iter().map(|(symbol, value)| (atoms.face(symbol), text(*value))).collect();
+            let own = |symbol: &Symbol| [&self.left, &self.right].iter().any(|side| side.symbols().contains(&symbol));
+            let at = sample.iter().filter(|(symbol, _)| own(symbol));
+            let at = at.map(|(symbol, value)| (atoms.face(symbol), text(*value))).collect();
             self.settled = Some(Verdict::Refuted { at, digits });
         }
     }
