@@ -114,7 +114,7 @@ impl<'a> Hypotheses<'a> {
     }
 }
 
-/// Functions at arguments and derivatives, each under the name of a number: at a point their values are independent.
+/// Functions at arguments, derivatives and differentials, each under the name of a number: at a point their values are independent.
 #[derive(Default)]
 pub(super) struct Atoms {
     known: RefCell<Vec<(Expr, Symbol)>>,
@@ -129,6 +129,10 @@ impl Atoms {
             Node::Apply(function, _) => self.symbol(expr, function.clone()).into(),
             Node::Partial(of, _) => match of.node() {
                 Node::Symbol(field) | Node::Apply(field, _) => self.symbol(expr, slope_of(field)).into(),
+                _ => expr.clone(),
+            },
+            Node::Differential(of) => match of.node() {
+                Node::Symbol(symbol) => self.symbol(expr, slope_of(symbol)).into(),
                 _ => expr.clone(),
             },
             _ => expr.map(&mut |child| self.named(child)),
@@ -199,7 +203,7 @@ fn likeness(a: &Expr, b: &Expr) -> Likeness {
     }
 }
 
-/// A symbol with any of the values that a derivative of `field` may have.
+/// A symbol with any of the values that a derivative or a differential of `field` may have.
 fn slope_of(field: &Symbol) -> Symbol {
     let is_real = field.domain().im == (0.0, 0.0);
     let slope = field.clone();

@@ -17,6 +17,8 @@ mod polynomial;
 mod show;
 mod solve;
 #[cfg(test)]
+mod properties;
+#[cfg(test)]
 mod tests;
 
 pub use fraction::Undecided;
