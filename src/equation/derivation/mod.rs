@@ -4,6 +4,7 @@
 //! With every value goes a bound of its rounding error, so that a difference is called real, or not, by what the
 //! arithmetic at that point can tell, cancellation included.
 
+mod conditions;
 mod judge;
 mod sample;
 
@@ -250,7 +251,7 @@ impl Chain {
 mod tests {
     use super::*;
     use crate::equation::dimension::Dimension;
-    use crate::equation::expr::{abs, conj, cos, i, mean, re, sin, sqrt, tan};
+    use crate::equation::expr::{abs, conj, cos, exp, i, mean, re, sin, sqrt, tan};
     use crate::sampling;
 
     const THETA_1: Symbol = Symbol::scalar("theta_1", Dimension::ONE).within(0.1, 1.4);
@@ -288,10 +289,7 @@ mod tests {
         let chain = Chain::assume(Equation::new(E_1 + E_R, E_2), "E is continuous").and(current, "H is continuous");
         snell(chain)
             .solve_for([E_R, E_2])
-            .then(
-                Equation::new(E_R / E_1, (N_1 * c_1() - N_2 * c_2()) / (N_1 * c_1() + N_2 * c_2())),
-                ["linear solve"],
-            )
+            .then(Equation::new(E_R / E_1, (N_1 * c_1() - N_2 * c_2()) / (N_1 * c_1() + N_2 * c_2())), ["linear solve"])
             .then(
                 (sin(THETA_2) * c_1() - sin(THETA_1) * c_2()) / (sin(THETA_2) * c_1() + sin(THETA_1) * c_2()),
                 ["Snell", "cancel k"],
@@ -397,6 +395,14 @@ mod tests {
         // A metal: Im n > 0 throughout.
         let n = Symbol::scalar("n", Dimension::ONE).complex((0.1, 3.0), (0.5, 8.0));
         assert!(judge(&Chain::new(re(&n * i())).then(-crate::equation::expr::im(n), []))[0].holds());
+    }
+
+    #[test]
+    fn says_what_must_not_vanish() {
+        let chain = r_s();
+        let faces: Vec<_> = chain.conditions().iter().map(Expr::to_string).collect();
+        assert_eq!(faces, ["n₁ cos θ₁ + n₂ cos θ₂", "sin(θ₁ + θ₂)"]);
+        assert_eq!(Chain::new(1 / (X * K * 2)).then(X.pow(-1) / exp(X), []).conditions(), []);
     }
 
     #[test]

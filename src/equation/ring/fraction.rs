@@ -122,7 +122,7 @@ fn multiple(of: &Polynomial, factor: &Polynomial) -> Option<Polynomial> {
 }
 
 /// What may be computed before giving up [products of terms], and how long a coefficient may become [bits].
-const WORK: usize = 2_000_000;
+const WORK: usize = 500_000;
 const LONGEST: usize = 4096;
 
 /// Arithmetic under relations: an atom whose power `degree` equals a polynomial in other atoms.

@@ -14,10 +14,10 @@ mod atoms;
 mod fraction;
 mod normal;
 mod polynomial;
-mod show;
-mod solve;
 #[cfg(test)]
 mod properties;
+mod show;
+mod solve;
 #[cfg(test)]
 mod tests;
 
