@@ -8,6 +8,7 @@ pub mod derivation;
 pub mod dimension;
 pub mod expr;
 pub mod face;
+pub mod find;
 pub mod rational;
 pub mod symbol;
 mod tracked;
