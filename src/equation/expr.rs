@@ -405,7 +405,7 @@ impl Symbol {
     }
 
     /// Its value at `arguments`: `f_1.at([z - v * t])`.
-    pub fn at<const N: usize>(&self, arguments: [Expr; N]) -> Expr {
+    pub fn at(&self, arguments: impl Into<Vec<Expr>>) -> Expr {
         Expr::new(Node::Apply(self.clone(), arguments.into()))
     }
 }
@@ -428,11 +428,18 @@ pub fn ratio(numerator: i64, denominator: i64) -> Expr {
     Expr::number(Rational::new(numerator, denominator).expect("a fraction within range"))
 }
 
+impl Function {
+    /// Its value at `x`, an expression.
+    pub fn of(self, x: impl Into<Expr>) -> Expr {
+        Expr::new(Node::Function(self, x.into()))
+    }
+}
+
 macro_rules! functions {
     ($($(#[$doc:meta])* $name:ident $function:ident;)*) => {$(
         $(#[$doc])*
         pub fn $name(x: impl Into<Expr>) -> Expr {
-            Expr::new(Node::Function(Function::$function, x.into()))
+            Function::$function.of(x)
         }
     )*};
 }
