@@ -5,7 +5,7 @@ use crate::equation::expr::{Expr, Function, Node};
 use crate::equation::ring;
 
 impl Chain {
-    /// What the chain divides by and the symbols' domains do not keep from zero, each once, the shorter of equal forms.
+    /// What the chain divides by and the symbols' domains do not keep from zero, each once.
     pub fn conditions(&self) -> Vec<Expr> {
         let mut found: Vec<Expr> = Vec::new();
         let lines = self.lines.iter().flat_map(|line| line.unfolded.iter().chain([line]));
@@ -13,11 +13,14 @@ impl Chain {
         for expr in lines.flat_map(sides).chain(given) {
             collect(expr, &mut found);
         }
-        // Later lines are the more compact ones.
+        // Later lines are the more compact ones: what vanishes with two of theirs says nothing new.
         let mut kept: Vec<Expr> = Vec::new();
         for divisor in found.into_iter().rev() {
-            let is_known = |known: &Expr| [known.clone(), -known].iter().any(|k| ring::equal(k, &divisor) == Ok(true));
-            if !kept.iter().any(is_known) {
+            let is_product = |a: &Expr| {
+                let pairs = kept.iter().map(|b| a * b).chain([a.clone()]);
+                pairs.into_iter().any(|product| ring::vanish_together(&divisor, &product) == Ok(true))
+            };
+            if !kept.iter().any(is_product) {
                 kept.insert(0, divisor);
             }
         }
@@ -51,12 +54,8 @@ fn divide(by: &Expr, found: &mut Vec<Expr>) {
         Node::Quotient(above, _) => divide(above, found),
         Node::Power(base, _) | Node::Negate(base) | Node::Function(Function::Sqrt, base) => divide(base, found),
         Node::Number(_) | Node::Pi | Node::ImaginaryUnit | Node::Function(Function::Exp, _) => {}
-        Node::Symbol(symbol) if excludes_zero(symbol.domain().re) || excludes_zero(symbol.domain().im) => {}
+        Node::Symbol(symbol) if symbol.domain().excludes_zero() => {}
         _ if found.contains(by) => {}
         _ => found.push(by.clone()),
     }
-}
-
-fn excludes_zero((min, max): (f64, f64)) -> bool {
-    min > 0.0 || max < 0.0
 }

@@ -4,6 +4,7 @@
 //! With every value goes a bound of its rounding error, so that a difference is called real, or not, by what the
 //! arithmetic at that point can tell, cancellation included.
 
+mod complete;
 mod conditions;
 mod judge;
 mod sample;
@@ -23,6 +24,8 @@ pub struct Chain {
     pub given: Vec<Given>,
     /// What the premises among the lines are solved for; they are linear in these.
     pub unknowns: Vec<Symbol>,
+    /// So many of the hypotheses the premises are solved under; where they do not suffice, under all.
+    pub solved_under: usize,
     /// The antiderivatives that integrals are taken with.
     pub primitives: Vec<Primitive>,
     /// In order. A line that is an expression equals the end of the line before it; a line that is an equation
@@ -170,8 +173,10 @@ impl Chain {
         self
     }
 
-    /// With the premises solved for `unknowns`, in which they are linear: as many as there are premises.
+    /// With the premises solved for `unknowns`, in which they are linear: as many as there are premises. They are
+    /// solved under the hypotheses given so far; those that follow are for the solution.
     pub fn solve_for<const N: usize>(mut self, unknowns: [Symbol; N]) -> Self {
+        self.solved_under = self.given.len();
         self.unknowns.extend(unknowns);
         self
     }

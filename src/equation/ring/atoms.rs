@@ -312,6 +312,16 @@ impl Atoms {
         }
     }
 
+    /// Whether what an atom stands for is nowhere zero.
+    pub fn never_vanishes(&self, atom: Atom) -> bool {
+        match self.kind(atom) {
+            Kind::Imaginary | Kind::Pi | Kind::Exp(_) => true,
+            Kind::Symbol(symbol) => symbol.domain().excludes_zero(),
+            Kind::Root { of, .. } => of.is_product(|atom| self.never_vanishes(atom)),
+            Kind::Sin(_) | Kind::Cos(_) | Kind::Opaque(..) => false,
+        }
+    }
+
     fn power(&mut self, atom: Atom, power: i64) -> Result<Fraction> {
         let exponent = u32::try_from(power.unsigned_abs()).map_err(|_| Undecided::TooLarge)?;
         let raised = self.arithmetic.to_the(&Fraction::atom(atom), exponent)?;

@@ -75,6 +75,12 @@ impl Fraction {
         self.below.is_empty() && self.number == IBig::ONE
     }
 
+    /// Whether it is a product of numbers and atoms, all of which `are`.
+    pub fn is_product(&self, are: impl Fn(Atom) -> bool) -> bool {
+        let sums = std::iter::once(&self.above).chain(self.below.iter().map(|(factor, _)| factor));
+        sums.into_iter().all(|sum| sum.len() == 1 && sum.atoms().into_iter().all(&are))
+    }
+
     pub fn negated(&self) -> Self {
         Self { above: self.above.negated(), ..self.clone() }
     }

@@ -40,6 +40,14 @@ pub fn equal(left: &Expr, right: &Expr) -> Result<bool, Undecided> {
     })
 }
 
+/// Whether `a` is `b` times numbers and symbols that are never zero: where one vanishes, the other does.
+pub fn vanish_together(a: &Expr, b: &Expr) -> Result<bool, Undecided> {
+    Normaliser::default().settle(|ring| {
+        let quotient = ring.fraction(&(a / b))?;
+        Ok(quotient.is_product(|atom| ring.atoms.never_vanishes(atom)))
+    })
+}
+
 /// The normal form of `expr` as an expression: one fraction, expanded.
 pub fn normal_form(expr: &Expr) -> Result<Expr, Undecided> {
     let mut ring = Normaliser::default();
