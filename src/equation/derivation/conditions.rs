@@ -4,6 +4,9 @@ use super::{Chain, Claim, Line};
 use crate::equation::expr::{Expr, Function, Node};
 use crate::equation::ring;
 
+/// So many divisors are compared with one another; of more, only equal ones are left out.
+const MOST_COMPARED: usize = 24;
+
 impl Chain {
     /// What the chain divides by and the symbols' domains do not keep from zero, each once.
     pub fn conditions(&self) -> Vec<Expr> {
@@ -12,6 +15,9 @@ impl Chain {
         let given = self.given.iter().map(|given| &given.value);
         for expr in lines.flat_map(sides).chain(given) {
             collect(expr, &mut found);
+        }
+        if found.len() > MOST_COMPARED {
+            return found;
         }
         // Later lines are the more compact ones: what vanishes with two of theirs says nothing new.
         let mut kept: Vec<Expr> = Vec::new();
