@@ -142,6 +142,11 @@ impl Expr {
         if value.is_negative() { -Self::number(value.negated()) } else { Self::new(Node::Number(value)) }
     }
 
+    /// `function` of `of`.
+    pub fn function(function: Function, of: Self) -> Self {
+        Self::new(Node::Function(function, of))
+    }
+
     /// Its power. `x.pow(2)`, `x.pow(rational)`.
     pub fn pow(&self, exponent: impl Into<Rational>) -> Self {
         Self::new(Node::Power(self.clone(), exponent.into()))
@@ -411,7 +416,7 @@ impl Symbol {
     }
 
     /// Its value at `arguments`: `f_1.at([z - v * t])`.
-    pub fn at<const N: usize>(&self, arguments: [Expr; N]) -> Expr {
+    pub fn at(&self, arguments: impl Into<Vec<Expr>>) -> Expr {
         Expr::new(Node::Apply(self.clone(), arguments.into()))
     }
 }
@@ -434,11 +439,18 @@ pub fn ratio(numerator: i64, denominator: i64) -> Expr {
     Expr::number(Rational::new(numerator, denominator).expect("a fraction within range"))
 }
 
+impl Function {
+    /// Its value at `x`, an expression.
+    pub fn of(self, x: impl Into<Expr>) -> Expr {
+        Expr::new(Node::Function(self, x.into()))
+    }
+}
+
 macro_rules! functions {
     ($($(#[$doc:meta])* $name:ident $function:ident;)*) => {$(
         $(#[$doc])*
         pub fn $name(x: impl Into<Expr>) -> Expr {
-            Expr::new(Node::Function(Function::$function, x.into()))
+            Function::$function.of(x)
         }
     )*};
 }

@@ -4,12 +4,15 @@
 //! ([`face`]), the units of both sides ([`units`]), its value in any number type ([`value`]), and the
 //! verification of the lines that lead to it ([`derivation`]).
 
+pub mod calculus;
 pub mod derivation;
 pub mod dimension;
 pub mod expr;
 pub mod face;
+pub mod find;
 pub mod parse;
 pub mod rational;
+pub mod ring;
 pub mod symbol;
 mod tracked;
 pub mod units;

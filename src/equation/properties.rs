@@ -60,7 +60,7 @@ fn algebraic() -> impl Strategy<Value = Expr> {
 }
 
 /// Trees of every kind of node, sensible or not.
-fn anything() -> impl Strategy<Value = Expr> {
+pub(super) fn anything() -> impl Strategy<Value = Expr> {
     let field = FIELD;
     let region = Symbol::scalar("Omega", Dimension::ONE);
     let leaves = prop_oneof![leaf(), Just(Expr::from(&field))];

@@ -140,6 +140,9 @@ fn infer(expr: &Expr) -> Result<Kind, Mismatch> {
             let (mut first, mut kind) = (&parts[0], None);
             for part in parts {
                 let found = infer(part)?;
+                if let Some((_, rank @ Rank::Vector)) = found {
+                    return Err(Mismatch::Rank { term: part.to_string(), rank, place: "a component" });
+                }
                 if kind.is_none() {
                     first = part;
                 }
@@ -250,7 +253,7 @@ fn power(expr: &Expr, a: Dimension, exponent: Rational) -> Result<Dimension, Mis
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::equation::expr::{cross, curl, d, dot, integral, partial, sin, sqrt};
+    use crate::equation::expr::{cross, curl, d, dot, integral, partial, sin, sqrt, vector};
     use crate::equation::symbol::Symbol;
 
     const T: Symbol = Symbol::scalar("t", Dimension::SECOND);
@@ -294,6 +297,8 @@ mod tests {
             complaint(Equation::new(E, Expr::from(Symbol::scalar("E", Dimension::VOLT_PER_METRE))).dimension()),
             "E is a number, but a sum or equation of vectors takes a vector"
         );
+        assert_eq!(complaint(vector(0, N, 0).dimension()), "n is a vector, but a component takes a number");
+        assert_eq!(vector(0, V * T, R).dimension(), Ok(Dimension::METRE));
     }
 
     #[test]

@@ -95,6 +95,11 @@ impl<T> Bindings<T> {
         self
     }
 
+    /// Whether `name` has a value.
+    pub fn has(&self, name: &str) -> bool {
+        self.values.contains_key(name)
+    }
+
     /// Sets `name` = `value`.
     pub fn bind(&mut self, name: &str, value: T) {
         self.values.insert(name.to_owned(), value);

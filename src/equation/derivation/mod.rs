@@ -4,16 +4,16 @@
 //! With every value goes a bound of its rounding error, so that a difference is called real, or not, by what the
 //! arithmetic at that point can tell, cancellation included.
 
+mod complete;
+mod conditions;
+mod judge;
+mod sample;
+
 use super::Equation;
-use super::expr::{Expr, Node};
-use super::symbol::{Domain, Symbol};
-use super::tracked::Tracked;
+use super::expr::Expr;
+use super::symbol::Symbol;
 use super::units::Mismatch;
-use super::value::{Bindings, Evaluation, Unevaluable};
-use crate::precise::{self, Complex};
 use crate::sampling::Stream;
-use num_complex::Complex64;
-use rand::RngExt;
 use std::borrow::Cow;
 
 /// Hypotheses and lines.
@@ -24,6 +24,8 @@ pub struct Chain {
     pub given: Vec<Given>,
     /// What the premises among the lines are solved for; they are linear in these.
     pub unknowns: Vec<Symbol>,
+    /// So many of the hypotheses the premises are solved under; where they do not suffice, under all.
+    pub solved_under: usize,
     /// The antiderivatives that integrals are taken with.
     pub primitives: Vec<Primitive>,
     /// In order. A line that is an expression equals the end of the line before it; a line that is an equation
@@ -171,8 +173,10 @@ impl Chain {
         self
     }
 
-    /// With the premises solved for `unknowns`, in which they are linear: as many as there are premises.
+    /// With the premises solved for `unknowns`, in which they are linear: as many as there are premises. They are
+    /// solved under the hypotheses given so far; those that follow are for the solution.
     pub fn solve_for<const N: usize>(mut self, unknowns: [Symbol; N]) -> Self {
+        self.solved_under = self.given.len();
         self.unknowns.extend(unknowns);
         self
     }
@@ -221,7 +225,7 @@ impl Chain {
         Ok(())
     }
 
-    /// What each hop claims to be equal: the line's index and two expressions.
+    /// What each line claims to be equal: its index and two expressions. A first expression claims nothing.
     fn pairs(&self) -> Vec<(usize, &Expr, &Expr)> {
         let mut pairs = Vec::new();
         let mut end: Option<&Expr> = None;
@@ -240,151 +244,11 @@ impl Chain {
         pairs
     }
 
-    /// Judges every hop at `points` points of the domain with `bits` of precision (at least 53). The same `stream`
-    /// gives the same points.
+    /// Judges every hop: by its normal form, and in any case at points of the domain with `bits` of precision (at
+    /// least 53). Where the normal form decides, a few points guard it; otherwise there are `points` of them. The same
+    /// `stream` gives the same points.
     pub fn verify(&self, points: usize, bits: usize, stream: &mut Stream) -> Vec<Hop> {
-        let pairs = self.pairs();
-        let symbols = self.free_symbols();
-        let mut hops: Vec<Tally> = pairs.iter().map(|_| Tally::default()).collect();
-        for attempt in 0..points * ATTEMPTS {
-            if hops.iter().all(|hop| hop.is_done(points)) {
-                break;
-            }
-            let sample = draw(&symbols, attempt % 2 == 1, stream);
-            let bindings = self.bind(&sample, bits);
-            let mut evaluation = Evaluation::new(&bindings);
-            for (hop, (_, left, right)) in hops.iter_mut().zip(&pairs) {
-                if !hop.is_done(points) {
-                    hop.look(&mut evaluation, left, right, &sample, bits);
-                }
-            }
-        }
-        let judged = hops.into_iter().zip(&pairs);
-        judged
-            .map(|(hop, (line, ..))| Hop { line: *line, by: self.lines[*line].by.clone(), verdict: hop.verdict() })
-            .collect()
-    }
-
-    /// The symbols that no hypothesis replaces, each once.
-    fn free_symbols(&self) -> Vec<&Symbol> {
-        let mut found: Vec<&Symbol> = Vec::new();
-        let lines = self.lines.iter().flat_map(|line| match &line.claim {
-            Claim::Expr(expr) => vec![expr],
-            Claim::Equation(equation) => vec![&equation.lhs, &equation.rhs],
-        });
-        for expr in lines.chain(self.given.iter().map(|given| &given.value)) {
-            for symbol in expr.symbols() {
-                let is_given = self.given.iter().any(|given| given.what == Expr::from(symbol));
-                if !is_given && found.iter().all(|known| known.name() != symbol.name()) {
-                    found.push(symbol);
-                }
-            }
-        }
-        found
-    }
-
-    fn bind(&self, sample: &[(&Symbol, Complex64)], bits: usize) -> Bindings<Tracked> {
-        let mut bindings = Bindings::with_bits(bits);
-        for (symbol, value) in sample {
-            let part = |x| precise::real_at(x, bits);
-            bindings.bind(symbol.name(), Tracked::exact(Complex::from_parts(part(value.re), part(value.im)), bits));
-        }
-        for given in &self.given {
-            if let Node::Symbol(symbol) = given.what.node() {
-                bindings.define(symbol, given.value.clone());
-            }
-        }
-        bindings
-    }
-}
-
-/// How many points are tried for each one that is wanted.
-const ATTEMPTS: usize = 4;
-
-/// How far apart, in units of the two error bounds, values may lie that are still called equal: room for the few
-/// units in the last place that the functions themselves may be off.
-const ALLOWANCE: f64 = 16.0;
-
-fn draw<'a>(symbols: &[&'a Symbol], off_axis: bool, stream: &mut Stream) -> Vec<(&'a Symbol, Complex64)> {
-    symbols.iter().map(|symbol| (*symbol, draw_one(symbol.domain(), off_axis, stream))).collect()
-}
-
-/// A point of the domain. On the real axis where the domain touches it, unless `off_axis`.
-fn draw_one(domain: Domain, off_axis: bool, stream: &mut Stream) -> Complex64 {
-    let mut within = |(min, max): (f64, f64)| min + (max - min) * stream.random::<f64>();
-    let (re, im) = (within(domain.re), within(domain.im));
-    let touches_axis = domain.im.0 <= 0.0 && domain.im.1 >= 0.0;
-    Complex64::new(re, if touches_axis && !off_axis { 0.0 } else { im })
-}
-
-/// What was seen of a hop so far.
-#[derive(Default)]
-struct Tally {
-    compared: usize,
-    skipped: usize,
-    digits: Option<f64>,
-    last_singularity: String,
-    settled: Option<Verdict>,
-}
-
-impl Tally {
-    fn is_done(&self, points: usize) -> bool {
-        self.settled.is_some() || self.compared >= points
-    }
-
-    fn look(
-        &mut self,
-        evaluation: &mut Evaluation<Tracked>,
-        left: &Expr,
-        right: &Expr,
-        sample: &[(&Symbol, Complex64)],
-        bits: usize,
-    ) {
-        let values = evaluation.value(left).and_then(|l| Ok((l, evaluation.value(right)?)));
-        let (left, right) = match values {
-            Ok(values) => values,
-            Err(Unevaluable::Singular(face)) => {
-                self.skipped += 1;
-                self.last_singularity = face;
-                return;
-            }
-            Err(other) => {
-                self.settled = Some(Verdict::Unknown { why: other.to_string() });
-                return;
-            }
-        };
-        let Some(difference) = left.difference(&right) else {
-            self.skipped += 1;
-            return;
-        };
-        self.compared += 1;
-        let all = bits as f64 * std::f64::consts::LOG10_2;
-        let digits = (-difference.log10()).min(all);
-        if difference <= ALLOWANCE * (-(bits as f64)).exp2() {
-            self.digits = Some(self.digits.map_or(digits, |worst| worst.min(digits)));
-        } else {
-            let at = sample.iter().map(|(symbol, value)| (symbol.to_string(), text(*value))).collect();
-            self.settled = Some(Verdict::Refuted { at, digits });
-        }
-    }
-
-    fn verdict(self) -> Verdict {
-        match (self.settled, self.digits) {
-            (Some(verdict), _) => verdict,
-            (None, Some(digits)) => Verdict::Agrees { points: self.compared, skipped: self.skipped, digits },
-            (None, None) if self.skipped == 0 => Verdict::Unknown { why: "no point was asked for".to_owned() },
-            (None, None) => Verdict::Unknown {
-                why: format!("{} has no finite value at any of {} points", self.last_singularity, self.skipped),
-            },
-        }
-    }
-}
-
-fn text(value: Complex64) -> String {
-    match value.im {
-        0.0 => value.re.to_string(),
-        im if im < 0.0 => format!("{} − {}i", value.re, -im),
-        im => format!("{} + {im}i", value.re),
+        judge::judge(self, points, bits, stream)
     }
 }
 
@@ -392,7 +256,7 @@ fn text(value: Complex64) -> String {
 mod tests {
     use super::*;
     use crate::equation::dimension::Dimension;
-    use crate::equation::expr::{abs, conj, cos, curl, i, re, sin, tan};
+    use crate::equation::expr::{abs, conj, cos, exp, i, mean, re, sin, sqrt, tan};
     use crate::sampling;
 
     const THETA_1: Symbol = Symbol::scalar("theta_1", Dimension::ONE).within(0.1, 1.4);
@@ -423,25 +287,14 @@ mod tests {
         sin(THETA_1 + THETA_2)
     }
 
-    /// E35 to E36: the boundary conditions hold with the fields that r_s and t_s stand for, and the ratio of the
-    /// fields takes the lecture's form.
+    /// E35 to E36: the boundary conditions solved for the fields, and their ratio in the lecture's form.
     fn r_s() -> Chain {
         let (c_1, c_2) = (|| cos(THETA_1), || cos(THETA_2));
-        let t_s = 2 * sin(THETA_2) * c_1() / sine_of_sum();
-        let chain = Chain::new(Equation::new(E_1 + E_R, E_2)).given(E_2, t_s * E_1, "E37").given(
-            E_R,
-            -sine_of_difference() / sine_of_sum() * E_1,
-            "E36",
-        );
+        let current = Equation::new((N_1 * E_1 / Z_0 - N_1 * E_R / Z_0) * c_1(), N_2 * E_2 / Z_0 * c_2());
+        let chain = Chain::assume(Equation::new(E_1 + E_R, E_2), "E is continuous").and(current, "H is continuous");
         snell(chain)
-            .then(
-                Equation::new((N_1 * E_1 / Z_0 - N_1 * E_R / Z_0) * c_1(), N_2 * E_2 / Z_0 * c_2()),
-                ["H is continuous", "H = nE/Z"],
-            )
-            .then(
-                Equation::new(E_R / E_1, (N_1 * c_1() - N_2 * c_2()) / (N_1 * c_1() + N_2 * c_2())),
-                ["two linear equations"],
-            )
+            .solve_for([E_R, E_2])
+            .then(Equation::new(E_R / E_1, (N_1 * c_1() - N_2 * c_2()) / (N_1 * c_1() + N_2 * c_2())), ["linear solve"])
             .then(
                 (sin(THETA_2) * c_1() - sin(THETA_1) * c_2()) / (sin(THETA_2) * c_1() + sin(THETA_1) * c_2()),
                 ["Snell", "cancel k"],
@@ -451,15 +304,46 @@ mod tests {
     }
 
     #[test]
-    fn follows_r_s_from_the_boundary_conditions_at_complex_angles() {
-        let verdicts = judge(&r_s());
-        assert_eq!(verdicts.len(), 5);
-        for verdict in &verdicts {
-            let Verdict::Agrees { points: 6, skipped: 0, digits } = verdict else { panic!("{verdict:?}") };
-            assert!((46.0..48.2).contains(digits), "{digits}");
-        }
+    fn follows_r_s_from_the_boundary_conditions() {
+        assert_eq!(judge(&r_s()), [const { Verdict::Proved }; 3]);
         assert_eq!(r_s().units(), Ok(()));
         assert_eq!(r_s().lines.last().unwrap().says, "the sum and the difference of the same two products");
+    }
+
+    #[test]
+    fn compares_what_the_normal_form_leaves_open() {
+        let nested = sqrt(3 + 2 * sqrt(Expr::from(2))) * X;
+        let verdicts = judge(&Chain::new(nested).then((1 + sqrt(Expr::from(2))) * X, ["nested root"]));
+        let [Verdict::Agrees { points: 6, skipped: 0, digits }] = verdicts.as_slice() else { panic!("{verdicts:?}") };
+        assert!((46.0..48.2).contains(digits), "{digits}");
+    }
+
+    /// A premise fixes one of its symbols; what follows from it alone is proved, and nothing else is.
+    #[test]
+    fn takes_lines_from_premises() {
+        let snell = || Chain::assume(Equation::new(N_1 * sin(THETA_1), N_2 * sin(THETA_2)), "Snell");
+        let from = |chain: Chain, claim: Equation| judge(&chain.then(claim, []));
+        assert_eq!(from(snell(), Equation::new(sin(THETA_1) / sin(THETA_2), N_2 / N_1)), [Verdict::Proved]);
+        let slip = from(snell(), Equation::new(N_1 * cos(THETA_1), N_2 * cos(THETA_2)));
+        assert!(matches!(slip[..], [Verdict::Refuted { .. }]), "{slip:?}");
+        // No symbol can be taken from it, but what is left of a multiple of it is nothing.
+        let cubic = || Chain::assume(Equation::new(X.pow(3) + X, K.pow(2) + K), "");
+        let double = Equation::new(2 * X * (X.pow(2) + 1), 2 * K * (K + 1));
+        assert_eq!(from(cubic(), double), [Verdict::Proved]);
+        let never = Chain::assume(Equation::new(X, X + 1), "");
+        assert!(matches!(from(never, Equation::new(X, 0))[..], [Verdict::Unknown { .. }]));
+    }
+
+    /// Values of a function at different arguments are independent, at equal ones the same.
+    #[test]
+    fn knows_functions_by_their_arguments() {
+        const F: Symbol = Symbol::scalar("f", Dimension::ONE);
+        let judged = |left: Expr, right: Expr| judge(&Chain::new(left).then(right, [])).remove(0);
+        assert_eq!(judged(F.at([X * (X + 1)]), F.at([X.pow(2) + X])), Verdict::Proved);
+        assert!(matches!(judged(F.at([X.into()]), F.at([2 * X])), Verdict::Refuted { .. }));
+        // These arguments are equal, but no normal form says so: no verdict rather than a wrong one.
+        let nested = sqrt(3 + 2 * sqrt(Expr::from(2)));
+        assert!(matches!(judged(F.at([nested]), F.at([1 + sqrt(Expr::from(2))])), Verdict::Unknown { .. }));
     }
 
     #[test]
@@ -474,8 +358,8 @@ mod tests {
         let [Verdict::Refuted { at, digits }] = verdicts.as_slice() else { panic!("{verdicts:?}") };
         assert!(digits.abs() < 2.0, "{digits}");
         let names: Vec<_> = at.iter().map(|(name, _)| name.as_str()).collect();
-        assert_eq!(names, ["θ₁", "θ₂", "k"]);
-        let angle: f64 = at[0].1.parse().expect("the first point is real");
+        assert_eq!(names, ["k", "θ₁", "θ₂"]);
+        let angle: f64 = at[1].1.parse().expect("the first point is real");
         assert!((0.1..=1.4).contains(&angle));
     }
 
@@ -519,12 +403,19 @@ mod tests {
     }
 
     #[test]
+    fn says_what_must_not_vanish() {
+        let chain = r_s();
+        let faces: Vec<_> = chain.conditions().iter().map(Expr::to_string).collect();
+        assert_eq!(faces, ["n₁ cos θ₁ + n₂ cos θ₂", "sin(θ₁ + θ₂)"]);
+        assert_eq!(Chain::new(1 / (X * K * 2)).then(X.pow(-1) / exp(X), []).conditions(), []);
+    }
+
+    #[test]
     fn admits_what_it_cannot_judge() {
-        let field = Symbol::vector("E", Dimension::VOLT_PER_METRE);
-        let verdicts = judge(&Chain::new(curl(&field)).then(-curl(-&field), ["linear"]));
-        assert_eq!(verdicts, [Verdict::Unknown { why: "∇×E is not a number by itself".into() }]);
+        let verdicts = judge(&Chain::new(mean(X)).then(X + 0, ["no average is known"]));
+        assert!(matches!(verdicts[..], [Verdict::Unknown { .. }]), "{verdicts:?}");
         let circle = Chain::new(Expr::from(X)).given(X, X + 1, "nonsense").then(X + 0, []);
-        assert_eq!(judge(&circle), [Verdict::Unknown { why: "x is defined by itself".into() }]);
+        assert_eq!(judge(&circle), [Verdict::Unknown { why: "x is given by itself".into() }]);
     }
 
     #[test]

@@ -1,0 +1,239 @@
+//! What is known about the hops of a chain.
+
+use super::sample::{self, Comparison};
+use super::{Chain, Claim, Given, Hop, Role, Verdict};
+use crate::equation::Equation;
+use crate::equation::calculus::{Calculus, Unresolved};
+use crate::equation::expr::{Expr, Node};
+use crate::equation::ring::{self, Unsolvable};
+use crate::equation::symbol::Symbol;
+use crate::sampling::Stream;
+use std::borrow::Cow;
+use std::cell::{Cell, RefCell};
+
+/// At how many points a decision by normal form is guarded: half of them off the real axis.
+const GUARDS: usize = 4;
+
+/// Judges every hop of `chain`.
+pub(super) fn judge(chain: &Chain, points: usize, bits: usize, stream: &mut Stream) -> Vec<Hop> {
+    let atoms = Atoms::default();
+    let hypotheses = Hypotheses::of(chain, &atoms);
+    let is_premise = |at: usize| chain.lines[at].role == Role::Premise;
+    let claims: Vec<_> = chain.pairs().into_iter().filter(|(at, ..)| !is_premise(*at)).collect();
+    let cases: Vec<Result<Vec<Comparison>, String>> = claims
+        .iter()
+        .map(|(at, left, right)| {
+            let hypotheses = hypotheses.as_ref().map_err(Clone::clone)?;
+            let pairs = hypotheses.resolve(&atoms, left, right).map_err(|why| why.to_string())?;
+            let is_equation = matches!(chain.lines[*at].claim, Claim::Equation(_));
+            let follows = |left: &Expr, right: &Expr| is_equation && hypotheses.imply(&Equation::new(left, right));
+            // What follows from an unsolved premise has no points of its own to be guarded at.
+            let open = pairs.into_iter().filter(|(left, right)| !follows(left, right));
+            Ok(open.map(|(left, right)| compare(left, right, points)).collect())
+        })
+        .collect();
+    let mut comparisons: Vec<Comparison> = cases.iter().flatten().flatten().cloned().collect();
+    sample::run(&mut comparisons, &atoms, bits, stream);
+    let mut found = comparisons.into_iter();
+    let mut hops = Vec::new();
+    for ((line, ..), case) in claims.iter().zip(cases) {
+        let verdict = match case {
+            Err(why) => Verdict::Unknown { why },
+            Ok(pairs) => found
+                .by_ref()
+                .take(pairs.len())
+                .map(|pair| pair.verdict(&atoms))
+                .reduce(worse)
+                .unwrap_or(Verdict::Proved),
+        };
+        hops.push(Hop { line: *line, by: chain.lines[*line].by.clone(), verdict });
+    }
+    hops
+}
+
+/// Two scalar sides, decided by normal form where that can be.
+fn compare(left: Expr, right: Expr, points: usize) -> Comparison {
+    let (normal, points) = match ring::equal(&left, &right) {
+        Ok(true) => (Ok(()), GUARDS),
+        Ok(false) => (Err("the normal forms differ".to_owned()), points),
+        Err(why) => (Err(why.to_string()), points),
+    };
+    Comparison::new(left, right, normal, points)
+}
+
+/// The less favourable of two verdicts on parts of one hop.
+fn worse(a: Verdict, b: Verdict) -> Verdict {
+    let rank = |verdict: &Verdict| match verdict {
+        Verdict::Refuted { .. } => (0, 0.0),
+        Verdict::Unknown { .. } => (1, 0.0),
+        Verdict::Agrees { digits, .. } => (2, *digits),
+        Verdict::Proved => (3, 0.0),
+    };
+    if rank(&b) < rank(&a) { b } else { a }
+}
+
+/// What a chain's hops are judged under.
+pub(super) struct Hypotheses<'a> {
+    chain: &'a Chain,
+    pub given: Vec<Given>,
+    /// Premises that no symbol could be taken from.
+    unsolved: Vec<Equation>,
+}
+
+impl<'a> Hypotheses<'a> {
+    /// The hypotheses of `chain`, with what its premises are solved for.
+    pub fn of(chain: &'a Chain, atoms: &Atoms) -> Result<Self, String> {
+        let mut all = Self { chain, given: chain.given.clone(), unsolved: Vec::new() };
+        if chain.unknowns.is_empty() {
+            all.orient(atoms)?;
+        } else {
+            let early = Self { chain, given: chain.given[..chain.solved_under].to_vec(), unsolved: Vec::new() };
+            let solution = early.solve(atoms).or_else(|_| all.solve(atoms))?;
+            all.given.extend(solution);
+        }
+        Ok(all)
+    }
+
+    fn premises(&self) -> impl Iterator<Item = (&'a Equation, &'static str)> + use<'a> {
+        let premises = self.chain.lines.iter().filter(|line| line.role == Role::Premise);
+        premises.filter_map(|line| match (&line.claim, line.by.first()) {
+            (Claim::Equation(premise), Some(Cow::Borrowed(by))) => Some((premise, *by)),
+            (Claim::Equation(premise), _) => Some((premise, "premise")),
+            (Claim::Expr(_), _) => None,
+        })
+    }
+
+    /// Every premise as a hypothesis about one of its symbols, where that can be.
+    fn orient(&mut self, atoms: &Atoms) -> Result<(), String> {
+        for (premise, by) in self.premises() {
+            for (left, right) in self.resolve(atoms, &premise.lhs, &premise.rhs).map_err(|why| why.to_string())? {
+                let premise = Equation::new(left, right);
+                match ring::orient(&premise, by) {
+                    Ok(given) => self.given.push(given),
+                    Err(Unsolvable::NoSymbol(_)) => self.unsolved.push(premise),
+                    Err(why) => return Err(why.to_string()),
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The unknowns as the premises together determine them.
+    fn solve(&self, atoms: &Atoms) -> Result<Vec<Given>, String> {
+        let mut system = Vec::new();
+        for (premise, _) in self.premises() {
+            system.extend(self.resolve(atoms, &premise.lhs, &premise.rhs).map_err(|why| why.to_string())?);
+        }
+        let solution = ring::solve(&system, &self.chain.unknowns).map_err(|why| why.to_string())?;
+        let solved = self.chain.unknowns.iter().zip(solution);
+        Ok(solved.map(|(unknown, value)| Given { what: unknown.into(), value, by: "linear solve" }).collect())
+    }
+
+    /// The scalar equations that `left` = `right` stands for, in numbers and symbols alone.
+    fn resolve(&self, atoms: &Atoms, left: &Expr, right: &Expr) -> Result<Vec<(Expr, Expr)>, Unresolved> {
+        let equal = |a: &Expr, b: &Expr| ring::equal(&atoms.named(a), &atoms.named(b)) == Ok(true);
+        let pairs = Calculus::new(&self.given, &self.chain.primitives, &equal).resolve(left, right)?;
+        Ok(pairs.into_iter().map(|(left, right)| (atoms.named(&left), atoms.named(&right))).collect())
+    }
+
+    /// Whether one of the premises that could not be solved leads to `equation`.
+    fn imply(&self, equation: &Equation) -> bool {
+        self.unsolved.iter().any(|from| ring::follows(from, equation) == Ok(true))
+    }
+}
+
+/// Functions at arguments, derivatives and differentials, each under the name of a number: at a point their values are independent.
+#[derive(Default)]
+pub(super) struct Atoms {
+    known: RefCell<Vec<(Expr, Symbol)>>,
+    /// Whether two of them may be one, although it could not be decided.
+    is_doubtful: Cell<bool>,
+}
+
+impl Atoms {
+    /// `expr` with a symbol for each of them, the same one where the arguments are equal.
+    fn named(&self, expr: &Expr) -> Expr {
+        match expr.node() {
+            Node::Apply(function, _) => self.symbol(expr, function.clone()).into(),
+            Node::Partial(of, _) => match of.node() {
+                Node::Symbol(field) | Node::Apply(field, _) => self.symbol(expr, slope_of(field)).into(),
+                _ => expr.clone(),
+            },
+            Node::Differential(of) => match of.node() {
+                Node::Symbol(symbol) => self.symbol(expr, slope_of(symbol)).into(),
+                _ => expr.clone(),
+            },
+            _ => expr.map(&mut |child| self.named(child)),
+        }
+    }
+
+    /// The symbol for `atom`, which has the values of `like`.
+    fn symbol(&self, atom: &Expr, like: Symbol) -> Symbol {
+        let mut known = self.known.borrow_mut();
+        for (other, symbol) in known.iter() {
+            match likeness(other, atom) {
+                Likeness::Same => return symbol.clone(),
+                Likeness::Doubtful => self.is_doubtful.set(true),
+                Likeness::Different => {}
+            }
+        }
+        let symbol = like.named(format!("#{}", known.len()));
+        known.push((atom.clone(), symbol.clone()));
+        symbol
+    }
+
+    /// How a symbol is called: by its own name, or by what it stands for.
+    pub fn face(&self, symbol: &Symbol) -> String {
+        let known = self.known.borrow();
+        let atom = known.iter().find(|(_, own)| own.name() == symbol.name());
+        atom.map_or_else(|| symbol.to_string(), |(atom, _)| atom.to_string())
+    }
+
+    pub fn is_doubtful(&self) -> bool {
+        self.is_doubtful.get()
+    }
+}
+
+enum Likeness {
+    Same,
+    Different,
+    Doubtful,
+}
+
+/// Whether two atoms are one: the same function or derivative at equal arguments.
+fn likeness(a: &Expr, b: &Expr) -> Likeness {
+    let all = |a: &[Expr], b: &[Expr]| {
+        if a.len() != b.len() {
+            return Likeness::Different;
+        }
+        let mut all = Likeness::Same;
+        for (a, b) in a.iter().zip(b) {
+            if a == b || ring::equal(a, b) == Ok(true) {
+                continue;
+            }
+            if sample::differ(a, b) {
+                return Likeness::Different;
+            }
+            all = Likeness::Doubtful;
+        }
+        all
+    };
+    match (a.node(), b.node()) {
+        _ if a == b => Likeness::Same,
+        (Node::Apply(f, a), Node::Apply(g, b)) if f.name() == g.name() => all(a, b),
+        (Node::Partial(f, a), Node::Partial(g, b)) if a.len() == b.len() => match (likeness(f, g), all(a, b)) {
+            (Likeness::Same, by) => by,
+            (of, Likeness::Same) => of,
+            (Likeness::Different, _) | (_, Likeness::Different) => Likeness::Different,
+            _ => Likeness::Doubtful,
+        },
+        _ => Likeness::Different,
+    }
+}
+
+/// A symbol with any of the values that a derivative or a differential of `field` may have.
+fn slope_of(field: &Symbol) -> Symbol {
+    let is_real = field.domain().im == (0.0, 0.0);
+    let slope = field.clone();
+    if is_real { slope.real(-1.0, 1.0) } else { slope.complex((-1.0, 1.0), (-1.0, 1.0)) }
+}
