@@ -290,11 +290,11 @@ impl<'a> Parser<'a> {
     fn factor(&mut self) -> Read {
         let at = self.token(0).at;
         let part = match self.kind().clone() {
-            Kind::Function(function) => self.deeper(|parser| parser.call(function)),
-            Kind::Sign('√') => self.deeper(Self::root),
+            Kind::Function(function) => self.call(function),
+            Kind::Sign('√') => self.root(),
             Kind::Sign('∇') => self.deeper(Self::nabla),
-            Kind::Sign('∂') => self.deeper(Self::derivative),
-            Kind::Differential => self.deeper(Self::differential),
+            Kind::Sign('∂') => self.derivative(),
+            Kind::Differential => self.differential(),
             Kind::Sign(sign @ ('∫' | '∮')) => self.deeper(|parser| parser.integral(sign)),
             _ => self.raised(),
         };
