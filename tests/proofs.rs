@@ -3,8 +3,8 @@
 
 use light::equation::derivation::{Chain, Claim, Verdict};
 use light::equation::expr::{
-    abs, cos, cross, curl, divergence, dot, exp, gradient, i, integral_between, laplacian, mean, partial, pi, ratio, sin,
-    sqrt, vector,
+    abs, cos, cross, curl, divergence, dot, exp, gradient, i, integral_between, laplacian, mean, partial, pi, ratio,
+    sin, sqrt, vector,
 };
 use light::equation::{Dimension as U, Equation, Expr, Symbol};
 use light::{precise, sampling};
@@ -187,9 +187,7 @@ fn oblique(start: impl Into<Claim>, sigma: Expr) -> Chain {
 
 #[test]
 fn an_oblique_plane_wave_is_transverse_and_obeys_the_dispersion_relation() {
-    let plane = |start: Expr| {
-        Chain::new(start).given(E, A * exp(i() * (dot(K_VECTOR, R) - OMEGA * T)), "plane wave")
-    };
+    let plane = |start: Expr| Chain::new(start).given(E, A * exp(i() * (dot(K_VECTOR, R) - OMEGA * T)), "plane wave");
     let transverse = |last| plane(divergence(E)).then(last, ["∇ = ik on a plane wave"]);
     only_this(transverse, i() * dot(K_VECTOR, E), -(i() * dot(K_VECTOR, E)));
     let dispersion = |last| plane(laplacian(E) - EPSILON * MU * twice(E, T)).then(last, ["∇ = ik, ∂/∂t = −iω"]);
@@ -200,12 +198,9 @@ fn an_oblique_plane_wave_is_transverse_and_obeys_the_dispersion_relation() {
         (EPSILON * MU * OMEGA.pow(2) + k_squared()) * E,
     );
     let lossy = |last| {
-        plane(laplacian(E) - MU * SIGMA * partial(E, T) - EPSILON * MU * twice(E, T))
-            .then(last, ["∇ = ik, ∂/∂t = −iω"])
+        plane(laplacian(E) - MU * SIGMA * partial(E, T) - EPSILON * MU * twice(E, T)).then(last, ["∇ = ik, ∂/∂t = −iω"])
     };
-    let complex = |sign: i32| {
-        (EPSILON * MU * OMEGA.pow(2) + sign * i() * MU * SIGMA * OMEGA - k_squared()) * E
-    };
+    let complex = |sign: i32| (EPSILON * MU * OMEGA.pow(2) + sign * i() * MU * SIGMA * OMEGA - k_squared()) * E;
     only_this(lossy, complex(1), complex(-1));
 }
 
@@ -251,16 +246,15 @@ fn electric_and_magnetic_field_stand_square_and_in_a_fixed_ratio() {
     only_this(square, equal(dot(E, B), 0), equal(dot(E, E), 0));
     let ratio = |last| harmonic(abs(E) / abs(B)).then(OMEGA / K, ["cancel the cosine"]).then(last, ["k = ω/v"]);
     only_this(ratio, 1 / sqrt(MU * EPSILON), sqrt(MU * EPSILON) * V.pow(2) * 2);
-    let impedance = |last| harmonic(abs(E) / abs(H)).then(MU * OMEGA / K, ["cancel the cosine"]).then(last, ["k = ω/v"]);
+    let impedance =
+        |last| harmonic(abs(E) / abs(H)).then(MU * OMEGA / K, ["cancel the cosine"]).then(last, ["k = ω/v"]);
     only_this(impedance, sqrt(MU / EPSILON), MU / EPSILON / sqrt(MU / EPSILON) * 2);
 }
 
 /// The mean of cos²(kz − ωt) over a period.
 fn mean_square(chain: Chain) -> Chain {
     let phase = || K * Z - OMEGA * T;
-    chain
-        .given(PERIOD, 2 * pi() / OMEGA, "period")
-        .primitive(T / 2 - sin(2 * phase()) / (4 * OMEGA), T)
+    chain.given(PERIOD, 2 * pi() / OMEGA, "period").primitive(T / 2 - sin(2 * phase()) / (4 * OMEGA), T)
 }
 
 #[test]
@@ -284,10 +278,7 @@ fn the_mean_flow_is_half_of_v_epsilon_a_squared() {
         let chain = harmonic(mean(flow())).given(S, cross(E, H), "S = E×H").given(mean(flow()), &over_a_period, "mean");
         chain
             .given(PERIOD, 2 * pi() / OMEGA, "period")
-            .primitive(
-                V * EPSILON * AMPLITUDE.pow(2) * (T / 2 - sin(2 * (OMEGA / V * Z - OMEGA * T)) / (4 * OMEGA)),
-                T,
-            )
+            .primitive(V * EPSILON * AMPLITUDE.pow(2) * (T / 2 - sin(2 * (OMEGA / V * Z - OMEGA * T)) / (4 * OMEGA)), T)
             .then(over_a_period, ["mean"])
             .then(
                 1 / PERIOD * integral_between(V * EPSILON * AMPLITUDE.pow(2) * square(), T, 0, PERIOD),

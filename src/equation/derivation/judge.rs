@@ -38,7 +38,12 @@ pub(super) fn judge(chain: &Chain, points: usize, bits: usize, stream: &mut Stre
     for ((line, ..), case) in claims.iter().zip(cases) {
         let verdict = match case {
             Err(why) => Verdict::Unknown { why },
-            Ok(pairs) => found.by_ref().take(pairs.len()).map(|pair| pair.verdict(&atoms)).reduce(worse).unwrap_or(Verdict::Proved),
+            Ok(pairs) => found
+                .by_ref()
+                .take(pairs.len())
+                .map(|pair| pair.verdict(&atoms))
+                .reduce(worse)
+                .unwrap_or(Verdict::Proved),
         };
         hops.push(Hop { line: *line, by: chain.lines[*line].by.clone(), verdict });
     }

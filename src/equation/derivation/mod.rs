@@ -288,10 +288,7 @@ mod tests {
         let chain = Chain::assume(Equation::new(E_1 + E_R, E_2), "E is continuous").and(current, "H is continuous");
         snell(chain)
             .solve_for([E_R, E_2])
-            .then(
-                Equation::new(E_R / E_1, (N_1 * c_1() - N_2 * c_2()) / (N_1 * c_1() + N_2 * c_2())),
-                ["linear solve"],
-            )
+            .then(Equation::new(E_R / E_1, (N_1 * c_1() - N_2 * c_2()) / (N_1 * c_1() + N_2 * c_2())), ["linear solve"])
             .then(
                 (sin(THETA_2) * c_1() - sin(THETA_1) * c_2()) / (sin(THETA_2) * c_1() + sin(THETA_1) * c_2()),
                 ["Snell", "cancel k"],

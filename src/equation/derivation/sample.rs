@@ -160,9 +160,7 @@ impl Comparison {
                 Verdict::Unknown { why: "a function's arguments may be equal or not".to_owned() }
             }
             (_, Some(verdict), _) => verdict,
-            (Err(_), None, Some(digits)) => {
-                Verdict::Agrees { points: self.compared, skipped: self.skipped, digits }
-            }
+            (Err(_), None, Some(digits)) => Verdict::Agrees { points: self.compared, skipped: self.skipped, digits },
             (_, None, None) if self.skipped > 0 => Verdict::Unknown { why: singular() },
             (Ok(()), None, None) => Verdict::Unknown { why: "no point was asked for".to_owned() },
             (Err(why), None, None) => Verdict::Unknown { why },
@@ -177,4 +175,3 @@ fn text(value: Complex64) -> String {
         im => format!("{} + {im}i", value.re),
     }
 }
-
