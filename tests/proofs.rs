@@ -209,7 +209,6 @@ fn solves_maxwell(sigma: Expr) {
         oblique(equal(divergence(E), 0), sigma.clone())
             .then(equal(divergence(B), 0), ["∇ = ik", "k·(k×A) = 0"])
             .then(equal(curl(E), -partial(B, T)), ["∇ = ik, ∂/∂t = −iω"])
-            .then(equal(dot(E, B), 0), ["A·(k×A) = 0"])
             .then(last, ["k×(k×A) = −k²A", "dispersion"])
     };
     let ampere = |sign: i32| equal(curl(B), MU * &sigma * E + sign * EPSILON * MU * partial(E, T));
