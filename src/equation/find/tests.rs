@@ -120,3 +120,16 @@ fn print_all() {
     }
     println!("{:?}", begin.elapsed());
 }
+
+#[test]
+fn debug_moves() {
+    let (start, goal) = fresnel().remove(0);
+    let scene = Scene::new([&start, &goal], &snell()).unwrap();
+    let mut moves = rules::Moves::new(&scene);
+    let w = Writer::after(&scene, [&start]);
+    let first = moves.of(&scene.term(&start).unwrap())[0].image.to.clone();
+    println!("{}", w.expr(&first));
+    for m in moves.of(&first) {
+        println!("  {} {:?} {} {:?}", w.expr(&m.image.to), m.reason.name(false), m.cost(false), search::agree(m.image.to.values(), first.values(), 0.0));
+    }
+}
