@@ -29,6 +29,7 @@ mod trigonometry;
 
 use super::derivation::Given;
 use super::expr::{Expr, Node};
+use super::rational::Rational;
 use rules::Move;
 use scene::Scene;
 use search::Edge;
@@ -90,8 +91,10 @@ impl std::error::Error for NotFound {}
 const MOST_PARTS: usize = 400;
 /// Levels of such an expression.
 const DEEPEST: usize = 60;
-/// So many moves of algebra in a row become one line.
-const SUMMED_UP: usize = 3;
+/// In a derivation of more lines, moves of algebra in a row become one line.
+const LONG: usize = 8;
+/// The size of a factor that is still named.
+const LONGEST: usize = 4;
 
 /// The lines that lead from `start` to `goal`, which are scalar and equal under the hypotheses `given`.
 pub fn find(start: &Expr, goal: &Expr, given: &[Given]) -> Result<Found, NotFound> {
@@ -108,7 +111,7 @@ pub fn find(start: &Expr, goal: &Expr, given: &[Given]) -> Result<Found, NotFoun
         return Err(NotFound::Differs);
     }
     let way = search::search(&scene, &from, &to).map_err(|states| NotFound::Exhausted { states })?;
-    Ok(Found { steps: sum_up(single_steps(&scene, start, goal, &from, way)) })
+    Ok(Found { steps: sum_up(single_steps(&scene, [start, goal], given, &from, way)) })
 }
 
 /// Whether an expression can be walked without care. Looks at no more of it than that takes.
@@ -141,20 +144,23 @@ impl Single {
 }
 
 /// One line for every move, with the start and the goal as they were written.
-fn single_steps(scene: &Scene, start: &Expr, goal: &Expr, from: &Term, way: Vec<Edge>) -> Vec<Single> {
+fn single_steps(scene: &Scene, ends: [&Expr; 2], given: &[Given], from: &Term, way: Vec<Edge>) -> Vec<Single> {
+    let [start, goal] = ends;
+    let after = |line: &Expr| {
+        let models = std::iter::once(line).chain(given.iter().map(|given| &given.value)).chain([goal]);
+        Writer::after(scene, models)
+    };
     let mut lines = Vec::new();
     let mut before = start.clone();
-    let simplified = Writer::after(scene, start).expr(from);
+    let simplified = after(start).expr(from);
     if leaves(&simplified) != leaves(start) && (!way.is_empty() || leaves(goal) != leaves(&simplified)) {
         lines.push(Single::simplify(simplified.clone()));
         before = simplified;
     }
-    let mut state = from.clone();
     for edge in way {
-        let expr = Writer::after(scene, &before).expr(&edge.to);
-        lines.push(single(scene, &before, &state, &edge, expr.clone()));
-        before = expr;
-        state = edge.to;
+        let line = single(&after(&before), &edge);
+        before = line.step.expr.clone();
+        lines.push(line);
     }
     match lines.last_mut() {
         Some(last) if leaves(&last.step.expr) == leaves(goal) => {
@@ -168,25 +174,41 @@ fn single_steps(scene: &Scene, start: &Expr, goal: &Expr, from: &Term, way: Vec<
     lines
 }
 
-fn single(scene: &Scene, before: &Expr, state: &Term, edge: &Edge, expr: Expr) -> Single {
-    let Move { reason, about, places, via, .. } = &edge.step;
-    let writer = Writer::after(scene, before);
+fn single(writer: &Writer, edge: &Edge) -> Single {
+    let Move { image, reason, about, via } = &edge.step;
+    let expr = writer.expr(&edge.to);
+    let about = about.as_ref().map(|about| face(writer, about));
     let mut name = reason.name(edge.reversed);
     if let Some(about) = about.as_ref().filter(|_| name != "expand") {
-        name = format!("{name} {}", writer.expr(about)).into();
+        name = format!("{name} {about}").into();
     }
-    let by = vec![counted(&name, *places)];
+    let mut by = vec![counted(&name, image.places)];
+    if !image.cancelled.is_empty() {
+        let verb = match edge.reversed {
+            false => "cancel",
+            true if name == "split the fraction" => "divide by",
+            true => "extend by",
+        };
+        let all = Term::product(image.cancelled.iter().map(|factor| (factor.clone(), Rational::ONE)));
+        by.push(format!("{verb} {}", face(writer, &all)).into());
+    }
     let mut unfolded = vec![];
-    if let Some(about) = about.as_ref().filter(|_| !via.is_empty()) {
-        let (first, last) = if edge.reversed { ("extend by", "expand") } else { ("factor", "cancel") };
-        let on_the_way = writer.fraction(super::rational::Rational::ONE, via);
-        let about = writer.expr(about);
-        let last: Cow<'static, str> = if edge.reversed { last.into() } else { format!("{last} {about}").into() };
-        unfolded.push(Step { expr: on_the_way, by: vec![format!("{first} {about}").into()], unfolded: vec![] });
-        unfolded.push(Step { expr: expr.clone(), by: vec![last], unfolded: vec![] });
+    if let Some(about) = about.filter(|_| !via.is_empty()) {
+        let step = |expr, by: String| Step { expr, by: vec![by.into()], unfolded: vec![] };
+        let on_the_way = writer.fraction(Rational::ONE, via);
+        let names = if edge.reversed { [name.to_string(), "expand".into()] } else { [format!("factor {about}"), name.to_string()] };
+        let [first, last] = names;
+        unfolded = vec![step(on_the_way, first), step(expr.clone(), last)];
     }
-    let _ = state;
-    Single { step: Step { expr, by, unfolded }, name, places: *places, is_algebra: reason.is_algebra() }
+    if edge.reversed {
+        by.reverse();
+    }
+    Single { step: Step { expr, by, unfolded }, name, places: image.places, is_algebra: reason.is_algebra() }
+}
+
+/// A factor as it is named in a rule.
+fn face(writer: &Writer, factor: &Term) -> String {
+    if factor.size() > LONGEST { "the common factor".to_owned() } else { writer.factor(factor).to_string() }
 }
 
 fn counted(name: &Cow<'static, str>, places: usize) -> Cow<'static, str> {
@@ -203,25 +225,24 @@ fn leaves(expr: &Expr) -> Vec<&str> {
     found
 }
 
-/// Moves of one name in a row become one line, and so do several of algebra.
+/// Moves of one name in a row become one line, and where there are many lines, so do moves of algebra.
 fn sum_up(lines: Vec<Single>) -> Vec<Step> {
-    let mut steps = Vec::new();
-    let mut rest = lines.as_slice();
-    while let Some(first) = rest.first() {
-        let algebra = rest.iter().take_while(|line| line.is_algebra).count();
-        let alike = rest.iter().take_while(|line| line.name == first.name).count();
-        let count = if algebra >= SUMMED_UP { algebra } else { alike };
-        let (run, after) = rest.split_at(count);
-        let expr = run[count - 1].step.expr.clone();
-        steps.push(match count {
-            1 => first.step.clone(),
-            _ => {
-                let places = run.iter().map(|line| line.places).sum();
-                let by = if algebra >= SUMMED_UP { "algebra".into() } else { counted(&first.name, places) };
-                Step { expr, by: vec![by], unfolded: run.iter().map(|line| line.step.clone()).collect() }
-            }
-        });
-        rest = after;
+    let is_long = lines.len() > LONG;
+    let joins = |a: &Single, b: &Single| {
+        let is_same = a.step.by.len() == 1 && b.step.by.len() == 1 && a.name == b.name && !a.is_algebra;
+        is_same || (is_long && a.is_algebra && b.is_algebra)
+    };
+    lines.chunk_by(joins).map(merged).collect()
+}
+
+fn merged(run: &[Single]) -> Step {
+    let last = &run[run.len() - 1];
+    if run.len() == 1 {
+        return last.step.clone();
     }
-    steps
+    let places = run.iter().map(|line| line.places).sum();
+    let is_one_rule = run.iter().all(|line| line.name == last.name);
+    let by = if is_one_rule { counted(&last.name, places) } else { "algebra".into() };
+    let unfolded = run.iter().map(|line| line.step.clone()).collect();
+    Step { expr: last.step.expr.clone(), by: vec![by], unfolded }
 }

@@ -9,15 +9,15 @@ use std::cmp::Reverse;
 /// Writes terms as expressions.
 pub(super) struct Writer<'a> {
     scene: &'a Scene,
-    /// The sums of the line before, in its order.
+    /// The sums of other lines, in their order.
     sums: Vec<Vec<Term>>,
 }
 
 impl<'a> Writer<'a> {
-    /// A writer that keeps the order of `before` where it can.
-    pub fn after(scene: &'a Scene, before: &Expr) -> Self {
+    /// A writer that keeps the order of the first of `models` where it can, else that of a later one.
+    pub fn after<'b>(scene: &'a Scene, models: impl IntoIterator<Item = &'b Expr>) -> Self {
         let mut writer = Self { scene, sums: Vec::new() };
-        writer.collect_sums(before);
+        models.into_iter().for_each(|model| writer.collect_sums(model));
         writer
     }
 
@@ -27,6 +27,14 @@ impl<'a> Writer<'a> {
         }
         for child in expr.children() {
             self.collect_sums(child);
+        }
+    }
+
+    /// `term` as a factor, whatever its sign.
+    pub fn factor(&self, term: &Term) -> Expr {
+        match term.form() {
+            Form::Sum(terms) => self.row(&self.oriented(terms).1),
+            _ => self.expr(term),
         }
     }
 
@@ -41,14 +49,14 @@ impl<'a> Writer<'a> {
                 self.scene.symbol(*index).at(parts.iter().map(|part| self.expr(part)).collect::<Vec<_>>())
             }
             Form::Function(function, of) => function.of(self.expr(of)),
-            Form::Sum(terms) => self.sum(terms),
+            Form::Sum(terms) => self.sum(term, terms),
         }
     }
 
     /// A sum that stands alone: over the denominator that all its coefficients have.
-    fn sum(&self, terms: &[Term]) -> Expr {
-        let below = terms[0].coefficient().denominator();
-        if below > 1 && terms.iter().all(|term| term.coefficient().denominator() == below) {
+    fn sum(&self, whole: &Term, terms: &[Term]) -> Expr {
+        let below = whole.content().denominator();
+        if terms.iter().filter(|term| term.coefficient().as_integer().is_none()).count() > 1 {
             let whole: Vec<Term> = terms.iter().map(|term| term.scaled(Rational::integer(below))).collect();
             return self.row(&self.ordered(&whole)) / number(below);
         }
@@ -57,42 +65,42 @@ impl<'a> Writer<'a> {
 
     /// Terms one after the other.
     fn row(&self, terms: &[Term]) -> Expr {
-        let written = terms.iter().map(|term| (term.coefficient().is_negative(), term));
-        let sum = written.fold(None, |sum: Option<Expr>, (is_negative, term)| {
-            Some(match sum {
-                None => self.expr(term),
-                Some(sum) if is_negative => sum - self.expr(&term.negated()),
-                Some(sum) => sum + self.expr(term),
-            })
+        let faces = terms.iter().map(|term| self.expr(term));
+        let sum = faces.reduce(|sum, face| match face.node() {
+            Node::Negate(of) => sum - of,
+            _ => sum + face,
         });
         sum.unwrap_or_else(|| 0.into())
     }
 
     /// The product of factors, which may occur above and below the line at once.
     pub fn fraction(&self, coefficient: Rational, factors: &[Power]) -> Expr {
+        let (numbers, factors): (Vec<Power>, Vec<Power>) =
+            factors.iter().cloned().partition(|(base, e)| base.as_number().is_some() && e.as_integer().is_some());
+        let coefficient = Term::product(numbers).scaled(coefficient).as_number().unwrap_or(coefficient);
         let mut is_negative = coefficient.is_negative();
         let mut sides: [Vec<(&Term, Expr)>; 2] = [vec![], vec![]];
-        let mut flippable = None;
-        for (base, e) in self.in_order(factors) {
+        let mut flippable: Option<(usize, usize, Expr)> = None;
+        for (base, e) in self.in_order(&factors) {
             let below = usize::from(e.is_negative());
             let e = if e.is_negative() { e.negated() } else { *e };
             let mut face = self.expr(base);
-            if let Form::Sum(terms) = base.form()
-                && e.as_integer().is_some_and(|n| n % 2 == 1)
-            {
+            if let (Form::Sum(terms), Some(n)) = (base.form(), e.as_integer()) {
                 let (flipped, ordered) = self.oriented(terms);
-                is_negative ^= flipped;
+                let is_odd = n % 2 == 1;
+                is_negative ^= flipped && is_odd;
                 face = self.row(&ordered);
-                if ordered.iter().any(|term| term.coefficient().is_negative()) && flippable.is_none() && below == 0 {
+                let is_mixed = ordered.iter().any(|term| term.coefficient().is_negative());
+                if is_odd && is_mixed && flippable.as_ref().is_none_or(|(side, ..)| *side > below) {
                     let other: Vec<Term> = ordered.iter().map(Term::negated).collect();
-                    flippable = Some((sides[0].len(), positive_first(other), e));
+                    flippable = Some((below, sides[below].len(), raised(self.row(&positive_first(other)), e)));
                 }
             }
             sides[below].push((base, raised(face, e)));
         }
-        if is_negative && let Some((at, other, e)) = flippable {
+        if is_negative && let Some((side, at, other)) = flippable {
             is_negative = false;
-            sides[0][at].1 = raised(self.row(&other), e);
+            sides[side][at].1 = other;
         }
         let [above, below] = sides;
         let whole = self.assemble(coefficient, &above, below);
@@ -157,8 +165,9 @@ impl<'a> Writer<'a> {
         };
         let total = |model: &&Vec<Term>| terms.iter().map(|term| place(term, model).0).sum::<usize>();
         let model = self.sums.iter().rev().max_by_key(total).filter(|model| total(model) > 0);
-        let has_function =
-            terms.iter().any(|term| term.factors().1.iter().any(|(base, _)| matches!(base.form(), Form::Function(..))));
+        let has_function = terms.iter().any(|term| {
+            term.factors().1.iter().any(|(base, _)| matches!(base.form(), Form::Function(..)))
+        });
         let mut ordered = terms.to_vec();
         ordered.sort_by_key(|term| {
             let at = model.map_or((0, 0), |model| place(term, model));

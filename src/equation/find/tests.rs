@@ -30,9 +30,15 @@ fn snell() -> Vec<Given> {
 fn fresnel() -> Vec<(Expr, Expr)> {
     let (c_1, c_2) = (|| cos(THETA_1), || cos(THETA_2));
     vec![
-        ((N_1 * c_1() - N_2 * c_2()) / (N_1 * c_1() + N_2 * c_2()), -sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2)),
+        (
+            (N_1 * c_1() - N_2 * c_2()) / (N_1 * c_1() + N_2 * c_2()),
+            -sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2),
+        ),
         (2 * N_1 * c_1() / (N_1 * c_1() + N_2 * c_2()), 2 * sin(THETA_2) * c_1() / sin(THETA_1 + THETA_2)),
-        ((N_2 * c_1() - N_1 * c_2()) / (N_2 * c_1() + N_1 * c_2()), tan(THETA_1 - THETA_2) / tan(THETA_1 + THETA_2)),
+        (
+            (N_2 * c_1() - N_1 * c_2()) / (N_2 * c_1() + N_1 * c_2()),
+            tan(THETA_1 - THETA_2) / tan(THETA_1 + THETA_2),
+        ),
         (
             2 * N_1 * c_1() / (N_2 * c_1() + N_1 * c_2()),
             2 * sin(THETA_2) * c_1() / (sin(THETA_1 + THETA_2) * cos(THETA_1 - THETA_2)),
@@ -113,4 +119,17 @@ fn print_all() {
         }
     }
     println!("{:?}", begin.elapsed());
+}
+
+#[test]
+fn debug_moves() {
+    let (start, goal) = fresnel().remove(0);
+    let scene = Scene::new([&start, &goal], &snell()).unwrap();
+    let mut moves = rules::Moves::new(&scene);
+    let w = Writer::after(&scene, [&start]);
+    let first = moves.of(&scene.term(&start).unwrap())[0].image.to.clone();
+    println!("{}", w.expr(&first));
+    for m in moves.of(&first) {
+        println!("  {} {:?} {} {:?}", w.expr(&m.image.to), m.reason.name(false), m.cost(false), search::agree(m.image.to.values(), first.values(), 0.0));
+    }
 }
