@@ -90,7 +90,7 @@ pub(super) fn conditions(polarisation: Polarisation) -> [Equation; 2] {
     }
 }
 
-/// The amplitudes under E35 or E38, with `H` = nE/Z₀ of every wave.
+/// The amplitudes under E35 or E38, with H = nE/Z₀ of every wave.
 pub(super) fn bounded(polarisation: Polarisation) -> Chain {
     let [electric, magnetic] = conditions(polarisation);
     let row = match polarisation {
@@ -122,12 +122,19 @@ pub(super) fn with_fields(chain: Chain, polarisation: Polarisation) -> Chain {
     let amplitudes = [(E_1, H_1), (E_1R, H_1R), (E_2, H_2)];
     let mut chain = chain.given(NORMAL, vector(0, 0, 1), "z along the normal");
     for (at, (direction, (e, h))) in directions.into_iter().zip(amplitudes).enumerate() {
-        let (electric, magnetic) = match polarisation {
-            Polarisation::S => (vector(0, e, 0), cross(direction, vector(0, h, 0))),
-            Polarisation::P => (cross(vector(0, e, 0), direction), vector(0, h, 0)),
+        let (electric, magnetic) = (&ELECTRIC[at], &MAGNETIC[at]);
+        chain = match polarisation {
+            Polarisation::S => chain.given(electric, vector(0, e, 0), "s: E across the plane of incidence").given(
+                magnetic,
+                cross(direction, vector(0, h, 0)),
+                "E×H along k",
+            ),
+            Polarisation::P => chain.given(magnetic, vector(0, h, 0), "p: H across the plane of incidence").given(
+                electric,
+                cross(vector(0, e, 0), direction),
+                "E×H along k",
+            ),
         };
-        let across = "one field across the plane of incidence";
-        chain = chain.given(&ELECTRIC[at], electric, across).given(&MAGNETIC[at], magnetic, "E×H along k");
     }
     chain
 }

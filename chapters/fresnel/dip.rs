@@ -136,10 +136,15 @@ fn symmetry(image: Expr) -> Chain {
         .then(natural(&x), ["order"])
 }
 
-/// The derivative of R_n over its obvious factors; `middle` is what n² is multiplied with in the dip's.
+/// What is zero at the dip; `middle` is what −n² is multiplied with.
+fn dip_factor(x: &Expr, middle: i32) -> Expr {
+    let square = N_REL.pow(2);
+    (&square + 1) * (x.pow(2) + &square) - (N_REL.pow(4) - middle * square + 1) * x
+}
+
+/// The derivative of R_n by its factors.
 fn stationary(middle: i32) -> Chain {
     let square = N_REL.pow(2);
-    let dip = (&square + 1) * (X.pow(2) + &square) - (N_REL.pow(4) - middle * &square + 1) * X;
     Chain::new(d(R_N) / d(X))
         .given(R_N, natural(&X.into()), "E42")
         .then(
@@ -147,7 +152,7 @@ fn stationary(middle: i32) -> Chain {
             ["derivative of a square", "derivative of a quotient"],
         )
         .then(
-            2 * (X.pow(2) - &square) * dip / ((X + 1).pow(3) * (X + &square).pow(3)),
+            2 * (X.pow(2) - &square) * dip_factor(&X.into(), middle) / ((X + 1).pow(3) * (X + &square).pow(3)),
             ["common denominator", "factor x² − n²"],
         )
 }
@@ -180,9 +185,10 @@ fn by_its_roots(root: Expr) -> Chain {
 fn at_the_dip(last: Expr) -> Chain {
     let sum = sum_at_the_dip();
     let place = (&sum + sqrt(sum.pow(2) - 4 * N_REL.pow(2))) / 2;
-    Chain::new(Equation::new(X_DIP + N_REL.pow(2) / X_DIP, sum))
-        .because("where the second factor of dR_n/dx is zero")
+    Chain::new(Equation::new(dip_factor(&X_DIP.into(), 6), 0))
+        .because("the second factor of dR_n/dx, at the larger root")
         .given(X_DIP, place, "quadratic formula")
+        .then(Equation::new(X_DIP + N_REL.pow(2) / X_DIP, sum), ["divide by x (n² + 1)"])
         .then(Equation::new(natural(&Expr::from(X_DIP)), last), ["quadratic formula", "clear the root"])
 }
 

@@ -32,9 +32,9 @@ pub(super) const STEP: Step = Step {
             id: "derivative",
             says: "dR_n/dc with c = cos θ₁, and the refracted cosine by Snell's law",
             rows: &["C12"],
-            chain: || derivative(slope(-1)),
-            spoiled: || derivative(slope(1)),
-            slip: "a sign in the numerators",
+            chain: || derivative(slope(N_REL.pow(2))),
+            spoiled: || derivative(slope(N_REL.into())),
+            slip: "n for n² before the part of p",
         },
         Derivation {
             id: "slope",
@@ -84,11 +84,11 @@ fn refracted() -> Expr {
     sqrt(N_REL.pow(2) - 1 + COSINE.pow(2))
 }
 
-/// dR_n/dc; the numerators are those of r_s and r_p, a `sign` of q₂ apart from the denominators.
-fn slope(sign: i32) -> Expr {
-    let (s, p) = (Expr::from(COSINE), N_REL.pow(2) * COSINE);
-    let part = |near: Expr| (&near + sign * refracted()) / (near + refracted()).pow(3);
-    2 * (N_REL.pow(2) - 1) / refracted() * (part(s) + N_REL.pow(2) * part(p))
+/// dR_n/dc, in which the part of p has `weight`.
+fn slope(weight: Expr) -> Expr {
+    let part = |near: Expr| (&near - refracted()) / (near + refracted()).pow(3);
+    let (s, p) = (part(COSINE.into()), part(N_REL.pow(2) * COSINE));
+    2 * (N_REL.pow(2) - 1) / refracted() * (s + weight * p)
 }
 
 fn derivative(last: Expr) -> Chain {
@@ -99,7 +99,7 @@ fn derivative(last: Expr) -> Chain {
 }
 
 fn at_grazing(factor: Expr) -> Chain {
-    Chain::new(slope(-1))
+    Chain::new(slope(N_REL.pow(2)))
         .because("dR_n/dc")
         .given(COSINE, 0, "grazing incidence")
         .then(-(2 * (N_REL.pow(2) - 1) / sqrt(N_REL.pow(2) - 1) * ((1 + N_REL.pow(2)) / (N_REL.pow(2) - 1))), ["c = 0"])

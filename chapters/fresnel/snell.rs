@@ -7,7 +7,7 @@ use crate::setting::Setting;
 use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
 use light::Complex64;
 use light::equation::derivation::Chain;
-use light::equation::expr::{asin, cos, dot, partial, pi, sin, vector};
+use light::equation::expr::{asin, cos, partial, pi, sin};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::fresnel::refract;
 use light::optics::incidence::{normal_squared, outgoing_root};
@@ -77,10 +77,11 @@ pub(super) const STEP: Step = Step {
     }],
 };
 
-/// k·r − ωt along the plane of incidence; a wave that `runs_back` from the interface has −cos θ.
+/// k·r − ωt in the plane of incidence; a wave that `runs_back` from the interface has −cos θ.
 fn phase(k: Symbol, angle: Symbol, runs_back: bool) -> Expr {
-    let across = if runs_back { -cos(&angle) } else { cos(&angle) };
-    dot(vector(sin(angle) * &k, 0, across * k), vector(X, 0, Z)) - OMEGA * T
+    let (along, across) = (X * sin(&angle), Z * cos(angle));
+    let way = if runs_back { along - across } else { along + across };
+    way * k - OMEGA * T
 }
 
 /// Wherever one looks along z = 0, the incident and another wave are in step: their phases change alike with x.

@@ -179,7 +179,7 @@ fn normal_wave(projection: Expr) -> Chain {
         .then(N_2.pow(2) - (N_1 * projection).pow(2), ["Snell"])
 }
 
-/// What r_p is the contrast of, over n₁n₂: the fields' ratios without the cosines.
+/// What r_p is the contrast of: n₂cosθ₁ and n₁cosθ₂, times n₁n₂.
 fn p_pair() -> [Expr; 2] {
     [N_2R.pow(2) * Q_1, N_1R.pow(2) * Q_2]
 }
@@ -199,42 +199,41 @@ fn modulus([near, far]: &[Expr; 2], last: Expr) -> Chain {
         .then(last, ["cancel"])
 }
 
-/// What `ratio` the tangent of half the phase is.
+/// What the tangent of half the phase is: −`ratio`.
 fn phase([near, far]: &[Expr; 2], ratio: Expr) -> Chain {
     let r = contrast(near.clone(), far.clone());
     let half = || DELTA / 2;
-    beyond_critical(Chain::assume(Equation::new(r, exp(i() * DELTA)), "|r| = 1"))
+    beyond_critical(Chain::assume(Equation::new(r, exp(i() * DELTA)), "|r| = 1: only a phase is left"))
         .then(Equation::new((1 - exp(i() * DELTA)) / (1 + exp(i() * DELTA)), far / near), ["solve for the ratio"])
         .then(Equation::new(-(i() * sin(half()) / cos(half())), far / near), ["divide by e^(iδ/2)", "Euler"])
         .then(Equation::new(tan(half()), -ratio), ["q₂ = iγ", "divide by −i"])
 }
 
 fn evanescent(factor: Expr) -> Chain {
-    let wave = exp(-(K_0R * GAMMA * Z)) * exp(i() * (K_0R * N_1R * sin(THETA_1R) * X - OMEGA * T));
-    Chain::assume(
-        Equation::new(GAMMA.pow(2), (N_1R * sin(THETA_1R)).pow(2) - N_2R.pow(2)),
-        "beyond the critical angle: (n₂cosθ₂)² = −γ²",
-    )
-    .given(FIELD, E_2 * wave, "e^(i(k·r − ωt)) with n₂cosθ₂ = iγ")
-    .then(
-        Equation::new(laplacian(FIELD), (GAMMA.pow(2) - (N_1R * sin(THETA_1R)).pow(2)) * K_0R.pow(2) * FIELD),
-        ["derivative of an exponential"],
-    )
-    .then(factor * FIELD, ["(n₂cosθ₂)² = −γ²"])
+    let along = N_1R * sin(THETA_1R) * X;
+    let premise = Equation::new(GAMMA.pow(2), (N_1R * sin(THETA_1R)).pow(2) - N_2R.pow(2));
+    beyond_critical(Chain::assume(premise, "(n₂cosθ₂)² = −γ²"))
+        .given(FIELD, E_2 * exp(i() * (K_0R * (&along + Q_2 * Z) - OMEGA * T)), "E₂e^(i(k·r − ωt))")
+        .then(Equation::new(FIELD, E_2 * exp(-(K_0R * GAMMA * Z)) * exp(i() * (K_0R * along - OMEGA * T))), ["q₂ = iγ"])
+        .then(
+            Equation::new(laplacian(FIELD), (GAMMA.pow(2) - (N_1R * sin(THETA_1R)).pow(2)) * K_0R.pow(2) * FIELD),
+            ["derivative of an exponential"],
+        )
+        .then(factor * FIELD, ["(n₂cosθ₂)² = −γ²"])
 }
 
 /// n·½ Re(E×H*) of s behind the interface.
 fn normal_flow(last: Expr) -> Chain {
     let [.., electric] = ELECTRIC;
     let [.., magnetic] = MAGNETIC;
-    let tangential = Q_2 * E_2 / Z_0;
+    let wave_vector = vector(N_1R * sin(THETA_1R), 0, Q_2);
     let chain = Chain::new(dot(NORMAL, re(cross(&electric, conj(&magnetic)))) / 2)
-        .because("n·⟨S⟩ of s light, with H = n₂k×E/Z₀")
+        .because("n·⟨S⟩ of s light")
         .given(NORMAL, vector(0, 0, 1), "z along the normal")
-        .given(electric, vector(0, E_2, 0), "s")
-        .given(magnetic, vector(-&tangential, 0, N_1R * sin(THETA_1R) * E_2 / Z_0), "H = n₂k×E/Z₀");
+        .given(&electric, vector(0, E_2, 0), "s: E across the plane of incidence")
+        .given(magnetic, cross(wave_vector, electric) / Z_0, "H = k×E/(k₀Z₀)");
     beyond_critical(chain)
-        .then(re(E_2 * conj(tangential)) / 2, ["components"])
+        .then(re(E_2 * conj(Q_2 * E_2 / Z_0)) / 2, ["components"])
         .then(re(-(i() * GAMMA * abs(E_2).pow(2) / Z_0)) / 2, ["q₂ = iγ"])
         .then(last, ["the real part of an imaginary number"])
 }
