@@ -86,7 +86,8 @@ pub(super) fn factor(term: &Term, _: &Scene, found: &mut Found) {
     for (base, _) in terms.iter().flat_map(|term| positive(term.factors().1)) {
         let has = |term: &Term| term.factors().1.iter().any(|(known, e)| *known == base && !e.is_negative());
         let members: Vec<bool> = terms.iter().map(has).collect();
-        let group: Vec<&Term> = terms.iter().zip(&members).filter(|(_, member)| **member).map(|(term, _)| term).collect();
+        let group: Vec<&Term> =
+            terms.iter().zip(&members).filter(|(_, member)| **member).map(|(term, _)| term).collect();
         if group.len() < 2 || seen.contains(&members) {
             continue;
         }
@@ -146,8 +147,13 @@ pub(super) fn divide(term: &Term, _: &Scene, found: &mut Found) {
     for (above, _) in sums(false) {
         for (below, _) in sums(true) {
             if let Some(quotient) = quotient(above, below) {
-                let rest = factors.iter().map(|(base, e)| (base.clone(), if base == above { less_one(*e) } else { *e }));
-                let via = rest.chain([(quotient, Rational::ONE), (below.clone(), Rational::ONE), (Term::number(*c), Rational::ONE)]);
+                let rest =
+                    factors.iter().map(|(base, e)| (base.clone(), if base == above { less_one(*e) } else { *e }));
+                let via = rest.chain([
+                    (quotient, Rational::ONE),
+                    (below.clone(), Rational::ONE),
+                    (Term::number(*c), Rational::ONE),
+                ]);
                 let via: Vec<Power> = via.filter(|(_, e)| !e.is_zero()).collect();
                 found.push(Rewrite { to: Term::product(via.clone()), about: Some(below.clone()), via });
             }
@@ -257,9 +263,10 @@ pub(super) fn expand_square(term: &Term, _: &Scene, found: &mut Found) {
         if absolute(e) != Rational::integer(2) || parts.len() > 3 {
             continue;
         }
-        let cross = parts.iter().enumerate().flat_map(|(at, a)| {
-            parts[at + 1..].iter().map(move |b| a.times(b).scaled(Rational::integer(2)))
-        });
+        let cross = parts
+            .iter()
+            .enumerate()
+            .flat_map(|(at, a)| parts[at + 1..].iter().map(move |b| a.times(b).scaled(Rational::integer(2))));
         let square = Term::sum(parts.iter().map(Term::squared).chain(cross));
         let half = if e.is_negative() { Rational::integer(-1) } else { Rational::ONE };
         found.push(Term::product([(term.over(&base.power(e)), Rational::ONE), (square, half)]).into());
@@ -354,7 +361,9 @@ pub(super) fn join_exponentials(term: &Term, _: &Scene, found: &mut Found) {
         let exponent = Term::sum(exponent);
         let all: Vec<&Term> = exponent.terms().iter().collect();
         let joined = Term::function(Function::Exp, take_out(&all, &positive(common_factor(&all))));
-        found.push(Term::product(rest.into_iter().chain([(joined, Rational::ONE), (Term::number(c), Rational::ONE)])).into());
+        found.push(
+            Term::product(rest.into_iter().chain([(joined, Rational::ONE), (Term::number(c), Rational::ONE)])).into(),
+        );
     }
 }
 
@@ -378,33 +387,36 @@ pub(super) fn split_exponential(term: &Term, scene: &Scene, found: &mut Found) {
 }
 
 /// Two terms of a sum without what they have in common, and how to put another term in their place.
-pub(super) struct Pair {
+pub(super) struct Pair<'a> {
     pub a: Term,
     pub b: Term,
     common: Term,
-    rest: Term,
+    terms: &'a [Term],
+    at: [usize; 2],
 }
 
-impl Pair {
+impl Pair<'_> {
     /// The sum with `joined` instead of the two.
     pub fn replace(&self, joined: &Term) -> Rewrite {
-        self.rest.plus(&self.common.times(joined)).into()
+        let others = self.terms.iter().enumerate().filter(|(at, _)| !self.at.contains(at));
+        let joined = self.common.times(joined);
+        Term::sum(others.map(|(_, term)| term.clone()).chain([joined])).into()
     }
 }
 
 /// Every two terms of a sum, in both orders.
-pub(super) fn pairs(term: &Term) -> Vec<Pair> {
+pub(super) fn pairs(term: &Term) -> Vec<Pair<'_>> {
     let Form::Sum(terms) = term.form() else { return vec![] };
     let mut found = Vec::new();
     if terms.len() > WIDEST {
         return found;
     }
     for (i, first) in terms.iter().enumerate() {
-        for (j, second) in terms.iter().enumerate().filter(|(j, _)| *j != i) {
+        for (j, second) in terms.iter().enumerate().skip(i + 1) {
             let common = Term::product(common_factor(&[first, second]));
-            let others = terms.iter().enumerate().filter(|(k, _)| *k != i && *k != j);
-            let rest = Term::sum(others.map(|(_, term)| term.clone()));
-            found.push(Pair { a: first.over(&common), b: second.over(&common), common, rest });
+            let (a, b) = (first.over(&common), second.over(&common));
+            found.push(Pair { a: b.clone(), b: a.clone(), common: common.clone(), terms, at: [j, i] });
+            found.push(Pair { a, b, common, terms, at: [i, j] });
         }
     }
     found

@@ -18,6 +18,7 @@
 //! ```
 
 mod algebra;
+mod lines;
 mod rules;
 mod scene;
 mod search;
@@ -28,22 +29,17 @@ mod tests;
 mod trigonometry;
 
 use super::derivation::Given;
-use super::expr::{Expr, Node};
-use super::rational::Rational;
-use rules::Move;
+use super::expr::Expr;
 use scene::Scene;
-use search::Edge;
-use show::Writer;
 use std::borrow::Cow;
 use std::fmt;
-use term::Term;
 
 pub use rules::{RULES, Rule};
 
 /// A way from one expression to another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// The lines after the start, of which the last is the goal.
+    /// The lines after the start, of which the last is the goal; none where start and goal are written alike.
     pub steps: Vec<Step>,
 }
 
@@ -63,14 +59,15 @@ pub struct Step {
 pub enum NotFound {
     /// The two have different values at a point that satisfies the hypotheses.
     Differs,
-    /// An expression has too many parts, too deep a nesting or numbers out of range.
+    /// An expression has too many parts or too deep a nesting.
     TooLarge,
     /// None was found among so many states.
     Exhausted {
         /// How many.
         states: usize,
     },
-    /// A vector, a derivative or the like, or a hypothesis that cannot be satisfied; its face in Unicode.
+    /// A vector, a derivative or the like (its face in Unicode), no finite value, or a hypothesis that cannot be
+    /// satisfied.
     NotAlgebraic(String),
 }
 
@@ -88,30 +85,25 @@ impl fmt::Display for NotFound {
 impl std::error::Error for NotFound {}
 
 /// Parts of an expression that a search starts from.
-const MOST_PARTS: usize = 400;
+const MOST_PARTS: usize = 200;
 /// Levels of such an expression.
 const DEEPEST: usize = 60;
-/// In a derivation of more lines, moves of algebra in a row become one line.
-const LONG: usize = 8;
-/// The size of a factor that is still named.
-const LONGEST: usize = 4;
 
-/// The lines that lead from `start` to `goal`, which are scalar and equal under the hypotheses `given`.
+/// The lines that lead from `start` to `goal`, which are scalar and equal under the hypotheses `given`. Hypotheses about
+/// vectors and derivatives are of no use to them and stay aside.
 pub fn find(start: &Expr, goal: &Expr, given: &[Given]) -> Result<Found, NotFound> {
     let hypotheses = given.iter().flat_map(|given| [&given.what, &given.value]);
     if ![start, goal].into_iter().chain(hypotheses).all(is_small) {
         return Err(NotFound::TooLarge);
     }
-    let scene = Scene::new([start, goal], given)?;
+    let given: Vec<Given> = given.iter().filter(|given| scene::is_scalar(&given.what)).cloned().collect();
+    let scene = Scene::new([start, goal], &given)?;
     let (from, to) = (scene.term(start)?, scene.term(goal)?);
-    if from.is_undefined() || to.is_undefined() {
-        return Err(NotFound::TooLarge);
-    }
     if !search::agree(from.values(), to.values(), search::rounding(&from).max(search::rounding(&to))) {
         return Err(NotFound::Differs);
     }
     let way = search::search(&scene, &from, &to).map_err(|states| NotFound::Exhausted { states })?;
-    Ok(Found { steps: sum_up(single_steps(&scene, [start, goal], given, &from, way)) })
+    Ok(Found { steps: lines::lay_out(&scene, [start, goal], &given, &from, way) })
 }
 
 /// Whether an expression can be walked without care. Looks at no more of it than that takes.
@@ -126,123 +118,4 @@ fn is_small(expr: &Expr) -> bool {
         open.extend(expr.children().into_iter().map(|child| (child, depth + 1)));
     }
     true
-}
-
-/// A line with what is needed to sum it up with its neighbours.
-struct Single {
-    step: Step,
-    name: Cow<'static, str>,
-    places: usize,
-    is_algebra: bool,
-}
-
-impl Single {
-    fn simplify(expr: Expr) -> Self {
-        let step = Step { expr, by: vec!["simplify".into()], unfolded: vec![] };
-        Self { step, name: "simplify".into(), places: 1, is_algebra: true }
-    }
-}
-
-/// One line for every move, with the start and the goal as they were written.
-fn single_steps(scene: &Scene, ends: [&Expr; 2], given: &[Given], from: &Term, way: Vec<Edge>) -> Vec<Single> {
-    let [start, goal] = ends;
-    let after = |line: &Expr| {
-        let models = std::iter::once(line).chain(given.iter().map(|given| &given.value)).chain([goal]);
-        Writer::after(scene, models)
-    };
-    let mut lines = Vec::new();
-    let mut before = start.clone();
-    let simplified = after(start).expr(from);
-    if leaves(&simplified) != leaves(start) && (!way.is_empty() || leaves(goal) != leaves(&simplified)) {
-        lines.push(Single::simplify(simplified.clone()));
-        before = simplified;
-    }
-    for edge in way {
-        let line = single(&after(&before), &edge);
-        before = line.step.expr.clone();
-        lines.push(line);
-    }
-    match lines.last_mut() {
-        Some(last) if leaves(&last.step.expr) == leaves(goal) => {
-            if let Some(end) = last.step.unfolded.last_mut() {
-                end.expr = goal.clone();
-            }
-            last.step.expr = goal.clone();
-        }
-        _ => lines.push(Single::simplify(goal.clone())),
-    }
-    lines
-}
-
-fn single(writer: &Writer, edge: &Edge) -> Single {
-    let Move { image, reason, about, via } = &edge.step;
-    let expr = writer.expr(&edge.to);
-    let about = about.as_ref().map(|about| face(writer, about));
-    let mut name = reason.name(edge.reversed);
-    if let Some(about) = about.as_ref().filter(|_| name != "expand") {
-        name = format!("{name} {about}").into();
-    }
-    let mut by = vec![counted(&name, image.places)];
-    if !image.cancelled.is_empty() {
-        let verb = match edge.reversed {
-            false => "cancel",
-            true if name == "split the fraction" => "divide by",
-            true => "extend by",
-        };
-        let all = Term::product(image.cancelled.iter().map(|factor| (factor.clone(), Rational::ONE)));
-        by.push(format!("{verb} {}", face(writer, &all)).into());
-    }
-    let mut unfolded = vec![];
-    if let Some(about) = about.filter(|_| !via.is_empty()) {
-        let step = |expr, by: String| Step { expr, by: vec![by.into()], unfolded: vec![] };
-        let on_the_way = writer.fraction(Rational::ONE, via);
-        let names = if edge.reversed { [name.to_string(), "expand".into()] } else { [format!("factor {about}"), name.to_string()] };
-        let [first, last] = names;
-        unfolded = vec![step(on_the_way, first), step(expr.clone(), last)];
-    }
-    if edge.reversed {
-        by.reverse();
-    }
-    Single { step: Step { expr, by, unfolded }, name, places: image.places, is_algebra: reason.is_algebra() }
-}
-
-/// A factor as it is named in a rule.
-fn face(writer: &Writer, factor: &Term) -> String {
-    if factor.size() > LONGEST { "the common factor".to_owned() } else { writer.factor(factor).to_string() }
-}
-
-fn counted(name: &Cow<'static, str>, places: usize) -> Cow<'static, str> {
-    if places > 1 { format!("{name} ×{places}").into() } else { name.clone() }
-}
-
-/// Symbols in the order of their names, each as often as it is written: what simplifying changes.
-fn leaves(expr: &Expr) -> Vec<&str> {
-    let mut found: Vec<&str> = match expr.node() {
-        Node::Symbol(symbol) => vec![symbol.name()],
-        _ => expr.children().into_iter().flat_map(leaves).collect(),
-    };
-    found.sort_unstable();
-    found
-}
-
-/// Moves of one name in a row become one line, and where there are many lines, so do moves of algebra.
-fn sum_up(lines: Vec<Single>) -> Vec<Step> {
-    let is_long = lines.len() > LONG;
-    let joins = |a: &Single, b: &Single| {
-        let is_same = a.step.by.len() == 1 && b.step.by.len() == 1 && a.name == b.name && !a.is_algebra;
-        is_same || (is_long && a.is_algebra && b.is_algebra)
-    };
-    lines.chunk_by(joins).map(merged).collect()
-}
-
-fn merged(run: &[Single]) -> Step {
-    let last = &run[run.len() - 1];
-    if run.len() == 1 {
-        return last.step.clone();
-    }
-    let places = run.iter().map(|line| line.places).sum();
-    let is_one_rule = run.iter().all(|line| line.name == last.name);
-    let by = if is_one_rule { counted(&last.name, places) } else { "algebra".into() };
-    let unfolded = run.iter().map(|line| line.step.clone()).collect();
-    Step { expr: last.step.expr.clone(), by: vec![by], unfolded }
 }

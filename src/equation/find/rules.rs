@@ -43,7 +43,13 @@ const X: Symbol = Symbol::scalar("x", Dimension::ONE);
 type Apply = fn(&Term, &Scene, &mut Found);
 type Examples = fn() -> Vec<(Expr, Expr)>;
 
-const fn algebra(names: [&'static str; 2], costs: [u32; 2], everywhere: usize, apply: Apply, examples: Examples) -> Rule {
+const fn algebra(
+    names: [&'static str; 2],
+    costs: [u32; 2],
+    everywhere: usize,
+    apply: Apply,
+    examples: Examples,
+) -> Rule {
     Rule { name: names[0], reverse: names[1], examples, is_algebra: true, costs, everywhere, apply }
 }
 
@@ -95,7 +101,9 @@ pub static RULES: &[Rule] = &[
         vec![(exp(A + 2 * B), exp(A) * exp(B).pow(2))]
     }),
     identity("tangent", [9, 8], 1, waves::tangent, || vec![(tan(X), sin(X) / cos(X))]),
-    identity("tangent", [8, 9], 1, waves::to_tangent, || vec![(sin(X) / cos(X), tan(X)), (cos(X) / sin(X), 1 / tan(X))]),
+    identity("tangent", [8, 9], 1, waves::to_tangent, || {
+        vec![(sin(X) / cos(X), tan(X)), (cos(X) / sin(X), 1 / tan(X))]
+    }),
     identity("angle sum", [10, 9], 1, waves::angle_sum, || {
         vec![
             (sin(A + B), sin(A) * cos(B) + cos(A) * sin(B)),
@@ -104,10 +112,7 @@ pub static RULES: &[Rule] = &[
         ]
     }),
     identity("angle sum", [8, 10], 1, waves::to_angle_sum, || {
-        vec![
-            (sin(A) * cos(B) - cos(A) * sin(B), sin(A - B)),
-            (cos(A) * cos(B) + sin(A) * sin(B), cos(A - B)),
-        ]
+        vec![(sin(A) * cos(B) - cos(A) * sin(B), sin(A - B)), (cos(A) * cos(B) + sin(A) * sin(B), cos(A - B))]
     }),
     identity("double angle", [10, 10], 3, waves::double_angle, || {
         vec![
@@ -165,10 +170,7 @@ pub static RULES: &[Rule] = &[
     identity("Euler", [12, 12], 1, waves::euler, || vec![(exp(i() * X), cos(X) + i() * sin(X))]),
     identity("Euler", [10, 12], 1, waves::to_euler, || vec![(cos(X) - i() * sin(X), exp(-(i() * X)))]),
     identity("Euler", [16, 14], 1, waves::wave_to_exponentials, || {
-        vec![
-            (cos(X), (exp(i() * X) + exp(-(i() * X))) / 2),
-            (sin(X), (exp(i() * X) - exp(-(i() * X))) / (2 * i())),
-        ]
+        vec![(cos(X), (exp(i() * X) + exp(-(i() * X))) / 2), (sin(X), (exp(i() * X) - exp(-(i() * X))) / (2 * i()))]
     }),
 ];
 
@@ -284,13 +286,20 @@ impl<'a> Moves<'a> {
         for (rule, Rule { apply, .. }) in RULES.iter().enumerate() {
             let mut found = Found::new();
             apply(term, self.scene, &mut found);
-            moves.extend(found.into_iter().map(|Rewrite { to, about, via }| {
-                Move { image: Image::new(to, 1), reason: Reason::Rule(rule), about, via }
+            moves.extend(found.into_iter().map(|Rewrite { to, about, via }| Move {
+                image: Image::new(to, 1),
+                reason: Reason::Rule(rule),
+                about,
+                via,
             }));
         }
         for (at, part) in parts(term).iter().enumerate() {
             let inner = self.once(part);
-            moves.extend(inner.iter().map(|step| Move { image: with_part(term, at, step), via: vec![], ..step.clone() }));
+            moves.extend(inner.iter().map(|step| Move {
+                image: with_part(term, at, step),
+                via: vec![],
+                ..step.clone()
+            }));
         }
         let mut seen = HashSet::new();
         moves.retain(|step| {

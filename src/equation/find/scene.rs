@@ -49,7 +49,7 @@ impl Scene {
                 return Ok(scene);
             }
         }
-        Err(NotFound::NotAlgebraic("no finite value at the points tried".to_owned()))
+        Err(NotFound::NotAlgebraic("a division by zero, or numbers out of range".to_owned()))
     }
 
     fn take_in(&mut self, terms: &[Term], given: &[Given]) -> Result<(), NotFound> {
@@ -138,10 +138,12 @@ impl Scene {
         bindings: &mut Bindings<Complex64>,
         solved: &[&Symbol],
     ) -> Result<&'a Symbol, NotFound> {
-        let gap = |bindings: &Bindings<Complex64>| (&given.what - &given.value).evaluate(bindings).map_err(not_algebraic);
+        let gap =
+            |bindings: &Bindings<Complex64>| (&given.what - &given.value).evaluate(bindings).map_err(not_algebraic);
         let unsolvable = || NotFound::NotAlgebraic(format!("{} := {}", given.what, given.value));
         let start = gap(bindings)?;
-        let free = given.what.symbols().into_iter().rev().filter(|symbol| solved.iter().all(|s| s.name() != symbol.name()));
+        let free =
+            given.what.symbols().into_iter().rev().filter(|symbol| solved.iter().all(|s| s.name() != symbol.name()));
         for symbol in free {
             let mut last = (point(symbol, 0) + 0.125, Complex64::ZERO);
             bindings.bind(symbol.name(), last.0);
@@ -164,6 +166,17 @@ impl Scene {
         }
         Err(unsolvable())
     }
+}
+
+/// Whether an expression, small enough to walk, is a number by itself, without derivatives and the like.
+pub(super) fn is_scalar(expr: &Expr) -> bool {
+    let itself = match expr.node() {
+        Node::Symbol(symbol) | Node::Apply(symbol, _) => symbol.rank() == Rank::Scalar,
+        Node::Number(_) | Node::Pi | Node::ImaginaryUnit | Node::Sum(_) | Node::Product(_) => true,
+        Node::Quotient(..) | Node::Power(..) | Node::Negate(_) | Node::Function(..) => true,
+        _ => false,
+    };
+    itself && expr.children().into_iter().all(is_scalar)
 }
 
 /// How many pairs of points are tried for one where everything is finite.

@@ -19,6 +19,8 @@ pub(super) struct Edge {
 
 /// States that are looked at before the search gives up.
 const MOST_STATES: usize = 20_000;
+/// The size of everything that rules come up with before the search gives up: a second's work.
+const MOST_WORK: usize = 1_000_000;
 /// How much larger than the larger end a state may be.
 const GROWTH: usize = 40;
 /// Expansions, as a multiple of those up to the first way found, during which a better one is looked for.
@@ -52,7 +54,8 @@ pub(super) fn search(scene: &Scene, start: &Term, goal: &Term) -> Result<Vec<Edg
     let mut best: Option<(u32, Term)> = None;
     let mut expanded = 0;
     let mut patience = usize::MAX;
-    while expanded < patience && sides[0].states.len() + sides[1].states.len() < MOST_STATES {
+    let mut work = 0;
+    while expanded < patience && work < MOST_WORK && sides[0].states.len() + sides[1].states.len() < MOST_STATES {
         let Some(from) = sides[expanded % 2].next() else {
             if sides[(expanded + 1) % 2].queue.is_empty() {
                 break;
@@ -64,6 +67,7 @@ pub(super) fn search(scene: &Scene, start: &Term, goal: &Term) -> Result<Vec<Edg
         let (side, other) = if expanded % 2 == 0 { (&mut one[0], &other[0]) } else { (&mut other[0], &one[0]) };
         expanded += 1;
         for step in moves.of(&side.states[from].term) {
+            work += step.image.to.size();
             if step.image.to.size() > largest || !agree(step.image.to.values(), start.values(), scale) {
                 continue;
             }
@@ -72,12 +76,11 @@ pub(super) fn search(scene: &Scene, start: &Term, goal: &Term) -> Result<Vec<Edg
                 let total = cost + other.states[*met].cost;
                 if best.as_ref().is_none_or(|(least, _)| total < *least) {
                     best = Some((total, side.states[to].term.clone()));
-                    patience = patience.min(PATIENCE * expanded + 40);
+                    patience = patience.min(PATIENCE * expanded + 30);
                 }
             }
         }
     }
-    if std::env::var("FIND").is_ok() { eprintln!("expanded {expanded} states {} {} patience {patience} best {:?}", sides[0].states.len(), sides[1].states.len(), best.as_ref().map(|b| b.0)); }
     let Some((_, meeting)) = best else { return Err(sides[0].states.len() + sides[1].states.len()) };
     Ok(shorten(&mut moves, start, way(&sides, &meeting)))
 }

@@ -48,8 +48,24 @@ impl<'a> Writer<'a> {
             Form::Apply(index, parts) => {
                 self.scene.symbol(*index).at(parts.iter().map(|part| self.expr(part)).collect::<Vec<_>>())
             }
-            Form::Function(function, of) => function.of(self.expr(of)),
+            Form::Function(function, of) => {
+                let (is_negative, face) = self.function(*function, of);
+                if is_negative { -face } else { face }
+            }
             Form::Sum(terms) => self.sum(term, terms),
+        }
+    }
+
+    /// A function, of an argument of the other sign where that reads better, and whether that changes its own.
+    fn function(&self, function: Function, of: &Term) -> (bool, Expr) {
+        let is_odd = matches!(function, Function::Sin | Function::Tan);
+        match of.form() {
+            Form::Sum(terms) if is_odd || function == Function::Cos => {
+                let (flipped, _) = self.oriented(terms);
+                let of = if flipped { of.negated() } else { of.clone() };
+                (flipped && is_odd, function.of(self.expr(&of)))
+            }
+            _ => (false, function.of(self.expr(of))),
         }
     }
 
@@ -84,18 +100,21 @@ impl<'a> Writer<'a> {
         for (base, e) in self.in_order(&factors) {
             let below = usize::from(e.is_negative());
             let e = if e.is_negative() { e.negated() } else { *e };
-            let mut face = self.expr(base);
-            if let (Form::Sum(terms), Some(n)) = (base.form(), e.as_integer()) {
-                let (flipped, ordered) = self.oriented(terms);
-                let is_odd = n % 2 == 1;
-                is_negative ^= flipped && is_odd;
-                face = self.row(&ordered);
-                let is_mixed = ordered.iter().any(|term| term.coefficient().is_negative());
-                if is_odd && is_mixed && flippable.as_ref().is_none_or(|(side, ..)| *side > below) {
-                    let other: Vec<Term> = ordered.iter().map(Term::negated).collect();
-                    flippable = Some((below, sides[below].len(), raised(self.row(&positive_first(other)), e)));
+            let is_odd = e.as_integer().is_some_and(|n| n % 2 == 1);
+            let (flipped, face) = match base.form() {
+                Form::Function(function, of) if e.as_integer().is_some() => self.function(*function, of),
+                Form::Sum(terms) if e.as_integer().is_some() => {
+                    let (flipped, ordered) = self.oriented(terms);
+                    let is_mixed = ordered.iter().any(|term| term.coefficient().is_negative());
+                    if is_odd && is_mixed && flippable.as_ref().is_none_or(|(side, ..)| *side > below) {
+                        let other: Vec<Term> = ordered.iter().map(Term::negated).collect();
+                        flippable = Some((below, sides[below].len(), raised(self.row(&positive_first(other)), e)));
+                    }
+                    (flipped, self.row(&ordered))
                 }
-            }
+                _ => (false, self.expr(base)),
+            };
+            is_negative ^= flipped && is_odd;
             sides[below].push((base, raised(face, e)));
         }
         if is_negative && let Some((side, at, other)) = flippable {
@@ -156,8 +175,7 @@ impl<'a> Writer<'a> {
         positive_first(self.arranged(terms))
     }
 
-    /// In the order of the most similar sum of the line before, else numbers last among powers and first among
-    /// functions.
+    /// In the order of the most similar sum of another line, else by degree: rising where there are functions.
     fn arranged(&self, terms: &[Term]) -> Vec<Term> {
         let place = |term: &Term, model: &[Term]| {
             let alike = model.iter().enumerate().map(|(at, other)| (similarity(term, other), Reverse(at)));
@@ -165,17 +183,23 @@ impl<'a> Writer<'a> {
         };
         let total = |model: &&Vec<Term>| terms.iter().map(|term| place(term, model).0).sum::<usize>();
         let model = self.sums.iter().rev().max_by_key(total).filter(|model| total(model) > 0);
-        let has_function = terms.iter().any(|term| {
-            term.factors().1.iter().any(|(base, _)| matches!(base.form(), Form::Function(..)))
-        });
+        let is_function = |(base, _): &Power| matches!(base.form(), Form::Function(..));
+        // 1 − 2 cos x + cos² x, but x² − 2x + 1.
+        let rises = terms.iter().any(|term| term.factors().1.iter().any(is_function));
         let mut ordered = terms.to_vec();
         ordered.sort_by_key(|term| {
             let at = model.map_or((0, 0), |model| place(term, model));
             let at = if at.0 == 0 { usize::MAX } else { at.1 };
-            (model.is_some().then_some(at), (term.as_number().is_some()) != has_function)
+            let degree = if rises { degree(term) } else { 0 };
+            (model.is_some().then_some(at), degree)
         });
         ordered
     }
+}
+
+/// The sum of the whole exponents above the line.
+fn degree(term: &Term) -> i64 {
+    term.factors().1.iter().filter_map(|(_, e)| e.as_integer()).fold(0, |sum, n| sum.saturating_add(n.max(0)))
 }
 
 /// With the first term that is not subtracted in front.

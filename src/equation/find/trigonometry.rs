@@ -69,7 +69,8 @@ pub(super) fn to_tangent(term: &Term, _: &Scene, found: &mut Found) {
     for (base, e) in factors {
         let Some((Function::Sin, of)) = wave(base) else { continue };
         let below = cos(of);
-        let Some((_, f)) = factors.iter().find(|(known, f)| *known == below && f.is_negative() != e.is_negative()) else {
+        let Some((_, f)) = factors.iter().find(|(known, f)| *known == below && f.is_negative() != e.is_negative())
+        else {
             continue;
         };
         let size = |n: Rational| if n.is_negative() { n.negated() } else { n };
@@ -117,7 +118,9 @@ pub(super) fn to_angle_sum(term: &Term, _: &Scene, found: &mut Found) {
             (Function::Sin, Function::Cos, Function::Sin, Function::Cos) if a == z && b == y => {
                 Some(sin(if c == d { &sum } else { &difference }).scaled(c))
             }
-            (Function::Cos, Function::Cos, Function::Sin, Function::Sin) if (a == y && b == z) || (a == z && b == y) => {
+            (Function::Cos, Function::Cos, Function::Sin, Function::Sin)
+                if (a == y && b == z) || (a == z && b == y) =>
+            {
                 Some(cos(if c == d { &difference } else { &sum }).scaled(c))
             }
             _ => None,
@@ -148,7 +151,8 @@ pub(super) fn to_sine_of_double(term: &Term, _: &Scene, found: &mut Found) {
     for (base, e) in factors {
         let Some((Function::Sin, x)) = wave(base) else { continue };
         let other = cos(x);
-        let Some((_, f)) = factors.iter().find(|(known, f)| *known == other && f.is_negative() == e.is_negative()) else {
+        let Some((_, f)) = factors.iter().find(|(known, f)| *known == other && f.is_negative() == e.is_negative())
+        else {
             continue;
         };
         let nearest = if (compare(*e, *f) == Ordering::Less) == e.is_negative() { *f } else { *e };
@@ -164,7 +168,7 @@ pub(super) fn to_cosine_of_double(term: &Term, _: &Scene, found: &mut Found) {
         let wave = cos(&double(&x));
         if let Some(c) = pair.a.as_number() {
             let sign = if function == Function::Sin { c } else { c.negated() };
-            return (double(&Term::number(sign)) == Term::number(d.negated())).then(|| wave.scaled(sign));
+            return (double(&Term::number(c)) == Term::number(d.negated())).then(|| wave.scaled(sign));
         }
         let (c, Function::Cos, y) = lone_wave(&pair.a, TWO)? else { return None };
         (function == Function::Sin && x == y && c == d.negated()).then(|| wave.scaled(c))
@@ -234,7 +238,8 @@ pub(super) fn to_pythagoras(term: &Term, _: &Scene, found: &mut Found) {
 /// sin a cos b → ½(sin(a + b) + sin(a − b)) and its kin.
 pub(super) fn product_to_sum(term: &Term, _: &Scene, found: &mut Found) {
     let Form::Product(_, factors) = term.form() else { return };
-    let waves: Vec<&Term> = factors.iter().filter(|(base, e)| *e == ONE && wave(base).is_some()).map(|(b, _)| b).collect();
+    let waves: Vec<&Term> =
+        factors.iter().filter(|(base, e)| *e == ONE && wave(base).is_some()).map(|(b, _)| b).collect();
     for (at, first) in waves.iter().enumerate() {
         for second in &waves[at + 1..] {
             let product = first.times(second);
