@@ -76,7 +76,7 @@ pub(super) fn search(scene: &Scene, start: &Term, goal: &Term) -> Result<Vec<Edg
                 let total = cost + other.states[*met].cost;
                 if best.as_ref().is_none_or(|(least, _)| total < *least) {
                     best = Some((total, side.states[to].term.clone()));
-                    patience = patience.min(PATIENCE * expanded + 30);
+                    patience = patience.min(PATIENCE * expanded + 12);
                 }
             }
         }
