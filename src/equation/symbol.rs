@@ -23,6 +23,13 @@ pub struct Domain {
     pub im: (f64, f64),
 }
 
+impl Domain {
+    /// Whether 0 is outside.
+    pub fn excludes_zero(self) -> bool {
+        [self.re, self.im].into_iter().any(|(min, max)| min > 0.0 || max < 0.0)
+    }
+}
+
 /// A named quantity. Its name is its identity: one name means one quantity within an equation or a chain.
 ///
 /// A name is a letter or the English name of a Greek letter, then optionally `_` and an index, then primes:

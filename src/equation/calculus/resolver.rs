@@ -148,10 +148,15 @@ impl<'a> Resolver<'a> {
         if let Some(value) = self.values.get(expr) {
             return Ok(value.clone());
         }
-        let value = self.deeper(|this| match this.given(expr) {
+        let given = self.given(expr);
+        let value = self.deeper(|this| match given {
             Some(given) => this.opened(expr, |this| this.value(given)).and_then(|value| like(expr, value)),
             None => this.carry_out(expr),
         })?;
+        // These alone can outgrow what is written.
+        if given.is_some() || matches!(expr.node(), Node::Nabla(..) | Node::Partial(..)) {
+            self.check(&value)?;
+        }
         self.values.insert(expr.clone(), value.clone());
         Ok(value)
     }

@@ -8,6 +8,7 @@ use crate::equation::expr::{Expr, Node};
 use crate::equation::ring::{self, Unsolvable};
 use crate::equation::symbol::Symbol;
 use crate::sampling::Stream;
+use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
 
 /// At how many points a decision by normal form is guarded: half of them off the real axis.
@@ -72,38 +73,60 @@ fn worse(a: Verdict, b: Verdict) -> Verdict {
 }
 
 /// What a chain's hops are judged under.
-struct Hypotheses<'a> {
+pub(super) struct Hypotheses<'a> {
     chain: &'a Chain,
-    given: Vec<Given>,
+    pub given: Vec<Given>,
     /// Premises that no symbol could be taken from.
     unsolved: Vec<Equation>,
 }
 
 impl<'a> Hypotheses<'a> {
     /// The hypotheses of `chain`, with what its premises are solved for.
-    fn of(chain: &'a Chain, atoms: &Atoms) -> Result<Self, String> {
+    pub fn of(chain: &'a Chain, atoms: &Atoms) -> Result<Self, String> {
         let mut all = Self { chain, given: chain.given.clone(), unsolved: Vec::new() };
-        let mut system = Vec::new();
-        for line in chain.lines.iter().filter(|line| line.role == Role::Premise) {
-            let Claim::Equation(premise) = &line.claim else { continue };
-            let pairs = all.resolve(atoms, &premise.lhs, &premise.rhs).map_err(|why| why.to_string())?;
-            if !chain.unknowns.is_empty() {
-                system.extend(pairs);
-                continue;
-            }
-            for (left, right) in pairs {
+        if chain.unknowns.is_empty() {
+            all.orient(atoms)?;
+        } else {
+            let early = Self { chain, given: chain.given[..chain.solved_under].to_vec(), unsolved: Vec::new() };
+            let solution = early.solve(atoms).or_else(|_| all.solve(atoms))?;
+            all.given.extend(solution);
+        }
+        Ok(all)
+    }
+
+    fn premises(&self) -> impl Iterator<Item = (&'a Equation, &'static str)> + use<'a> {
+        let premises = self.chain.lines.iter().filter(|line| line.role == Role::Premise);
+        premises.filter_map(|line| match (&line.claim, line.by.first()) {
+            (Claim::Equation(premise), Some(Cow::Borrowed(by))) => Some((premise, *by)),
+            (Claim::Equation(premise), _) => Some((premise, "premise")),
+            (Claim::Expr(_), _) => None,
+        })
+    }
+
+    /// Every premise as a hypothesis about one of its symbols, where that can be.
+    fn orient(&mut self, atoms: &Atoms) -> Result<(), String> {
+        for (premise, by) in self.premises() {
+            for (left, right) in self.resolve(atoms, &premise.lhs, &premise.rhs).map_err(|why| why.to_string())? {
                 let premise = Equation::new(left, right);
-                match ring::orient(&premise, "premise") {
-                    Ok(given) => all.given.push(given),
-                    Err(Unsolvable::NoSymbol(_)) => all.unsolved.push(premise),
+                match ring::orient(&premise, by) {
+                    Ok(given) => self.given.push(given),
+                    Err(Unsolvable::NoSymbol(_)) => self.unsolved.push(premise),
                     Err(why) => return Err(why.to_string()),
                 }
             }
         }
-        let solution = ring::solve(&system, &chain.unknowns).map_err(|why| why.to_string())?;
-        let solved = chain.unknowns.iter().zip(solution);
-        all.given.extend(solved.map(|(unknown, value)| Given { what: unknown.into(), value, by: "linear solve" }));
-        Ok(all)
+        Ok(())
+    }
+
+    /// The unknowns as the premises together determine them.
+    fn solve(&self, atoms: &Atoms) -> Result<Vec<Given>, String> {
+        let mut system = Vec::new();
+        for (premise, _) in self.premises() {
+            system.extend(self.resolve(atoms, &premise.lhs, &premise.rhs).map_err(|why| why.to_string())?);
+        }
+        let solution = ring::solve(&system, &self.chain.unknowns).map_err(|why| why.to_string())?;
+        let solved = self.chain.unknowns.iter().zip(solution);
+        Ok(solved.map(|(unknown, value)| Given { what: unknown.into(), value, by: "linear solve" }).collect())
     }
 
     /// The scalar equations that `left` = `right` stands for, in numbers and symbols alone.
@@ -119,7 +142,7 @@ impl<'a> Hypotheses<'a> {
     }
 }
 
-/// Functions at arguments and derivatives, each under the name of a number: at a point their values are independent.
+/// Functions at arguments, derivatives and differentials, each under the name of a number: at a point their values are independent.
 #[derive(Default)]
 pub(super) struct Atoms {
     known: RefCell<Vec<(Expr, Symbol)>>,
@@ -134,6 +157,10 @@ impl Atoms {
             Node::Apply(function, _) => self.symbol(expr, function.clone()).into(),
             Node::Partial(of, _) => match of.node() {
                 Node::Symbol(field) | Node::Apply(field, _) => self.symbol(expr, slope_of(field)).into(),
+                _ => expr.clone(),
+            },
+            Node::Differential(of) => match of.node() {
+                Node::Symbol(symbol) => self.symbol(expr, slope_of(symbol)).into(),
                 _ => expr.clone(),
             },
             _ => expr.map(&mut |child| self.named(child)),
@@ -204,7 +231,7 @@ fn likeness(a: &Expr, b: &Expr) -> Likeness {
     }
 }
 
-/// A symbol with any of the values that a derivative of `field` may have.
+/// A symbol with any of the values that a derivative or a differential of `field` may have.
 fn slope_of(field: &Symbol) -> Symbol {
     let is_real = field.domain().im == (0.0, 0.0);
     let slope = field.clone();

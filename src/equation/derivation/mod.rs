@@ -4,6 +4,8 @@
 //! With every value goes a bound of its rounding error, so that a difference is called real, or not, by what the
 //! arithmetic at that point can tell, cancellation included.
 
+mod complete;
+mod conditions;
 mod judge;
 mod sample;
 
@@ -22,6 +24,8 @@ pub struct Chain {
     pub given: Vec<Given>,
     /// What the premises among the lines are solved for; they are linear in these.
     pub unknowns: Vec<Symbol>,
+    /// So many of the hypotheses the premises are solved under; where they do not suffice, under all.
+    pub solved_under: usize,
     /// The antiderivatives that integrals are taken with.
     pub primitives: Vec<Primitive>,
     /// In order. A line that is an expression equals the end of the line before it; a line that is an equation
@@ -169,8 +173,10 @@ impl Chain {
         self
     }
 
-    /// With the premises solved for `unknowns`, in which they are linear: as many as there are premises.
+    /// With the premises solved for `unknowns`, in which they are linear: as many as there are premises. They are
+    /// solved under the hypotheses given so far; those that follow are for the solution.
     pub fn solve_for<const N: usize>(mut self, unknowns: [Symbol; N]) -> Self {
+        self.solved_under = self.given.len();
         self.unknowns.extend(unknowns);
         self
     }
@@ -250,7 +256,7 @@ impl Chain {
 mod tests {
     use super::*;
     use crate::equation::dimension::Dimension;
-    use crate::equation::expr::{abs, conj, cos, i, mean, re, sin, sqrt, tan};
+    use crate::equation::expr::{abs, conj, cos, exp, i, mean, re, sin, sqrt, tan};
     use crate::sampling;
 
     const THETA_1: Symbol = Symbol::scalar("theta_1", Dimension::ONE).within(0.1, 1.4);
@@ -394,6 +400,14 @@ mod tests {
         // A metal: Im n > 0 throughout.
         let n = Symbol::scalar("n", Dimension::ONE).complex((0.1, 3.0), (0.5, 8.0));
         assert!(judge(&Chain::new(re(&n * i())).then(-crate::equation::expr::im(n), []))[0].holds());
+    }
+
+    #[test]
+    fn says_what_must_not_vanish() {
+        let chain = r_s();
+        let faces: Vec<_> = chain.conditions().iter().map(Expr::to_string).collect();
+        assert_eq!(faces, ["n₁ cos θ₁ + n₂ cos θ₂", "sin(θ₁ + θ₂)"]);
+        assert_eq!(Chain::new(1 / (X * K * 2)).then(X.pow(-1) / exp(X), []).conditions(), []);
     }
 
     #[test]

@@ -75,6 +75,12 @@ impl Fraction {
         self.below.is_empty() && self.number == IBig::ONE
     }
 
+    /// Whether it is a product of numbers and atoms, all of which `are`.
+    pub fn is_product(&self, are: impl Fn(Atom) -> bool) -> bool {
+        let sums = std::iter::once(&self.above).chain(self.below.iter().map(|(factor, _)| factor));
+        sums.into_iter().all(|sum| sum.len() == 1 && sum.atoms().into_iter().all(&are))
+    }
+
     pub fn negated(&self) -> Self {
         Self { above: self.above.negated(), ..self.clone() }
     }
@@ -122,7 +128,7 @@ fn multiple(of: &Polynomial, factor: &Polynomial) -> Option<Polynomial> {
 }
 
 /// What may be computed before giving up [products of terms], and how long a coefficient may become [bits].
-const WORK: usize = 2_000_000;
+const WORK: usize = 500_000;
 const LONGEST: usize = 4096;
 
 /// Arithmetic under relations: an atom whose power `degree` equals a polynomial in other atoms.

@@ -14,6 +14,8 @@ mod atoms;
 mod fraction;
 mod normal;
 mod polynomial;
+#[cfg(test)]
+mod properties;
 mod show;
 mod solve;
 #[cfg(test)]
@@ -35,6 +37,14 @@ pub fn equal(left: &Expr, right: &Expr) -> Result<bool, Undecided> {
             return Ok(true);
         }
         Ok(ring.atoms.arithmetic.plus(&left, &right.negated())?.is_zero())
+    })
+}
+
+/// Whether `a` is `b` times numbers and symbols that are never zero: where one vanishes, the other does.
+pub fn vanish_together(a: &Expr, b: &Expr) -> Result<bool, Undecided> {
+    Normaliser::default().settle(|ring| {
+        let quotient = ring.fraction(&(a / b))?;
+        Ok(quotient.is_product(|atom| ring.atoms.never_vanishes(atom)))
     })
 }
 

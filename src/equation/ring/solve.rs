@@ -179,7 +179,7 @@ impl Normaliser {
                 let above = Polynomial::term(angle.of.above.clone(), IBig::ONE);
                 within(&above) || below(&angle.of.below)
             }
-            Kind::Root { of, .. } | Kind::Opaque(_, of) => within(&of.above) || below(&of.below),
+            Kind::Root { of, .. } | Kind::Leg(of) | Kind::Opaque(_, of) => within(&of.above) || below(&of.below),
         }
     }
 

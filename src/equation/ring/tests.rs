@@ -11,6 +11,8 @@ const C: Symbol = Symbol::scalar("c", Dimension::ONE);
 const X: Symbol = Symbol::scalar("x", Dimension::ONE);
 const P: Symbol = Symbol::scalar("p", Dimension::ONE).real(0.1, 4.0);
 const Q: Symbol = Symbol::scalar("q", Dimension::ONE).real(0.1, 4.0);
+/// Nowhere on a branch cut of arcsin.
+const U: Symbol = Symbol::scalar("u", Dimension::ONE).within(-0.9, 0.9);
 /// Real, of either sign.
 const S: Symbol = Symbol::scalar("s", Dimension::ONE).real(-2.0, 2.0);
 
@@ -53,7 +55,10 @@ fn identities_of_algebra_trigonometry_and_roots() {
         (sqrt(Expr::from(8)) * sqrt(Expr::from(2)), Expr::from(4)),
         (1 / (sqrt(P) - sqrt(Q)), (sqrt(P) + sqrt(Q)) / (P - Q)),
         (sin(asin(X)), X.into()),
-        (sin(2 * atan(X)), 2 * X / (1 + X.pow(2))),
+        (sin(2 * atan(P)), 2 * P / (1 + P.pow(2))),
+        (sin(asin(A * sin(X) / B)), A * sin(X) / B),
+        (cos(2 * asin(A / B)), 1 - 2 * (A / B).pow(2)),
+        (cos(asin(U)), sqrt(1 - U.pow(2))),
         (cos(acos(X) + asin(X)), Expr::from(0)),
         (1 / i(), -i()),
         (abs(P * i()), P.into()),
@@ -86,6 +91,8 @@ fn says_nothing_untrue_about_branches() {
         (abs(A), A.into()),
         (conj(A), A.into()),
         (asin(sin(S)), S.into()),
+        (cos(asin(2 * P)), sqrt(1 - 4 * P.pow(2))),
+        (sin(atan(A)), A / sqrt(1 + A.pow(2))),
         (S.pow(3).pow(Rational::new(1, 3).unwrap()), S.into()),
         (exp(i() * A) * conj(exp(i() * A)), Expr::from(1)),
     ];
