@@ -24,6 +24,14 @@ impl Chain {
         }
         Self { lines, ..self.clone() }
     }
+
+    /// The hypotheses as substitutions: those given, and what the premises say of their symbols.
+    ///
+    /// # Errors
+    /// Why the premises cannot be solved, or never hold.
+    pub fn hypotheses(&self) -> Result<Vec<Given>, String> {
+        Hypotheses::of(self, &Atoms::default()).map(|all| all.given)
+    }
 }
 
 /// The lines that lead to `goal` from its own left side, or from the end of the line before it.

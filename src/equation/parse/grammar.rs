@@ -769,6 +769,10 @@ fn rational(expr: &Expr) -> Option<Rational> {
             let (above, below) = (rational(above)?.as_integer()?, rational(below)?.as_integer()?);
             Rational::new(above, below)
         }
+        Node::Power(base, exponent) => {
+            let (base, exponent) = (rational(base)?.as_integer()?, exponent.as_integer()?);
+            Rational::new(base.checked_pow(u32::try_from(exponent).ok()?)?, 1)
+        }
         _ => None,
     }
 }

@@ -58,6 +58,7 @@ fn reads_what_people_type() {
         ("2π r h + ½kz²", "2πrh + ½kz²"),
         ("10^6 x", "10⁶ x"),
         ("x^1000000000", "x¹⁰⁰⁰⁰⁰⁰⁰⁰⁰"),
+        ("x^(10^9)", "x¹⁰⁰⁰⁰⁰⁰⁰⁰⁰"),
         ("3/2 + 2/5", "3/2 + 2/5"),
         ("8.8542 × 10⁻¹²", "8.8542 × 10⁻¹²"),
         ("µ ϕ", "μφ"),
@@ -110,6 +111,7 @@ fn says_what_was_expected_and_where() {
     refused("|x", 3, "closing |");
     refused("x^y", 3, "rational number");
     refused("x^(y)", 3, "rational number");
+    refused("x^(10^19)", 3, "rational number");
     refused("99999999999999999999", 1, "18 digits");
     refused("x^99999999999999999999", 3, "18 digits");
     refused("x⁹⁹⁹⁹⁹⁹⁹⁹⁹⁹⁹⁹⁹⁹⁹⁹⁹⁹⁹⁹", 2, "18 digits");
