@@ -28,6 +28,11 @@ impl Tracked {
         Self { value, size, error: error + size, bits }
     }
 
+    /// Whether its real part is beyond doubt positive.
+    pub fn is_right_of_zero(&self) -> bool {
+        precise::to_complex64(&self.value).re > self.error * (-(self.bits as f64)).exp2()
+    }
+
     /// Whether nothing but rounding may be left of it.
     fn may_vanish(&self) -> bool {
         self.size <= self.error * (-(self.bits as f64) / 2.0).exp2()

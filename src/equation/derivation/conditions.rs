@@ -1,5 +1,6 @@
 //! What must not be zero for a chain to hold: everything that it divides by.
 
+use super::judge::{Atoms, Hypotheses};
 use super::{Chain, Claim, Line};
 use crate::equation::expr::{Expr, Function, Node};
 use crate::equation::ring;
@@ -13,6 +14,9 @@ impl Chain {
         let mut found: Vec<Expr> = Vec::new();
         let lines = self.lines.iter().flat_map(|line| line.unfolded.iter().chain([line]));
         let given = self.given.iter().map(|given| &given.value);
+        if let Ok(hypotheses) = Hypotheses::of(self, &Atoms::default()) {
+            hypotheses.divisors.iter().for_each(|divisor| divide(divisor, &mut found));
+        }
         for expr in lines.flat_map(sides).chain(given) {
             collect(expr, &mut found);
         }

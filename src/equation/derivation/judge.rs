@@ -5,7 +5,7 @@ use super::{Chain, Claim, Given, Hop, Role, Verdict};
 use crate::equation::Equation;
 use crate::equation::calculus::{Calculus, Unresolved};
 use crate::equation::expr::{Expr, Node};
-use crate::equation::ring::{self, Unsolvable};
+use crate::equation::ring::{self, Solution, Unsolvable};
 use crate::equation::symbol::Symbol;
 use crate::sampling::Stream;
 use std::borrow::Cow;
@@ -33,7 +33,9 @@ pub(super) fn judge(chain: &Chain, points: usize, bits: usize, stream: &mut Stre
         })
         .collect();
     let mut comparisons: Vec<Comparison> = cases.iter().flatten().flatten().cloned().collect();
-    sample::run(&mut comparisons, &atoms, bits, stream);
+    let positive = hypotheses.as_ref().map_or_else(|_| Vec::new(), |hypotheses| hypotheses.positive(&atoms));
+    let is_open = hypotheses.as_ref().is_ok_and(|hypotheses| !hypotheses.unsolved.is_empty());
+    sample::run(&mut comparisons, &positive, &atoms, bits, stream);
     let mut found = comparisons.into_iter();
     let mut hops = Vec::new();
     for ((line, ..), case) in claims.iter().zip(cases) {
@@ -42,7 +44,7 @@ pub(super) fn judge(chain: &Chain, points: usize, bits: usize, stream: &mut Stre
             Ok(pairs) => found
                 .by_ref()
                 .take(pairs.len())
-                .map(|pair| pair.verdict(&atoms))
+                .map(|pair| pair.verdict(&atoms, is_open))
                 .reduce(worse)
                 .unwrap_or(Verdict::Proved),
         };
@@ -76,22 +78,41 @@ fn worse(a: Verdict, b: Verdict) -> Verdict {
 pub(super) struct Hypotheses<'a> {
     chain: &'a Chain,
     pub given: Vec<Given>,
+    /// What was divided by where the premises were solved.
+    pub divisors: Vec<Expr>,
+    /// Positive symbols that premises were solved for: what they come out as must be positive.
+    positive: Vec<Expr>,
     /// Premises that no symbol could be taken from.
     unsolved: Vec<Equation>,
 }
 
 impl<'a> Hypotheses<'a> {
+    fn new(chain: &'a Chain, given: &[Given]) -> Self {
+        Self { chain, given: given.to_vec(), divisors: Vec::new(), positive: Vec::new(), unsolved: Vec::new() }
+    }
+
     /// The hypotheses of `chain`, with what its premises are solved for.
     pub fn of(chain: &'a Chain, atoms: &Atoms) -> Result<Self, String> {
-        let mut all = Self { chain, given: chain.given.clone(), unsolved: Vec::new() };
+        let mut all = Self::new(chain, &chain.given);
         if chain.unknowns.is_empty() {
             all.orient(atoms)?;
         } else {
-            let early = Self { chain, given: chain.given[..chain.solved_under].to_vec(), unsolved: Vec::new() };
+            let early = Self::new(chain, &chain.given[..chain.solved_under]);
             let solution = early.solve(atoms).or_else(|_| all.solve(atoms))?;
-            all.given.extend(solution);
+            all.take(solution, "linear solve", atoms);
         }
         Ok(all)
+    }
+
+    /// Adds what was found for symbols, known as `by`.
+    fn take(&mut self, solution: Solution, by: &'static str, atoms: &Atoms) {
+        let given = |(symbol, value): &(Symbol, Expr)| Given {
+            what: atoms.meant(&symbol.into()),
+            value: atoms.meant(value),
+            by,
+        };
+        self.given.extend(solution.values.iter().map(given));
+        self.divisors.extend(solution.divisors.iter().map(|divisor| atoms.meant(divisor)));
     }
 
     fn premises(&self) -> impl Iterator<Item = (&'a Equation, &'static str)> + use<'a> {
@@ -108,8 +129,12 @@ impl<'a> Hypotheses<'a> {
         for (premise, by) in self.premises() {
             for (left, right) in self.resolve(atoms, &premise.lhs, &premise.rhs).map_err(|why| why.to_string())? {
                 let premise = Equation::new(left, right);
-                match ring::orient(&premise, by) {
-                    Ok(given) => self.given.push(given),
+                match ring::orient(&premise) {
+                    Ok(solution) => {
+                        let positive = solution.values.iter().filter(|(symbol, _)| symbol.domain().re.0 > 0.0);
+                        self.positive.extend(positive.map(|(symbol, _)| Expr::from(symbol)));
+                        self.take(solution, by, atoms);
+                    }
                     Err(Unsolvable::NoSymbol(_)) => self.unsolved.push(premise),
                     Err(why) => return Err(why.to_string()),
                 }
@@ -118,15 +143,19 @@ impl<'a> Hypotheses<'a> {
         Ok(())
     }
 
+    /// What must be positive at a point that is to count, in numbers and free symbols.
+    fn positive(&self, atoms: &Atoms) -> Vec<Expr> {
+        let values = self.positive.iter().filter_map(|symbol| self.resolve(atoms, symbol, symbol).ok()?.pop());
+        values.map(|(value, _)| value).collect()
+    }
+
     /// The unknowns as the premises together determine them.
-    fn solve(&self, atoms: &Atoms) -> Result<Vec<Given>, String> {
+    fn solve(&self, atoms: &Atoms) -> Result<Solution, String> {
         let mut system = Vec::new();
         for (premise, _) in self.premises() {
             system.extend(self.resolve(atoms, &premise.lhs, &premise.rhs).map_err(|why| why.to_string())?);
         }
-        let solution = ring::solve(&system, &self.chain.unknowns).map_err(|why| why.to_string())?;
-        let solved = self.chain.unknowns.iter().zip(solution);
-        Ok(solved.map(|(unknown, value)| Given { what: unknown.into(), value, by: "linear solve" }).collect())
+        ring::solve(&system, &self.chain.unknowns).map_err(|why| why.to_string())
     }
 
     /// The scalar equations that `left` = `right` stands for, in numbers and symbols alone.
@@ -138,7 +167,7 @@ impl<'a> Hypotheses<'a> {
 
     /// Whether one of the premises that could not be solved leads to `equation`.
     fn imply(&self, equation: &Equation) -> bool {
-        self.unsolved.iter().any(|from| ring::follows(from, equation) == Ok(true))
+        self.unsolved.iter().any(|from| matches!(ring::follows(from, equation), Ok(Some(_))))
     }
 }
 
@@ -180,6 +209,12 @@ impl Atoms {
         let symbol = like.named(format!("#{}", known.len()));
         known.push((atom.clone(), symbol.clone()));
         symbol
+    }
+
+    /// `expr` with what the symbols stand for.
+    fn meant(&self, expr: &Expr) -> Expr {
+        let known = self.known.borrow();
+        known.iter().fold(expr.clone(), |expr, (atom, symbol)| expr.replace(&symbol.into(), atom))
     }
 
     /// How a symbol is called: by its own name, or by what it stands for.

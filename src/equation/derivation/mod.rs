@@ -330,6 +330,22 @@ mod tests {
         let cubic = || Chain::assume(Equation::new(X.pow(3) + X, K.pow(2) + K), "");
         let double = Equation::new(2 * X * (X.pow(2) + 1), 2 * K * (K + 1));
         assert_eq!(from(cubic(), double), [Verdict::Proved]);
+        // A premise that all terms share a factor of says nothing about the factor.
+        let scaled = |right: i32| Chain::assume(Equation::new(K * N_1, right * K * N_2), "");
+        assert_eq!(from(scaled(1), Equation::new(N_1, N_2)), [Verdict::Proved]);
+        assert!(matches!(from(scaled(3), Equation::new(N_1, N_2))[..], [Verdict::Refuted { .. }]));
+        // One branch is divided away, and it says so.
+        let product = Chain::assume(Equation::new((X - K) * sin(X), 0), "").then(Equation::new(X, K), []);
+        assert!(!matches!(judge(&product)[..], [Verdict::Refuted { .. }]));
+        // No point satisfies this one by itself: what does not follow from it is not refuted either.
+        let open = || Chain::assume(Equation::new(sin(X), sin(K)), "");
+        assert!(matches!(from(open(), Equation::new(sin(X).pow(2), sin(K).pow(2)))[..], [Verdict::Unknown { .. }]));
+        assert!(matches!(from(open(), Equation::new(X, K))[..], [Verdict::Unknown { .. }]));
+        // A positive quantity is the positive root; no positive quantity is −1.
+        let square = Chain::assume(Equation::new(N_1.pow(2), N_2.pow(2)), "");
+        assert_eq!(from(square, Equation::new(N_1, N_2)), [Verdict::Proved]);
+        let negative = Chain::assume(Equation::new(N_1 + 2, 1), "");
+        assert!(matches!(from(negative, Equation::new(N_1 + 1, 0))[..], [Verdict::Unknown { .. }]));
         let never = Chain::assume(Equation::new(X, X + 1), "");
         assert!(matches!(from(never, Equation::new(X, 0))[..], [Verdict::Unknown { .. }]));
     }
@@ -387,7 +403,7 @@ mod tests {
         assert!(judge(&Chain::new(Equation::new(X * &zero / 7 + X, X)))[0].holds());
         let verdicts = judge(&Chain::new(Equation::new(X / zero, X)));
         let [Verdict::Unknown { why }] = verdicts.as_slice() else { panic!("{verdicts:?}") };
-        assert_eq!(why, "x/(sin² x + cos² x − 1) has no finite value at any of 24 points");
+        assert_eq!(why, "x/(sin² x + cos² x − 1) has no finite value at any of 48 points");
     }
 
     #[test]

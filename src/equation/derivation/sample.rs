@@ -12,7 +12,7 @@ use num_complex::Complex64;
 use rand::RngExt;
 
 /// How many points are tried for each one that is wanted.
-const ATTEMPTS: usize = 4;
+const ATTEMPTS: usize = 8;
 
 /// How far apart, in units of the two error bounds, values may lie that are still called equal: room for the few
 /// units in the last place that the functions themselves may be off.
@@ -34,9 +34,10 @@ pub(super) struct Comparison {
     settled: Option<Verdict>,
 }
 
-/// Compares everything at common points, so that common parts are computed once.
-pub(super) fn run(comparisons: &mut [Comparison], atoms: &Atoms, bits: usize, stream: &mut Stream) {
-    let symbols = free_symbols(comparisons);
+/// Compares everything at common points, so that common parts are computed once; only points count where all of
+/// `positive` are.
+pub(super) fn run(comparisons: &mut [Comparison], positive: &[Expr], atoms: &Atoms, bits: usize, stream: &mut Stream) {
+    let symbols = free_symbols(comparisons, positive);
     let most = comparisons.iter().map(|pair| pair.wanted).max().unwrap_or(0);
     for attempt in 0..most * ATTEMPTS {
         if comparisons.iter().all(Comparison::is_done) {
@@ -45,6 +46,9 @@ pub(super) fn run(comparisons: &mut [Comparison], atoms: &Atoms, bits: usize, st
         let sample = draw(&symbols, attempt % 2 == 1, stream);
         let bindings = bind(&sample, bits);
         let mut evaluation = Evaluation::new(&bindings);
+        if !positive.iter().all(|value| evaluation.value(value).is_ok_and(|value| value.is_right_of_zero())) {
+            continue;
+        }
         for pair in comparisons.iter_mut().filter(|pair| !pair.is_done()) {
             pair.look(&mut evaluation, &sample, atoms, bits);
         }
@@ -69,10 +73,10 @@ pub(super) fn differ(a: &Expr, b: &Expr) -> bool {
     }
 }
 
-fn free_symbols(comparisons: &[Comparison]) -> Vec<Symbol> {
+fn free_symbols(comparisons: &[Comparison], positive: &[Expr]) -> Vec<Symbol> {
     let mut found: Vec<Symbol> = Vec::new();
-    for pair in comparisons {
-        for symbol in pair.left.symbols().into_iter().chain(pair.right.symbols()) {
+    for expr in comparisons.iter().flat_map(|pair| [&pair.left, &pair.right]).chain(positive) {
+        for symbol in expr.symbols() {
             if found.iter().all(|known| known.name() != symbol.name()) {
                 found.push(symbol.clone());
             }
@@ -149,12 +153,16 @@ impl Comparison {
         }
     }
 
-    pub fn verdict(self, atoms: &Atoms) -> Verdict {
+    /// `is_open` if there are premises that the points do not satisfy.
+    pub fn verdict(self, atoms: &Atoms, is_open: bool) -> Verdict {
         let singular = || format!("{} has no finite value at any of {} points", self.last_singularity, self.skipped);
         match (self.normal, self.settled, self.digits) {
             (Ok(()), None, Some(_)) => Verdict::Proved,
             (Ok(()), Some(Verdict::Refuted { .. }), _) => {
                 Verdict::Unknown { why: "the normal forms agree, but not the values on every branch".to_owned() }
+            }
+            (Err(_), Some(Verdict::Refuted { .. }), _) if is_open => {
+                Verdict::Unknown { why: "a premise cannot be solved for any of its symbols".to_owned() }
             }
             (Err(_), Some(Verdict::Refuted { .. }), _) if atoms.is_doubtful() => {
                 Verdict::Unknown { why: "a function's arguments may be equal or not".to_owned() }
@@ -162,8 +170,9 @@ impl Comparison {
             (_, Some(verdict), _) => verdict,
             (Err(_), None, Some(digits)) => Verdict::Agrees { points: self.compared, skipped: self.skipped, digits },
             (_, None, None) if self.skipped > 0 => Verdict::Unknown { why: singular() },
-            (Ok(()), None, None) => Verdict::Unknown { why: "no point was asked for".to_owned() },
-            (Err(why), None, None) => Verdict::Unknown { why },
+            (_, None, None) => {
+                Verdict::Unknown { why: "no point of the domain was found to satisfy the premises".to_owned() }
+            }
         }
     }
 }

@@ -22,7 +22,7 @@ mod solve;
 mod tests;
 
 pub use fraction::Undecided;
-pub use solve::{Unsolvable, follows, orient, solve};
+pub use solve::{Solution, Unsolvable, follows, orient, solve};
 
 use super::expr::Expr;
 use normal::Normaliser;
