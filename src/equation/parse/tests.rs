@@ -168,7 +168,7 @@ fn depth_and_length_are_bounded() {
         assert_eq!(parse(&fine.to_string(), &[]), Ok(fine));
     }
     // Deep without a bracket: a tree that leans to the left.
-    assert!(parse(&"x/".repeat(100_000).trim_end_matches('/'), &[]).unwrap_err().message.contains("256 levels"));
+    assert!(parse("x/".repeat(100_000).trim_end_matches('/'), &[]).unwrap_err().message.contains("256 levels"));
     let mut towers = "x".to_owned();
     for _ in 0..20 {
         towers = format!("({towers}){}", "/x".repeat(20));
