@@ -114,8 +114,12 @@ fn point_at(text: &str, fault: &Fault) -> Stop {
 fn answer(premises: &Chain, goal: &Equation) -> Answer {
     let whole = premises.clone().find(goal.clone());
     let decided = verify(&whole, "prove").pop().map_or(Verdict::Proved, |hop| hop.verdict);
-    let found = if decided.holds() { whole.complete() } else { whole };
-    let hops = verify(&found, "prove");
+    let mut found = if decided.holds() { whole.complete() } else { whole.clone() };
+    let mut hops = verify(&found, "prove");
+    if decided == Verdict::Proved && hops.iter().any(|hop| hop.verdict != Verdict::Proved) {
+        // A way in between whose lines are not decided is worth less than none.
+        (found, hops) = (whole.clone(), verify(&whole, "prove"));
+    }
     let proved = !hops.is_empty() && hops.iter().all(|hop| hop.verdict == Verdict::Proved);
     let (verdict, why) = match &decided {
         _ if proved => ("proved", None),

@@ -44,12 +44,18 @@ fn trials(place: String, step: &'static Step) -> Vec<Trial> {
     trials
 }
 
+/// So many lines of a derivation are displayed at most.
+const LONGEST: usize = 12;
+
 fn follows(chain: &Chain, address: &str) -> Result<(), Failed> {
+    let chain = chain.complete();
     chain.units().map_err(|mismatch| mismatch.to_string())?;
-    let hops = verify(chain, address);
+    let hops = verify(&chain, address);
     match hops.iter().find(|hop| hop.verdict != Verdict::Proved) {
         Some(hop) => Err(format!("line {} by {:?}: {:?}", hop.line, hop.by, hop.verdict).into()),
         None if hops.is_empty() => Err("a chain of one line derives nothing".into()),
+        None if chain.lines.len() > LONGEST => Err(format!("{} lines are too many to read", chain.lines.len()).into()),
+        None if chain.lines.iter().any(|line| line.by == ["identity"]) => Err("no way to a goal was found".into()),
         None => Ok(()),
     }
 }

@@ -272,39 +272,25 @@ fn solved(polarisation: Polarisation) -> Chain {
 fn s_chain(last: Expr) -> Chain {
     solved(Polarisation::S)
         .then(Equation::new(E_1R / E_1, contrast(N_1 * cos(THETA_1), N_2 * cos(THETA_2))), ["linear solve"])
-        .then(contrast(sin(THETA_2) * cos(THETA_1), sin(THETA_1) * cos(THETA_2)), ["Snell", "cancel k"])
-        .then(last, ["sines of sum and difference"])
+        .find(last)
 }
 
 fn t_s_chain(last: Expr) -> Chain {
     let (near, far) = (N_1 * cos(THETA_1), N_2 * cos(THETA_2));
-    let (sin_1, sin_2) = (sin(THETA_1), sin(THETA_2));
-    solved(Polarisation::S)
-        .then(Equation::new(E_2 / E_1, 2 * &near / (&near + far)), ["linear solve"])
-        .then(2 * &sin_2 * cos(THETA_1) / (&sin_2 * cos(THETA_1) + sin_1 * cos(THETA_2)), ["Snell", "cancel k"])
-        .then(last, ["sine of a sum"])
+    solved(Polarisation::S).then(Equation::new(E_2 / E_1, 2 * &near / (&near + far)), ["linear solve"]).find(last)
 }
 
 fn p_chain(last: Expr) -> Chain {
-    let (sum, difference) = (THETA_1 + THETA_2, THETA_1 - THETA_2);
     solved(Polarisation::P)
         .then(Equation::new(E_1R / E_1, contrast(N_2 * cos(THETA_1), N_1 * cos(THETA_2))), ["linear solve"])
-        .then(contrast(sin(THETA_1) * cos(THETA_1), sin(THETA_2) * cos(THETA_2)), ["Snell", "cancel k"])
-        .then(contrast(sin(2 * THETA_1), sin(2 * THETA_2)), ["double angle"])
-        .then(sin(&difference) * cos(&sum) / (sin(&sum) * cos(&difference)), ["sum to product"])
-        .then(last, ["tan = sin/cos"])
+        .find(last)
 }
 
 fn t_p_chain(last: Expr) -> Chain {
-    let near = sin(THETA_1) * cos(THETA_1);
+    let (near, far) = (N_2 * cos(THETA_1), N_1 * cos(THETA_2));
     solved(Polarisation::P)
-        .then(
-            Equation::new(E_2 / E_1, 2 * N_1 * cos(THETA_1) / (N_2 * cos(THETA_1) + N_1 * cos(THETA_2))),
-            ["linear solve"],
-        )
-        .then(2 * sin(THETA_2) * cos(THETA_1) / (near + sin(THETA_2) * cos(THETA_2)), ["Snell", "cancel k"])
-        .then(4 * sin(THETA_2) * cos(THETA_1) / (sin(2 * THETA_1) + sin(2 * THETA_2)), ["double angle"])
-        .then(last, ["sum to product"])
+        .then(Equation::new(E_2 / E_1, 2 * N_1 * cos(THETA_1) / (near + far)), ["linear solve"])
+        .find(last)
 }
 
 /// Error of the program's ratio against `equation`, in units of ε(1 + κ); `at` is the place of its real part among

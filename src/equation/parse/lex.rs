@@ -8,6 +8,9 @@ use crate::equation::rational::Rational;
 use crate::equation::symbol::Symbol;
 use std::collections::BTreeMap;
 
+/// What a name stands for of which nothing is known: a positive number, of dimension one.
+pub(super) const UNKNOWN: Symbol = Symbol::scalar("", Dimension::ONE).real(0.1, 4.0);
+
 /// The least piece of meaning.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Kind {
@@ -253,9 +256,7 @@ impl<'a> Lexer<'a> {
             "i" => Some(Kind::ImaginaryUnit),
             "e" => Some(Kind::Euler),
             "d" if opens => Some(Kind::Differential),
-            _ if only.is_some() || is_greek(base) => {
-                Some(Kind::Name(Symbol::scalar("", Dimension::ONE).named(name), false))
-            }
+            _ if only.is_some() || is_greek(base) => Some(Kind::Name(UNKNOWN.named(name), false)),
             _ => function(&name).map(Kind::Function),
         }
     }

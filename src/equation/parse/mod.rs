@@ -50,7 +50,7 @@ impl std::error::Error for Fault {}
 pub const DEEPEST: usize = 256;
 
 /// Reads an expression. The `known` symbols keep their unit, domain and rank and win over any other meaning of their
-/// names; other names are numbers of dimension one in the default domain of [`Symbol::scalar`].
+/// names; other names are positive numbers of dimension one.
 ///
 /// # Errors
 /// For whatever is not an expression, or could be two.

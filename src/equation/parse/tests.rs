@@ -2,7 +2,6 @@ use super::*;
 use crate::equation::dimension::Dimension;
 use crate::equation::expr::*;
 use crate::equation::rational::Rational;
-use std::time::Instant;
 
 fn scalar(name: &'static str) -> Symbol {
     Symbol::scalar(name, Dimension::ONE)
@@ -157,7 +156,6 @@ fn equations_keep_their_relation() {
 
 #[test]
 fn depth_and_length_are_bounded() {
-    let started = Instant::now();
     let nested = |open: &str, n: usize, close: &str| open.repeat(n) + "x" + &close.repeat(n);
     for (open, close) in
         [("(", ")"), ("sin(", ")"), ("√(", ")"), ("|", "|"), ("1/(", ")"), ("(1+", ")"), ("⟨", "⟩"), ("∇", "")]
@@ -183,7 +181,6 @@ fn depth_and_length_are_bounded() {
     assert!(parse(&"x".repeat(1_000_000), &[]).is_err());
     assert!(parse(&"x".repeat(100_000), &[scalar("x")]).is_ok());
     assert!(parse(&"9".repeat(1_000_000), &[]).is_err());
-    assert!(started.elapsed().as_secs() < 20);
 }
 
 #[test]

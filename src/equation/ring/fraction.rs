@@ -309,7 +309,7 @@ impl Arithmetic {
         Ok(Some(Fraction { above, number: content * sign, below }.lowest()))
     }
 
-    pub fn to_the(&mut self, base: &Fraction, exponent: u32) -> Result<Fraction> {
+    pub fn raise(&mut self, base: &Fraction, exponent: u32) -> Result<Fraction> {
         let below = base.below.iter().map(|(factor, power)| Some((factor.clone(), power.checked_mul(exponent)?)));
         let number = Polynomial::constant(base.number.clone());
         let number = self.power(&number, exponent)?.as_constant().unwrap_or(IBig::ONE);
