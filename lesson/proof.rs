@@ -7,7 +7,7 @@ use crate::report::LineReport;
 use crate::stop::Stop;
 use crate::text::{Details, conditions as show_conditions, show_lines};
 use chapters::vocabulary::verify;
-use light::equation::derivation::{Chain, Claim, Verdict};
+use light::equation::derivation::{Chain, Claim, Hop, Verdict};
 use light::equation::expr::Node;
 use light::equation::parse::{Fault, parse, parse_equation};
 use light::equation::value::Bindings;
@@ -113,14 +113,14 @@ fn point_at(text: &str, fault: &Fault) -> Stop {
 /// Decides the goal first; only what holds is worth a search for lines.
 fn answer(premises: &Chain, goal: &Equation) -> Answer {
     let whole = premises.clone().find(goal.clone());
-    let decided = verify(&whole, "prove").pop().map_or(Verdict::Proved, |hop| hop.verdict);
-    let mut found = if decided.holds() { whole.complete() } else { whole.clone() };
-    let mut hops = verify(&found, "prove");
-    if decided == Verdict::Proved && hops.iter().any(|hop| hop.verdict != Verdict::Proved) {
-        // A way in between whose lines are not decided is worth less than none.
-        (found, hops) = (whole.clone(), verify(&whole, "prove"));
-    }
-    let proved = !hops.is_empty() && hops.iter().all(|hop| hop.verdict == Verdict::Proved);
+    let hops = verify(&whole, "prove");
+    let decided = hops.last().map_or(Verdict::Proved, |hop| hop.verdict.clone());
+    let is_proof = |hops: &[Hop]| !hops.is_empty() && hops.iter().all(|hop| hop.verdict == Verdict::Proved);
+    let complete = decided.holds().then(|| whole.complete());
+    let judged = complete.map(|chain| (verify(&chain, "prove"), chain)).filter(|(hops, _)| is_proof(hops));
+    // Without lines the goal stands as the normal form decided it.
+    let (hops, found) = judged.unwrap_or((hops, whole));
+    let proved = is_proof(&hops);
     let (verdict, why) = match &decided {
         _ if proved => ("proved", None),
         Verdict::Refuted { .. } => ("refuted", None),

@@ -56,7 +56,7 @@ fn a_minus_sign_is_no_option() {
         let run = prove(&[from, to]);
         assert_eq!((run.code, run.err.as_str()), (0, ""), "{from}: {run:?}");
     }
-    assert_eq!(prove(&["0", "-a", "--given", "-a = 0"]).code, 0);
+    assert_eq!(prove(&["-a^2", "-b^2", "--given", "-a = -b"]).code, 0);
     assert!(prove(&["--help"]).out.contains("Exit status"));
 }
 

@@ -341,11 +341,13 @@ mod tests {
         let open = || Chain::assume(Equation::new(sin(X), sin(K)), "");
         assert!(matches!(from(open(), Equation::new(sin(X).pow(2), sin(K).pow(2)))[..], [Verdict::Unknown { .. }]));
         assert!(matches!(from(open(), Equation::new(X, K))[..], [Verdict::Unknown { .. }]));
-        // A positive quantity is the positive root; no positive quantity is −1.
+        // A positive quantity is the positive root.
         let square = Chain::assume(Equation::new(N_1.pow(2), N_2.pow(2)), "");
         assert_eq!(from(square, Equation::new(N_1, N_2)), [Verdict::Proved]);
-        let negative = Chain::assume(Equation::new(N_1 + 2, 1), "");
-        assert!(matches!(from(negative, Equation::new(N_1 + 1, 0))[..], [Verdict::Unknown { .. }]));
+        // Nor need it be one, if the premise says otherwise.
+        let negative = || Chain::assume(Equation::new(N_1 + 2, 1), "");
+        assert_eq!(from(negative(), Equation::new(N_1 + 1, 0)), [Verdict::Proved]);
+        assert!(matches!(from(negative(), Equation::new(sqrt(N_1.pow(2)), N_1))[..], [Verdict::Refuted { .. }]));
         let never = Chain::assume(Equation::new(X, X + 1), "");
         assert!(matches!(from(never, Equation::new(X, 0))[..], [Verdict::Unknown { .. }]));
     }

@@ -34,9 +34,16 @@ pub(super) struct Comparison {
     settled: Option<Verdict>,
 }
 
-/// Compares everything at common points, so that common parts are computed once; only points count where all of
-/// `positive` are.
+/// Compares everything at common points, so that common parts are computed once. Only points count where all of
+/// `positive` are, unless there are none: a premise may say that a quantity is negative after all.
 pub(super) fn run(comparisons: &mut [Comparison], positive: &[Expr], atoms: &Atoms, bits: usize, stream: &mut Stream) {
+    compare(comparisons, positive, atoms, bits, stream);
+    if !positive.is_empty() && comparisons.iter().all(Comparison::is_untouched) {
+        compare(comparisons, &[], atoms, bits, stream);
+    }
+}
+
+fn compare(comparisons: &mut [Comparison], positive: &[Expr], atoms: &Atoms, bits: usize, stream: &mut Stream) {
     let symbols = free_symbols(comparisons, positive);
     let most = comparisons.iter().map(|pair| pair.wanted).max().unwrap_or(0);
     for attempt in 0..most * ATTEMPTS {
@@ -110,6 +117,10 @@ impl Comparison {
     pub fn new(left: Expr, right: Expr, normal: Result<(), String>, wanted: usize) -> Self {
         let (compared, skipped, digits, last_singularity, settled) = (0, 0, None, String::new(), None);
         Self { left, right, normal, wanted, compared, skipped, digits, last_singularity, settled }
+    }
+
+    fn is_untouched(&self) -> bool {
+        self.settled.is_none() && self.compared + self.skipped == 0
     }
 
     fn is_done(&self) -> bool {

@@ -191,8 +191,14 @@ impl Normaliser {
         let may_vanish = |(atom, _): &&(Atom, u32)| !self.atoms.never_vanishes(*atom);
         let factors: Vec<_> =
             product.powers().iter().filter(may_vanish).map(|(atom, _)| self.atoms.kind(*atom)).collect();
+        let single = match product.powers() {
+            [(atom, _)] => Some(self.atoms.kind(*atom)),
+            _ => None,
+        };
+        // What is said to be zero by itself is, whatever its domain.
+        let factors = single.map_or(factors, |kind| vec![kind]);
         match factors[..] {
-            [] => Err(Unsolvable::Contradiction(equation.to_string())),
+            [Kind::Imaginary | Kind::Pi | Kind::Exp(_)] | [] => Err(Unsolvable::Contradiction(equation.to_string())),
             [Kind::Symbol(symbol)] => Ok(Solution { values: vec![(symbol.clone(), Expr::from(0))], divisors: vec![] }),
             _ => Err(Unsolvable::NoSymbol(equation.to_string())),
         }

@@ -130,7 +130,10 @@ fn solves_the_boundary_conditions_in_textbook_form() {
     let second = ((N_1 * &e_1 / Z - N_1 * &e_r / Z) * cos(T_1), N_2 * &e_2 / Z * cos(T_2));
     let solution = solve(&[first.clone(), second], &[e_r.clone(), e_2.clone()]).unwrap();
     let found: Vec<_> = solution.values.iter().map(|(_, value)| value).collect();
-    assert!(solution.divisors.iter().any(|divisor| divisor.to_string() == "n₁ cos θ₁ + n₂ cos θ₂"), "{solution:?}");
+    assert!(
+        solution.divisors.iter().any(|divisor| divisor.to_string().contains("n₁ cos θ₁ + n₂ cos θ₂")),
+        "{solution:?}"
+    );
     assert_eq!(found[0].to_string(), "E₁ (n₁ cos θ₁ − n₂ cos θ₂)/(n₁ cos θ₁ + n₂ cos θ₂)");
     assert_eq!(found[1].to_string(), "2 E₁ n₁ cos θ₁/(n₁ cos θ₁ + n₂ cos θ₂)");
     assert_eq!(solve(&[first.clone(), first.clone()], &[e_r.clone(), e_2.clone()]), Err(Unsolvable::Dependent));
