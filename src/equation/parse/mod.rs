@@ -7,7 +7,7 @@
 //! assert_eq!(t_s.to_string(), "2 sin θ₂ cos θ₁/sin(θ₁ + θ₂)");
 //! assert_eq!(parse(&t_s.to_string(), &[]), Ok(t_s));
 //! let fault = parse("1/2x", &[]).unwrap_err();
-//! assert_eq!(fault.to_string(), "column 4: 1/2 x could be (1/2) x or 1/(2 x): write the brackets");
+//! assert_eq!(fault.to_string(), "column 4: a/b c could be (a/b) c or a/(b c): write the brackets");
 //! ```
 //!
 //! Names are a letter, a Greek letter or its English name, with an index and primes: `theta_1`, `theta1`, θ₁, `E_1'`.

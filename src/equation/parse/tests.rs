@@ -4,7 +4,7 @@ use crate::equation::expr::*;
 use crate::equation::rational::Rational;
 
 fn scalar(name: &'static str) -> Symbol {
-    Symbol::scalar(name, Dimension::ONE)
+    lex::UNKNOWN.named(name)
 }
 
 /// What `text` reads as, shown by the face.
