@@ -222,7 +222,7 @@ pub fn show_derivation(page: &mut Page, derivation: &DerivationReport, details: 
     let given = |line: &LineReport| format!("{} ({})", line.unicode, line.by.join(", "));
     let points: Vec<String> = derivation.hypotheses.iter().map(given).collect();
     if !points.is_empty() {
-        page.line(6, Tone::Dim, &format!("checked at points where {}", points.join(", ")));
+        page.line(6, Tone::Dim, &format!("under {}", points.join(", ")));
     }
     page.gap();
 }
