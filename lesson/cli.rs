@@ -152,8 +152,9 @@ Examples:
 Written as on paper: + - * / ^, brackets, 2x, sin 2x, sqrt(x), |x|, conj(z), Re(z),
 e^(i x), pi, i; names theta_1, theta1, θ₁, E_1'. What could mean two things is refused.
 
-Every name stands for a positive number. Proved means for all of them, wherever
-nothing is divided by zero; a refutation names a point. Undecided are nested
+Every name stands for a positive number, unless --given says otherwise. Proved
+means for all of them, where what the answer names is not zero; a refutation
+names a point. Undecided are nested
 roots, and relations between sines of different numbers.
 
 Exit status: 0 if proved, 1 if refuted, 2 if undecided or unreadable.";

@@ -5,7 +5,7 @@ use crate::page::{Page, Tone};
 use crate::prove::{conditions, hypothesis, lines};
 use crate::report::LineReport;
 use crate::stop::Stop;
-use crate::text::{Details, conditions as show_conditions, show_lines};
+use crate::text::{Details, show_lines};
 use chapters::vocabulary::verify;
 use light::equation::derivation::{Chain, Claim, Hop, Verdict};
 use light::equation::expr::Node;
@@ -47,6 +47,13 @@ struct Answer {
 #[derive(Debug, Serialize)]
 struct Witness {
     at: Vec<(String, String)>,
+    /// What the sides are there, where they have values by themselves.
+    #[serde(skip_serializing_if = "Option::is_none", flatten)]
+    values: Option<Sides>,
+}
+
+#[derive(Debug, Serialize)]
+struct Sides {
     left: String,
     right: String,
 }
@@ -136,7 +143,7 @@ fn answer(premises: &Chain, goal: &Equation) -> Answer {
     }
     let hypotheses = found.hypotheses().unwrap_or_default();
     let witness = match &decided {
-        Verdict::Refuted { at, .. } => witness(goal, at, &found),
+        Verdict::Refuted { at, .. } => Some(Witness { at: at.clone(), values: values(goal, at, &found) }),
         _ => None,
     };
     Answer {
@@ -150,8 +157,8 @@ fn answer(premises: &Chain, goal: &Equation) -> Answer {
     }
 }
 
-/// Both sides of `goal` at a point, under the hypotheses of `chain`.
-fn witness(goal: &Equation, at: &[(String, String)], chain: &Chain) -> Option<Witness> {
+/// Both sides of `goal` at a point, under the hypotheses of `chain`; none if they need more than the point says.
+fn values(goal: &Equation, at: &[(String, String)], chain: &Chain) -> Option<Sides> {
     let mut bindings = Bindings::new();
     let claims = chain.lines.iter().flat_map(|line| match &line.claim {
         Claim::Expr(expr) => vec![expr],
@@ -168,7 +175,7 @@ fn witness(goal: &Equation, at: &[(String, String)], chain: &Chain) -> Option<Wi
         }
     }
     let value = |side: &Expr| side.evaluate(&bindings).map(shown).ok();
-    Some(Witness { at: at.to_vec(), left: value(&goal.lhs)?, right: value(&goal.rhs)? })
+    Some(Sides { left: value(&goal.lhs)?, right: value(&goal.rhs)? })
 }
 
 /// Reads `0.25`, `0.25 + 0.5i` or `0.25 − 0.5i`.
@@ -193,15 +200,21 @@ fn show(page: &mut Page, answer: &Answer, unfold: bool) {
     for line in &answer.hypotheses {
         page.line(6, Tone::Dim, &format!("with {}", line.unicode));
     }
-    show_conditions(page, &answer.conditions);
     page.gap();
     match (answer.verdict, &answer.witness) {
-        ("proved", _) => page.line(2, Tone::Good, "Proved"),
+        ("proved", _) if answer.conditions.is_empty() => page.line(2, Tone::Good, "Proved"),
+        ("proved", _) => {
+            let conditions = format!(" where {}", answer.conditions.join(", "));
+            page.wrap(2, 4, &[(Tone::Good, "Proved"), (Tone::Plain, &conditions)]);
+        }
         ("refuted", Some(witness)) => {
             let at: Vec<_> = witness.at.iter().map(|(symbol, value)| format!("{symbol} = {value}")).collect();
-            page.wrap(2, 4, &[(Tone::Bad, "Refuted"), (Tone::Plain, " at "), (Tone::Plain, &at.join(", "))]);
-            page.wrap(4, 12, &[(Tone::Dim, "left   "), (Tone::Plain, &witness.left)]);
-            page.wrap(4, 12, &[(Tone::Dim, "right  "), (Tone::Plain, &witness.right)]);
+            let at = if at.is_empty() { String::new() } else { format!(" at {}", at.join(", ")) };
+            page.wrap(2, 4, &[(Tone::Bad, "Refuted"), (Tone::Plain, &at)]);
+            if let Some(sides) = &witness.values {
+                page.wrap(4, 12, &[(Tone::Dim, "left   "), (Tone::Plain, &sides.left)]);
+                page.wrap(4, 12, &[(Tone::Dim, "right  "), (Tone::Plain, &sides.right)]);
+            }
         }
         ("refuted", None) => page.line(2, Tone::Bad, "Refuted"),
         _ => {

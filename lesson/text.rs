@@ -228,7 +228,7 @@ pub fn show_derivation(page: &mut Page, derivation: &DerivationReport, details: 
 }
 
 /// What must not be zero.
-pub fn conditions(page: &mut Page, conditions: &[String]) {
+fn conditions(page: &mut Page, conditions: &[String]) {
     if !conditions.is_empty() {
         page.line(6, Tone::Dim, &format!("where {}", conditions.join(", ")));
     }

@@ -452,13 +452,24 @@ fn root(z: &Complex, degree: usize) -> Option<Complex> {
         1 => Some(z.clone()),
         2 => z.apply(Function::Sqrt),
         _ => {
-            let size = z.abs();
-            let whole = Real::from(degree).with_precision(size.precision()).value();
+            let bits = z.precision();
+            let size = z.abs().with_precision(bits).value();
+            let whole = Real::from(degree).with_precision(bits).value();
             // The library's own root takes memory with the degree.
             let size = if degree > LARGEST_ROOT { (size.ln() / &whole).exp() } else { size.nth_root(degree) };
-            let (sin, cos) = (z.arg() / whole).sin_cos();
+            let (sin, cos) = (argument(z, bits) / whole).sin_cos();
             Some(Complex::from_parts(&size * cos, size * sin))
         }
+    }
+}
+
+/// arg z at `bits` of precision, which the library's own has not on the real axis.
+fn argument(z: &Complex, bits: usize) -> Real {
+    let (re, im) = z.clone().into_parts();
+    match is_real_zero(&im) {
+        true if re < Real::ZERO => precise::pi(bits),
+        true => precise::real_at(0.0, bits),
+        false => z.arg().with_precision(bits).value(),
     }
 }
 

@@ -9,7 +9,7 @@ use self::checks::{BOUNCES, ENERGY, PARRATT, QUARTER_WAVES, REVERSAL};
 use self::extremes::{critical, many, opaque};
 use self::figures::{antireflection, frustrated, mirror_band, mirror_map};
 use self::races::{FIVE_FILMS, ONE_FILM, OPAQUE_FILM, ORDINARY, TWENTY_ONE_FILMS};
-use super::amplitudes::{r_p, r_s, t_p, t_s};
+use super::amplitudes::{contrast, r_p, r_s, t_p, t_s};
 use super::symbols::{K_0, N_1, N_2, THETA_1, THETA_2};
 use super::{N_I, N_T};
 use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
@@ -272,7 +272,7 @@ fn bounces(last: Expr) -> Chain {
 /// The same film as two boundary conditions at each face, all at once.
 fn at_both_faces(last: Expr) -> Chain {
     let (on, back) = (exp(i() * DELTA), exp(-(i() * DELTA)));
-    let step = |near: Symbol, far: Symbol| (&near - &far) / (near + far);
+    let step = |near: Symbol, far: Symbol| contrast(near.into(), far.into());
     let (first, second) = (step(Y_1, Y_2), step(Y_2, Y_3));
     Chain::assume(Equation::new(1 + R, PSI_ON + PSI_BACK), "ψ at the first face")
         .and(Equation::new(Y_1 * (1 - R), Y_2 * (PSI_ON - PSI_BACK)), "φ at the first face")
@@ -289,7 +289,7 @@ fn at_both_faces(last: Expr) -> Chain {
 }
 
 fn quarter(last: Expr) -> Chain {
-    let step = |near: Symbol, far: Symbol| (&near - &far) / (near + far);
+    let step = |near: Symbol, far: Symbol| contrast(near.into(), far.into());
     Chain::new(airy(1 + R_12 * R_23 * round_trip()))
         .given(DELTA, pi() / 2, "a quarter of a wave")
         .given(R_12, step(N_1, N_2), "E36 at θ = 0")

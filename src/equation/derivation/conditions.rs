@@ -2,7 +2,7 @@
 
 use super::judge::{Atoms, Hypotheses};
 use super::{Chain, Claim, Line};
-use crate::equation::expr::{Expr, Function, Node};
+use crate::equation::expr::{Expr, Function, Node, cos};
 use crate::equation::ring;
 
 /// So many divisors are compared with one another; of more, only equal ones are left out.
@@ -50,6 +50,7 @@ fn collect(expr: &Expr, found: &mut Vec<Expr>) {
         // The quotient of two differentials is a derivative.
         Node::Quotient(_, below) if !matches!(below.node(), Node::Differential(_)) => divide(below, found),
         Node::Power(base, exponent) if exponent.is_negative() => divide(base, found),
+        Node::Function(Function::Tan, of) => divide(&cos(of), found),
         _ => {}
     }
     for child in expr.children() {

@@ -1,10 +1,10 @@
 //! What is known about the hops of a chain.
 
-use super::sample::{self, Comparison};
+use super::sample::{self, Admission, Comparison};
 use super::{Chain, Claim, Given, Hop, Role, Verdict};
 use crate::equation::Equation;
 use crate::equation::calculus::{Calculus, Unresolved};
-use crate::equation::expr::{Expr, Node};
+use crate::equation::expr::{Expr, Function, Node};
 use crate::equation::ring::{self, Solution, Unsolvable};
 use crate::equation::symbol::Symbol;
 use crate::sampling::Stream;
@@ -26,16 +26,20 @@ pub(super) fn judge(chain: &Chain, points: usize, bits: usize, stream: &mut Stre
             let hypotheses = hypotheses.as_ref().map_err(Clone::clone)?;
             let pairs = hypotheses.resolve(&atoms, left, right).map_err(|why| why.to_string())?;
             let is_equation = matches!(chain.lines[*at].claim, Claim::Equation(_));
-            let follows = |left: &Expr, right: &Expr| is_equation && hypotheses.imply(&Equation::new(left, right));
-            // What follows from an unsolved premise has no points of its own to be guarded at.
-            let open = pairs.into_iter().filter(|(left, right)| !follows(left, right));
-            Ok(open.map(|(left, right)| compare(left, right, points)).collect())
+            let judged = |(left, right): (Expr, Expr)| {
+                let equation = is_equation.then(|| Equation::new(&left, &right));
+                match equation.and_then(|equation| hypotheses.imply(&equation)) {
+                    Some(divisor) => Comparison::implied(left, right, atoms.named(&divisor), GUARDS),
+                    None => compare(left, right, points),
+                }
+            };
+            Ok(pairs.into_iter().map(judged).collect())
         })
         .collect();
     let mut comparisons: Vec<Comparison> = cases.iter().flatten().flatten().cloned().collect();
-    let positive = hypotheses.as_ref().map_or_else(|_| Vec::new(), |hypotheses| hypotheses.positive(&atoms));
+    let admission = hypotheses.as_ref().map_or_else(|_| Admission::default(), |found| found.admission(&atoms));
     let is_open = hypotheses.as_ref().is_ok_and(|hypotheses| !hypotheses.unsolved.is_empty());
-    sample::run(&mut comparisons, &positive, &atoms, bits, stream);
+    sample::run(&mut comparisons, &admission, &atoms, bits, stream);
     let mut found = comparisons.into_iter();
     let mut hops = Vec::new();
     for ((line, ..), case) in claims.iter().zip(cases) {
@@ -101,7 +105,26 @@ impl<'a> Hypotheses<'a> {
             let solution = early.solve(atoms).or_else(|_| all.solve(atoms))?;
             all.take(solution, "linear solve", atoms);
         }
+        all.settle(atoms)?;
         Ok(all)
+    }
+
+    /// Looks again at what was divided by and at what could not be solved, now that every hypothesis is known.
+    fn settle(&mut self, atoms: &Atoms) -> Result<(), String> {
+        for divisor in &self.divisors {
+            let pairs = self.resolve(atoms, divisor, divisor).map_err(|why| why.to_string())?;
+            if pairs.iter().any(|(value, _)| ring::equal(value, &Expr::from(0)) == Ok(true)) {
+                return Err(format!("a premise was divided by {divisor}, which the premises make zero"));
+            }
+        }
+        let mut unsolved = Vec::new();
+        for premise in &self.unsolved {
+            let (left, right) = (atoms.meant(&premise.lhs), atoms.meant(&premise.rhs));
+            let pairs = self.resolve(atoms, &left, &right).map_err(|why| why.to_string())?;
+            unsolved.extend(pairs.into_iter().filter(|(left, right)| ring::equal(left, right) != Ok(true)));
+        }
+        self.unsolved = unsolved.into_iter().map(|(left, right)| Equation::new(left, right)).collect();
+        Ok(())
     }
 
     /// Adds what was found for symbols, known as `by`.
@@ -143,10 +166,12 @@ impl<'a> Hypotheses<'a> {
         Ok(())
     }
 
-    /// What must be positive at a point that is to count, in numbers and free symbols.
-    fn positive(&self, atoms: &Atoms) -> Vec<Expr> {
-        let values = self.positive.iter().filter_map(|symbol| self.resolve(atoms, symbol, symbol).ok()?.pop());
-        values.map(|(value, _)| value).collect()
+    /// What a point must satisfy to count, in numbers and free symbols.
+    fn admission(&self, atoms: &Atoms) -> Admission {
+        let value = |expr: &Expr| self.resolve(atoms, expr, expr).ok()?.pop().map(|(value, _)| value);
+        let positive = self.positive.iter().filter_map(&value);
+        let (roots, positive) = positive.partition(|value| matches!(value.node(), Node::Function(Function::Sqrt, _)));
+        Admission { roots, positive, divisors: self.divisors.iter().filter_map(value).collect() }
     }
 
     /// The unknowns as the premises together determine them.
@@ -165,9 +190,9 @@ impl<'a> Hypotheses<'a> {
         Ok(pairs.into_iter().map(|(left, right)| (atoms.named(&left), atoms.named(&right))).collect())
     }
 
-    /// Whether one of the premises that could not be solved leads to `equation`.
-    fn imply(&self, equation: &Equation) -> bool {
-        self.unsolved.iter().any(|from| matches!(ring::follows(from, equation), Ok(Some(_))))
+    /// What must not vanish for one of the premises that could not be solved to lead to `equation`, if one does.
+    fn imply(&self, equation: &Equation) -> Option<Expr> {
+        self.unsolved.iter().find_map(|from| ring::follows(from, equation).ok()?)
     }
 }
 

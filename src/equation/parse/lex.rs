@@ -65,7 +65,9 @@ const FUNCTIONS: [(&str, Function); 15] = [
 ];
 
 /// Functions that people expect and the language lacks, with a way to say them where there is one.
-const LACKING: [(&str, &str); 12] = [
+const LACKING: [(&str, &str); 14] = [
+    ("re", ": write Re(z)"),
+    ("im", ": write Im(z)"),
     ("cot", ": write 1/tan(x)"),
     ("sec", ": write 1/cos(x)"),
     ("csc", ": write 1/sin(x)"),

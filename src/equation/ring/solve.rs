@@ -19,7 +19,8 @@ pub enum Unsolvable {
     NotLinear(String),
     /// Not as many independent equations as unknowns.
     Dependent,
-    /// An equation with no symbol that it can be solved for. Its face in Unicode.
+    /// An equation with no symbol that it can be solved for, or a product of which either factor may be zero. Its face
+    /// in Unicode.
     NoSymbol(String),
     /// An equation that never holds. Its face in Unicode.
     Contradiction(String),
@@ -139,8 +140,9 @@ pub fn follows(from: &Equation, to: &Equation) -> Result<Option<Expr>, Undecided
         for atom in from.atoms() {
             let is_symbol = matches!(ring.atoms.kind(atom), Kind::Symbol(_));
             let is_open = is_symbol && !ring.hides(&from, atom) && !ring.hides(&to, atom);
-            if is_open && ring.remainder(&to, &from, atom)?.is_zero() {
-                return Ok(Some(Fraction::of(from.coefficient(atom, from.degree(atom)))));
+            let leading = from.coefficient(atom, from.degree(atom));
+            if is_open && !ring.is_branch(&leading, &from)? && ring.remainder(&to, &from, atom)?.is_zero() {
+                return Ok(Some(Fraction::of(leading)));
             }
         }
         Ok(None)
@@ -148,8 +150,8 @@ pub fn follows(from: &Equation, to: &Equation) -> Result<Option<Expr>, Undecided
     found.map(|leading| ring.expr(&leading).ok_or(Undecided::TooLarge)).transpose()
 }
 
-/// `equation` as a hypothesis: factors that all its terms share are divided out, and the rest is solved for the first of
-/// its symbols that it is linear in and that no function hides, else for a positive one whose square it is linear in.
+/// `equation` as a hypothesis: factors that all its terms share and that are never zero are divided out, and the rest is
+/// solved for the first of its symbols that it is linear in and that no function hides, else for a positive one whose square it is linear in.
 /// Of an equation that always holds nothing follows: no symbol.
 pub fn orient(equation: &Equation) -> Result<Solution, Unsolvable> {
     let mut ring = Normaliser::default();
@@ -162,6 +164,9 @@ pub fn orient(equation: &Equation) -> Result<Solution, Unsolvable> {
     if sum.as_constant().is_some() {
         return ring.one_factor(&common, equation);
     }
+    if common.powers().iter().any(|(atom, _)| !ring.atoms.never_vanishes(*atom)) {
+        return Err(Unsolvable::NoSymbol(equation.to_string()));
+    }
     for degree in [1, 2] {
         for symbol in equation.lhs.symbols().into_iter().chain(equation.rhs.symbols()) {
             let atom = ring.atoms.symbol_atom(symbol);
@@ -172,13 +177,15 @@ pub fn orient(equation: &Equation) -> Result<Solution, Unsolvable> {
                 continue;
             }
             let (above, below) = (sum.coefficient(atom, 0), sum.coefficient(atom, degree));
+            if ring.is_branch(&below, &sum)? {
+                continue;
+            }
             let arithmetic = &mut ring.atoms.arithmetic;
             let Some(inverse) = arithmetic.inverse(&Fraction::of(below.clone()))? else { continue };
             let value = arithmetic.times(&Fraction::of(above.negated()), &inverse)?;
             let face = |value: &Fraction| ring.expr(value).ok_or(Undecided::TooLarge);
             let value = if degree == 2 { sqrt(face(&value)?) } else { face(&value)? };
-            let divided = [Polynomial::term(common, one), below].map(|divisor| face(&Fraction::of(divisor)));
-            let divisors = divided.into_iter().collect::<Result<_, _>>()?;
+            let divisors = vec![face(&Fraction::of(below))?];
             return Ok(Solution { values: vec![(symbol.clone(), value)], divisors });
         }
     }
@@ -208,6 +215,24 @@ impl Normaliser {
     fn difference(&mut self, left: &Expr, right: &Expr) -> Result<Polynomial, Undecided> {
         let (left, right) = (self.fraction(left)?, self.fraction(right)?);
         Ok(self.atoms.arithmetic.plus(&left, &right.negated())?.above)
+    }
+
+    /// Whether `sum` vanishes wherever `divisor` does, which may happen: dividing by it would leave out a branch.
+    fn is_branch(&mut self, divisor: &Polynomial, sum: &Polynomial) -> Result<bool, Undecided> {
+        if Fraction::of(divisor.clone()).is_product(|atom| self.atoms.never_vanishes(atom)) {
+            return Ok(false);
+        }
+        if self.atoms.arithmetic.divides(divisor, sum)? {
+            return Ok(true);
+        }
+        for atom in divisor.atoms() {
+            let is_symbol = matches!(self.atoms.kind(atom), Kind::Symbol(_));
+            let is_open = is_symbol && !self.hides(divisor, atom) && !self.hides(sum, atom);
+            if is_open && self.remainder(sum, divisor, atom)?.is_zero() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Whether `atom` stands inside another atom of `sum`.

@@ -163,10 +163,19 @@ fn turns_an_equation_into_a_hypothesis() {
     };
     assert_eq!(oriented(Equation::new(A * sin(X), B * sin(C))).unwrap(), "a = b sin c/sin x; sin x");
     assert_eq!(oriented(Equation::new(sin(X) + P.pow(2), Q.pow(2))).unwrap(), "p = √(q² − sin x)");
-    // A factor of all terms is divided out, not set to zero.
-    assert_eq!(oriented(Equation::new(A * B, A * C)).unwrap(), "b = c; a");
-    assert_eq!(oriented(Equation::new(sin(X) * B, 3 * C * sin(X))).unwrap(), "b = 3c; sin x");
-    assert_eq!(oriented(Equation::new((A + B) * C, (A + B) * X)).unwrap(), "a = −b; c − x");
+    // A factor of all terms that is never zero is divided out, not set to zero; of others either may be zero.
+    assert_eq!(oriented(Equation::new(A * B, A * C)).unwrap(), "b = c");
+    let products = [
+        Equation::new(sin(X) * B, 3 * C * sin(X)),
+        Equation::new((A + B) * C, (A + B) * X),
+        Equation::new((A - 1) * (B - 2), 0),
+        Equation::new((sin(A) - sin(B)) * C, (sin(A) - sin(B)) * X),
+    ];
+    for product in products {
+        assert!(matches!(oriented(product.clone()), Err(Unsolvable::NoSymbol(_))), "{product}");
+    }
+    let branch = Equation::new((A - 1) * (B - 2), 0);
+    assert_eq!(follows(&branch, &Equation::new(A, 1)), Ok(None));
     assert_eq!(oriented(Equation::new(P * S, 0)).unwrap(), "s = 0");
     assert_eq!(oriented(Equation::new(A + B, B + A)).unwrap(), "");
     // Either sign would do.
