@@ -55,7 +55,7 @@ impl Setup {
         Self { cells, spacing, ends, background: Medium::VACUUM, layers: Vec::new(), stepping }
     }
 
-    fn walls(&self) -> [Wall; 2] {
+    pub(super) fn walls(&self) -> [Wall; 2] {
         match self.ends {
             Ends::Walls(walls) => walls,
             Ends::Periodic => [Wall::Conductor; 2],
@@ -85,7 +85,7 @@ impl Setup {
     }
 
     /// The medium of each cell.
-    fn media(&self) -> Vec<Medium> {
+    pub(super) fn media(&self) -> Vec<Medium> {
         let mut cells = vec![self.background; self.cells];
         for (range, medium) in &self.layers {
             cells[range.clone()].fill(*medium);
@@ -149,12 +149,12 @@ const DEEP: usize = 64;
 pub struct Line {
     setup: Setup,
     /// E_k [V/m], k = 0 … N.
-    e: Vec<f64>,
+    pub(super) e: Vec<f64>,
     /// η₀H_(k−½) [V/m], k = 1 … N; the first is the image of the last if periodic.
-    h: Vec<f64>,
-    electric: Spans,
-    magnetic: Spans,
-    currents: Vec<f64>,
+    pub(super) h: Vec<f64>,
+    pub(super) electric: Spans,
+    pub(super) magnetic: Spans,
+    pub(super) currents: Vec<f64>,
     strips: Strips,
     psi_e: Vec<Vec<f64>>,
     psi_h: Vec<Vec<f64>>,

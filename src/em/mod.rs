@@ -37,7 +37,10 @@ mod span;
 pub mod theory;
 pub mod wave;
 
-pub use absorber::Cpml;
+#[cfg(test)]
+mod tests;
+
+pub use absorber::{Cpml, Wall};
 pub use line::Line;
 pub use medium::{Conduction, Drude, Medium};
 pub use plane::Plane;

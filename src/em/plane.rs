@@ -17,6 +17,7 @@
 //! row a step at its edges, and then the gaps between bands are filled (trapezoids; Frigo & Strumpen 2005). The
 //! arithmetic of a cell is the same in all of them, bit by bit.
 
+mod audit;
 mod build;
 mod stages;
 mod sweep;
@@ -154,10 +155,10 @@ struct Row {
 
 /// How the rows of one kind are stepped.
 #[derive(Debug, PartialEq, Default)]
-struct Layout {
-    x: Spans,
-    y: Spans,
-    z: Spans,
+pub(super) struct Layout {
+    pub x: Spans,
+    pub y: Spans,
+    pub z: Spans,
 }
 
 /// A current at a component.
@@ -254,6 +255,22 @@ impl Plane {
             }
             self.grid.wrap_row(&mut self.rows[j]);
         }
+    }
+
+    pub(super) fn parts(&self) -> usize {
+        self.grid.setup.parts()
+    }
+
+    /// The layout of every row.
+    pub(super) fn layouts(&self) -> impl Iterator<Item = &Layout> {
+        self.grid.layouts.iter().map(Arc::as_ref)
+    }
+
+    /// Every layout once.
+    pub(super) fn distinct_layouts(&self) -> impl Iterator<Item = &Layout> {
+        let layouts = &self.grid.layouts;
+        let new = |j: &usize| *j == 0 || !Arc::ptr_eq(&layouts[j - 1], &layouts[*j]);
+        (0..layouts.len()).filter(new).map(|j| layouts[j].as_ref())
     }
 
     fn is_te(&self) -> bool {

@@ -166,6 +166,11 @@ impl Spans {
 }
 
 impl Span {
+    /// How many coefficients were not stored because one set serves all.
+    pub fn spared(&self) -> u64 {
+        if self.same { ((self.range.len() - 1) * self.need.columns()) as u64 } else { 0 }
+    }
+
     #[inline(always)]
     fn column(&self, k: usize, inner: Range<usize>) -> &[f64] {
         if self.same {

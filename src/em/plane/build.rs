@@ -1,6 +1,6 @@
 //! From a setup to rows: what is needed is made, and nothing else.
 
-use super::super::absorber::{Strips, Wall};
+use super::super::absorber::{Strip, Strips, Wall};
 use super::super::line::{check_courant, check_grid};
 use super::super::medium::{Coefficients, Medium, Surroundings};
 use super::super::refusal::{Refusal, demand};
@@ -10,7 +10,7 @@ use super::{Fields, Grid, Layout, Plane, Polarisation, Row, Setup, Sides};
 use std::sync::Arc;
 
 impl Setup {
-    fn walls_across(&self) -> [Wall; 2] {
+    pub(in super::super) fn walls_across(&self) -> [Wall; 2] {
         match self.sides {
             Sides::Walls(walls) => walls,
             Sides::Bloch(_) => [Wall::Conductor; 2],
@@ -97,10 +97,9 @@ impl Grid {
         let rows = self.setup.cells[1];
         let mut layouts: Vec<Arc<Layout>> = Vec::with_capacity(rows + 1);
         for j in 0..=rows {
-            // Rows 0 and `rows` are walls; what they would be is never asked for.
-            let j = j.clamp(1, rows.max(2) - 1);
             let same = |a: usize, b: usize| self.cells_of(a) == self.cells_of(b);
-            let shared = layouts.last().filter(|_| j >= 2 && same(j - 1, j.min(rows - 1)) && same(j - 2, j - 1));
+            let (below, here) = (j.saturating_sub(1), j.min(rows - 1));
+            let shared = layouts.last().filter(|_| same(below, here) && same(below.saturating_sub(1), below));
             let layout = shared.map_or_else(|| Arc::new(self.layout(j)), Arc::clone);
             layouts.push(layout);
         }
@@ -112,41 +111,59 @@ impl Grid {
         self.map.as_ref().map_or(&[], |map| &map[j * columns..(j + 1) * columns])
     }
 
-    /// For row `j` ≥ 1: what lies between the cells of rows j − 1 and j, and in row j.
+    /// For row `j`: what lies between the cells of rows j − 1 and j, and in row j. Beyond a wall lies what is before it.
     fn layout(&self, j: usize) -> Layout {
         let [columns, rows] = self.setup.cells;
         let Stepping { courant, conduction, pruned, .. } = self.setup.stepping;
         let dt = self.dt();
-        let (below, here) = (j - 1, j.min(rows - 1));
-        let left = |i: usize| (i + columns - 1) % columns;
+        let (below, here) = (j.saturating_sub(1), j.min(rows - 1));
+        let electric = |range, at: fn(&Self, usize, usize) -> Surroundings| {
+            let step = |i| at(self, i, j).coefficients(courant, dt, conduction);
+            Spans::new(range, (!pruned).then_some(Need::Electrons), step)
+        };
         let cell = |i: usize, j: usize| self.medium(i, j);
         let first = usize::from(matches!(self.setup.sides, Sides::Walls(_)));
-        let mean = |s: Surroundings| s.coefficients(courant, dt, conduction);
         let between = |a: &Medium, b: &Medium| {
             // Along H's own direction B is continuous, and 1/μ is averaged.
             let mu_r = if a.mu_r == b.mu_r { a.mu_r } else { 2.0 / (1.0 / a.mu_r + 1.0 / b.mu_r) };
             Coefficients::magnetic(courant, mu_r)
         };
-        let electric = |range, at: &dyn Fn(usize) -> Coefficients| {
-            Spans::new(range, (!pruned).then_some(Need::Electrons), at)
-        };
         let magnetic =
             |range, at: &dyn Fn(usize) -> Coefficients| Spans::new(range, (!pruned).then_some(Need::Clear), at);
         match self.setup.polarisation {
             Polarisation::Tm => Layout {
-                z: electric(first..columns, &|i| {
-                    let corners = [cell(left(i), below), cell(i, below), cell(left(i), here), cell(i, here)];
-                    mean(Surroundings::mean(corners))
-                }),
-                x: magnetic(first..columns, &|i| between(cell(left(i), here), cell(i, here))),
+                z: electric(first..columns, Self::around_z),
+                x: magnetic(first..columns, &|i| between(cell(self.left(i), here), cell(i, here))),
                 y: magnetic(0..columns, &|i| between(cell(i, below), cell(i, here))),
             },
             Polarisation::Te => Layout {
-                x: electric(0..columns, &|i| mean(Surroundings::mean([cell(i, below), cell(i, here)]))),
-                y: electric(first..columns, &|i| mean(Surroundings::mean([cell(left(i), here), cell(i, here)]))),
+                x: electric(0..columns, Self::around_x),
+                y: electric(first..columns, Self::around_y),
                 z: magnetic(0..columns, &|i| Coefficients::magnetic(courant, cell(i, here).mu_r)),
             },
         }
+    }
+
+    fn left(&self, i: usize) -> usize {
+        (i + self.setup.cells[0] - 1) % self.setup.cells[0]
+    }
+
+    /// Around E_z at (i, j).
+    pub(in super::super) fn around_z(&self, i: usize, j: usize) -> Surroundings {
+        let (left, below, here) = (self.left(i), j.saturating_sub(1), j.min(self.setup.cells[1] - 1));
+        let cell = |i, j| self.medium(i, j);
+        Surroundings::mean([cell(left, below), cell(i, below), cell(left, here), cell(i, here)])
+    }
+
+    /// Around E_x at (i + ½, j).
+    pub(in super::super) fn around_x(&self, i: usize, j: usize) -> Surroundings {
+        Surroundings::mean([self.medium(i, j.saturating_sub(1)), self.medium(i, j.min(self.setup.cells[1] - 1))])
+    }
+
+    /// Around E_y at (i, j + ½).
+    pub(in super::super) fn around_y(&self, i: usize, j: usize) -> Surroundings {
+        let here = j.min(self.setup.cells[1] - 1);
+        Surroundings::mean([self.medium(self.left(i), here), self.medium(i, here)])
     }
 
     /// The fields of row `j` at rest.
@@ -155,8 +172,8 @@ impl Grid {
         let layout = &self.layouts[j];
         let zeros = |count: usize| vec![0.0; count];
         let (whole, half) = (&self.across.whole, &self.across.half);
-        let strips = |list: &[super::super::absorber::Strip]| list.iter().map(|s| zeros(s.b.len())).collect();
-        let graded = |list: &[super::super::absorber::Strip]| zeros(if list.iter().any(|s| s.at(j).is_some()) { columns } else { 0 });
+        let strips = |list: &[Strip]| list.iter().map(|s| zeros(s.b.len())).collect();
+        let graded = |list: &[Strip]| zeros(if list.iter().any(|s| s.at(j).is_some()) { columns } else { 0 });
         let (rows_whole, rows_half) = (&self.along.whole, &self.along.half);
         let fields = match self.setup.polarisation {
             Polarisation::Tm => Fields {

@@ -1,0 +1,72 @@
+use super::worst;
+use crate::em::line::{Ends, Setup};
+use crate::em::plane::{self, Polarisation};
+use crate::em::{Line, Medium, Plane, Stepping, theory};
+use num_complex::Complex64;
+
+fn noise(n: usize) -> f64 {
+    // A fixed sequence without structure: all wave numbers take part.
+    (n as f64 * 12.9898).sin() * 43758.5453 % 1.0
+}
+
+fn line_at(courant: f64, medium: Medium) -> Line {
+    let stepping = Stepping { unstable: true, ..Stepping::at(courant) };
+    let mut setup = Setup::vacuum(64, 1e-3, Ends::Periodic, stepping);
+    setup.background = medium;
+    let mut line = Line::new(setup).unwrap();
+    line.set(|z| noise((z * 1e3) as usize), |_| 0.0);
+    line
+}
+
+fn plane_at(courant: f64, polarisation: Polarisation) -> Plane {
+    let stepping = Stepping { unstable: true, ..Stepping::at(courant) };
+    let mut plane = Plane::new(plane::Setup::vacuum([16, 16], 1e-3, polarisation, stepping)).unwrap();
+    plane.set_z(|x, y| Complex64::from(noise((x * 1e3) as usize * 16 + (y * 1e3) as usize)));
+    plane
+}
+
+#[test]
+fn just_below_the_limit_a_hundred_thousand_steps_are_stable() {
+    let drude = Medium::metal(3e11, 0.0);
+    for medium in [Medium::VACUUM, drude] {
+        let mut line = line_at(1.0 - 1e-9, medium);
+        line.run(100_000).unwrap();
+        assert!(worst(line.e().iter().copied()) < 20.0);
+    }
+    for polarisation in [Polarisation::Tm, Polarisation::Te] {
+        let mut plane = plane_at(theory::courant_limit(2) * (1.0 - 1e-9), polarisation);
+        plane.run(100_000).unwrap();
+        assert!(worst(plane.z().into_iter().flatten()) < 20.0);
+    }
+}
+
+/// ln of the growth per step, over the second half of 2n steps.
+fn growth(n: u64, mut largest_after: impl FnMut(u64) -> f64) -> f64 {
+    let (first, second) = (largest_after(n), largest_after(n));
+    (second / first).ln() / n as f64
+}
+
+#[test]
+fn just_above_the_limit_fields_grow_at_the_rate_of_theory() {
+    for excess in [1.0 + 1e-4, 1.001, 1.01, 1.1] {
+        let rate = theory::growth_per_step(excess);
+        let n = (30.0 / rate) as u64;
+        let mut line = line_at(excess, Medium::VACUUM);
+        let measured = growth(n, |n| {
+            line.run(n).unwrap();
+            worst(line.e().iter().copied())
+        });
+        assert!((measured / rate - 1.0).abs() < 1e-3, "S = {excess}: {measured} against {rate}");
+    }
+    // Between conductors the largest k_i is π − π/16: the wave of the table (i, j) = (15, 15), and theory knows it.
+    let courant = 1.1 * theory::courant_limit(2);
+    let k = std::f64::consts::PI * 15.0 / 16.0;
+    let rate = theory::phase_per_step(&[k, k], courant).im;
+    assert!(rate > 0.0);
+    let mut plane = plane_at(courant, Polarisation::Tm);
+    let measured = growth((40.0 / rate) as u64, |n| {
+        plane.run(n).unwrap();
+        worst(plane.z().into_iter().flatten())
+    });
+    assert!((measured / rate - 1.0).abs() < 1e-3, "{measured} against {rate}");
+}
