@@ -102,14 +102,15 @@ fn magnetic_energy(courant: f64, drive: f64, h: f64, curl: f64) -> f64 {
 
 impl Line {
     /// One step, and the energy balance of the nodes `nodes` with the cells between them: a part without sources,
-    /// incident waves and absorbers.
+    /// incident waves and absorbers, up to the nodes on conductors.
     ///
     /// # Errors
     /// If the part lies outside the stepped nodes or reaches into an absorber.
     pub fn audited_step(&mut self, nodes: RangeInclusive<usize>) -> Result<Balance, Refusal> {
         let (setup, (a, b)) = (self.setup().clone(), nodes.into_inner());
         let walls = setup.walls();
-        let (first, last) = (walls[0].thickness().max(1), setup.cells - walls[1].thickness().max(1));
+        let closed = usize::from(setup.ends == super::line::Ends::Periodic);
+        let (first, last) = (walls[0].thickness().max(closed), setup.cells - walls[1].thickness().max(closed));
         inside("the first node of an audit", a, first, last)?;
         inside("the last node of an audit", b, a, last)?;
         let media = setup.media();
@@ -117,7 +118,8 @@ impl Line {
         self.run(1)?;
         let (s, dt) = (setup.stepping.courant, time_step(setup.stepping.courant, setup.spacing));
         let mut balance = Balance::default();
-        for k in a..=b {
+        let stepped = a.max(1)..=b.min(setup.cells - 1);
+        for k in stepped.clone() {
             let passed = Component {
                 around: &Surroundings::mean([&media[k - 1], &media[k]]),
                 courant: s,
@@ -139,8 +141,11 @@ impl Line {
             balance.before += energy(&before);
             balance.after += energy(self);
         }
-        let flow = |k: usize, h: f64| s * 0.5 * (before.e[k] + self.e[k]) * h;
-        balance.inflow = flow(a, before.h[a]) - flow(b, before.h[b + 1]);
+        // Nothing flows through a conductor.
+        let flow = |k: usize, h: usize| {
+            if stepped.contains(&k) { s * 0.5 * (before.e[k] + self.e[k]) * before.h[h] } else { 0.0 }
+        };
+        balance.inflow = flow(a, a) - flow(b, b + 1);
         Ok(balance.scaled(EPSILON_0 * setup.spacing))
     }
 }
@@ -160,8 +165,10 @@ impl Plane {
         inside("the first row of an audit", a, low, setup.cells[1] - high)?;
         inside("the last row of an audit", b, a, setup.cells[1] - high)?;
         let unit = EPSILON_0 * setup.spacing * setup.spacing;
-        let before = self.clone();
+        let mut before = self.clone();
         self.run_serial(1)?;
+        before.wrap();
+        self.wrap();
         Ok(self.balance_since(&before, a, b).scaled(unit))
     }
 }

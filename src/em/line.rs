@@ -359,21 +359,20 @@ impl Line {
         let curl = Difference { ahead: &self.h[..n], behind: &self.h[1..] };
         self.electric.step(window.clone(), &mut self.e[..n], &mut self.currents, curl);
         for (strip, psi) in self.strips.whole.iter().zip(&mut self.psi_e) {
-            self.electric.absorb(strip.range(), window.clone(), &mut self.e, psi, curl, strip.grades());
+            self.electric.absorb(strip.range(), window.clone(), &mut self.e, &mut self.currents, psi, curl, strip.grades());
         }
         let time = (self.steps + s as u64) as f64;
         let dt = time_step(self.setup.stepping.courant, self.setup.spacing);
         for source in self.sources.iter().filter(|source| window.contains(&source.node)) {
-            let e = &mut self.e[source.node];
             if source.hard {
-                *e = source.amplitude * source.pulse.at((time + 1.0) * dt);
+                self.e[source.node] = source.amplitude * source.pulse.at((time + 1.0) * dt);
             } else {
                 let j = source.amplitude * source.pulse.at((time + 0.5) * dt);
-                *e -= self.electric.drive(source.node) * j;
+                self.electric.push(source.node, &mut self.e, &mut self.currents, -j);
             }
         }
         if let Some(incident) = self.incident.as_ref().filter(|incident| window.contains(&incident.node)) {
-            self.e[incident.node] += self.electric.drive(incident.node) * incident.ahead[s][0];
+            self.electric.push(incident.node, &mut self.e, &mut self.currents, incident.ahead[s][0]);
         }
         if window.start == 0 && self.setup.ends == Ends::Periodic {
             self.e[n] = self.e[0];
@@ -393,11 +392,11 @@ impl Line {
         let h = &mut self.h[1..];
         self.magnetic.step(window.clone(), h, &mut [], curl);
         for (strip, psi) in self.strips.half.iter().zip(&mut self.psi_h) {
-            self.magnetic.absorb(strip.range(), window.clone(), h, psi, curl, strip.grades());
+            self.magnetic.absorb(strip.range(), window.clone(), h, &mut [], psi, curl, strip.grades());
         }
         if let Some(incident) = self.incident.as_ref().filter(|incident| window.contains(&(incident.node - 1))) {
             let cell = incident.node - 1;
-            h[cell] += self.magnetic.drive(cell) * incident.ahead[s][1];
+            self.magnetic.push(cell, h, &mut [], incident.ahead[s][1]);
         }
     }
 }

@@ -180,7 +180,7 @@ impl Surroundings {
     pub fn coefficients(&self, courant: f64, dt: f64, conduction: Conduction) -> Coefficients {
         let (plasma2, collision) = self.electrons(dt);
         let pole = 1.0 + 0.5 * collision;
-        let pull = plasma2 / (self.eps_r * pole);
+        let pull = 0.5 * plasma2 / (self.eps_r * pole);
         // Electrons are stepped semi-implicitly, and conduction with them.
         let scheme = if plasma2 > 0.0 { Conduction::SemiImplicit } else { conduction };
         let step = Relaxation::new(scheme, self.conduction(dt) / self.eps_r + pull);

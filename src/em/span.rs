@@ -68,6 +68,10 @@ pub(super) struct Spans {
     pub currents: usize,
 }
 
+/// The columns of a table that are asked for by themselves.
+const DRIVE: usize = 0;
+const GAIN: usize = 5;
+
 /// Shorter runs are not worth a loop of their own.
 const SHORTEST: usize = 16;
 
@@ -82,12 +86,12 @@ impl Spans {
         };
         let mut spans = Self::default();
         for run in runs {
-            spans.push(run, range.start, &cells);
+            spans.add_run(run, range.start, &cells);
         }
         spans
     }
 
-    fn push(&mut self, run: Run, first: usize, cells: &[Coefficients]) {
+    fn add_run(&mut self, run: Run, first: usize, cells: &[Coefficients]) {
         let (cells, same) = (&cells[run.range.clone()], run.same);
         let column = |k: usize| move |c: &Coefficients| [c.drive, c.rest, c.base, c.share, c.memory, c.gain][k];
         let kept = if same { &cells[..1] } else { cells };
@@ -111,12 +115,14 @@ impl Spans {
     }
 
     /// Adds what an absorber does within `strip` of the row; `psi` and the grades are indexed from the strip's start.
+    #[expect(clippy::too_many_arguments, reason = "a row's fields, and nothing that belongs together")]
     #[inline(always)]
     pub fn absorb<G: kernel::Coefficient>(
         &self,
         strip: Range<usize>,
         window: Range<usize>,
         e: &mut [f64],
+        j: &mut [f64],
         psi: &mut [f64],
         d: Difference,
         grades: [G; 3],
@@ -130,26 +136,34 @@ impl Spans {
             let of_strip = start - strip.start..end - strip.start;
             let (e, psi, d) = (&mut e[start..end], &mut psi[of_strip.clone()], d.cut(start..end));
             let grades = grades.map(|grade| grade.cut(of_strip.clone()));
-            match span.column(0, start - span.range.start..end - span.range.start) {
+            let inner = start - span.range.start..end - span.range.start;
+            let before = if span.need == Need::Electrons { e.to_vec() } else { Vec::new() };
+            match span.column(0, inner.clone()) {
                 [drive] if span.same => kernel::absorb(e, psi, d, *drive, grades),
                 drive => kernel::absorb(e, psi, d, drive, grades),
+            }
+            // The current follows E, and E was not yet all it is.
+            for ((k, before), e) in inner.zip(before).zip(e) {
+                j[span.currents + k] += span.value(GAIN, k) * (*e - before);
             }
         }
     }
 
-    /// E += drive·factor at every cell of the row: what a current or a known incident field adds to the curl.
-    pub fn add(&self, e: &mut [f64], factor: impl Fn(usize) -> f64) {
-        for span in &self.list {
-            for i in span.range.clone() {
-                e[i] += self.drive(i) * factor(i);
-            }
+    /// E += drive·amount at one component, after its step: what a current or a known incident field adds to the curl.
+    pub fn push(&self, i: usize, e: &mut [f64], j: &mut [f64], amount: f64) {
+        let Some(span) = self.list.iter().find(|span| span.range.contains(&i)) else { return };
+        let k = i - span.range.start;
+        let added = span.value(DRIVE, k) * amount;
+        e[i] += added;
+        if span.need == Need::Electrons {
+            j[span.currents + k] += span.value(GAIN, k) * added;
         }
     }
 
     /// What the curl is multiplied by at a component [1]; 0 if it is not stepped.
     pub fn drive(&self, i: usize) -> f64 {
         let of = |span: &&Span| span.range.contains(&i);
-        self.list.iter().find(of).map_or(0.0, |s| if s.same { s.table[0] } else { s.table[i - s.range.start] })
+        self.list.iter().find(of).map_or(0.0, |span| span.value(DRIVE, i - span.range.start))
     }
 
     /// The current of free electrons at a component [V/m], from the row's currents.
@@ -169,6 +183,11 @@ impl Span {
     /// How many coefficients were not stored because one set serves all.
     pub fn spared(&self) -> u64 {
         if self.same { ((self.range.len() - 1) * self.need.columns()) as u64 } else { 0 }
+    }
+
+    /// A coefficient at the k-th component of the run.
+    fn value(&self, column: usize, k: usize) -> f64 {
+        if self.same { self.table[column] } else { self.table[column * self.range.len() + k] }
     }
 
     #[inline(always)]

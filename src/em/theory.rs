@@ -7,7 +7,7 @@ use num_complex::Complex64;
 
 /// Largest stable Courant number S = cΔt/Δ [1] in `dimensions` (1 to 3): 1/√dimensions.
 pub fn courant_limit(dimensions: u32) -> f64 {
-    1.0 / f64::from(dimensions).sqrt()
+    (1.0 / f64::from(dimensions)).sqrt()
 }
 
 /// ωΔt [rad] of the plane wave whose components kΔ [rad] are given, at Courant number S: real below the limit;

@@ -17,6 +17,12 @@ impl Plane {
         matches!(self.grid.setup.sides, Sides::Walls(walls) if walls.iter().any(|wall| wall.thickness() > 0))
     }
 
+    /// Brings the images across periodic sides up to date.
+    pub(in super::super) fn wrap(&mut self) {
+        let Self { grid, rows, .. } = self;
+        rows.iter_mut().for_each(|row| grid.wrap_row(row));
+    }
+
     /// What rows `a` to `b` balanced in the step from `before` to now.
     pub(in super::super) fn balance_since(&self, before: &Self, a: usize, b: usize) -> Balance {
         let stepping = &self.grid.setup.stepping;

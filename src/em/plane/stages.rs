@@ -76,8 +76,8 @@ impl Grid {
         let x = Difference { ahead: &f.y[1..], behind: &f.y[..n] };
         let y = Difference { ahead: &f.x, behind: &under.x };
         spans.step(0..n, &mut f.z, &mut f.currents[0], Circulation(x, y));
-        across(spans, &self.across.whole, &mut f.z, &mut f.psi_zx, x);
-        along(spans, &self.along.whole, j, &mut f.z, &mut f.psi_zy, flipped(y));
+        across(spans, &self.across.whole, &mut f.z, &mut f.currents[0], &mut f.psi_zx, x);
+        along(spans, &self.along.whole, j, &mut f.z, &mut f.currents[0], &mut f.psi_zy, flipped(y));
     }
 
     #[inline(always)]
@@ -85,10 +85,10 @@ impl Grid {
         let (n, layout) = (self.setup.cells[0], &self.layouts[j]);
         let y = Difference { ahead: &f.z[..n], behind: &over.z[..n] };
         layout.x.step(0..n, &mut f.x, &mut [], y);
-        along(&layout.x, &self.along.half, j, &mut f.x, &mut f.psi_xy, y);
+        along(&layout.x, &self.along.half, j, &mut f.x, &mut [], &mut f.psi_xy, y);
         let x = Difference { ahead: &f.z[1..], behind: &f.z[..n] };
         layout.y.step(0..n, &mut f.y[1..], &mut [], x);
-        across(&layout.y, &self.across.half, &mut f.y[1..], &mut f.psi_yx, x);
+        across(&layout.y, &self.across.half, &mut f.y[1..], &mut [], &mut f.psi_yx, x);
     }
 
     #[inline(always)]
@@ -96,7 +96,7 @@ impl Grid {
         let (n, spans) = (self.setup.cells[0], &self.layouts[j].x);
         let y = Difference { ahead: &f.z[1..], behind: &under.z[1..] };
         spans.step(0..n, &mut f.x, &mut f.currents[0], y);
-        along(spans, &self.along.whole, j, &mut f.x, &mut f.psi_xy, y);
+        along(spans, &self.along.whole, j, &mut f.x, &mut f.currents[0], &mut f.psi_xy, y);
     }
 
     #[inline(always)]
@@ -104,7 +104,7 @@ impl Grid {
         let (n, spans) = (self.setup.cells[0], &self.layouts[j].y);
         let x = Difference { ahead: &f.z[..n], behind: &f.z[1..] };
         spans.step(0..n, &mut f.y, &mut f.currents[1], x);
-        across(spans, &self.across.whole, &mut f.y, &mut f.psi_yx, x);
+        across(spans, &self.across.whole, &mut f.y, &mut f.currents[1], &mut f.psi_yx, x);
     }
 
     #[inline(always)]
@@ -114,8 +114,8 @@ impl Grid {
         let x = Difference { ahead: &f.y[1..], behind: &f.y[..n] };
         let z = &mut f.z[1..];
         spans.step(0..n, z, &mut [], Circulation(y, x));
-        across(spans, &self.across.half, z, &mut f.psi_zx, flipped(x));
-        along(spans, &self.along.half, j, z, &mut f.psi_zy, y);
+        across(spans, &self.across.half, z, &mut [], &mut f.psi_zx, flipped(x));
+        along(spans, &self.along.half, j, z, &mut [], &mut f.psi_zy, y);
     }
 
     /// The images across periodic sides, of the components that are differenced along x.
@@ -149,8 +149,8 @@ impl Grid {
             let layout = &self.layouts[j];
             let fields = &mut row.parts[0];
             match self.setup.polarisation {
-                Polarisation::Tm => fields.z[i] -= layout.z.drive(i) * j_now,
-                Polarisation::Te => fields.x[i] -= layout.x.drive(i) * j_now,
+                Polarisation::Tm => layout.z.push(i, &mut fields.z, &mut fields.currents[0], -j_now),
+                Polarisation::Te => layout.x.push(i, &mut fields.x, &mut fields.currents[0], -j_now),
             }
         }
     }
@@ -170,9 +170,11 @@ impl Grid {
         let layout = &self.layouts[j];
         let turned = self.turned(h);
         for (part, f) in row.parts.iter_mut().enumerate() {
-            match self.setup.polarisation {
-                Polarisation::Tm => layout.z.add(&mut f.z, |i| turned(i)[part]),
-                Polarisation::Te => layout.x.add(&mut f.x, |i| turned(i)[part]),
+            for i in 0..self.setup.cells[0] {
+                match self.setup.polarisation {
+                    Polarisation::Tm => layout.z.push(i, &mut f.z, &mut f.currents[0], turned(i)[part]),
+                    Polarisation::Te => layout.x.push(i, &mut f.x, &mut f.currents[0], turned(i)[part]),
+                }
             }
         }
     }
@@ -181,9 +183,11 @@ impl Grid {
         let layout = &self.layouts[j];
         let turned = self.turned(e);
         for (part, f) in row.parts.iter_mut().enumerate() {
-            match self.setup.polarisation {
-                Polarisation::Tm => layout.x.add(&mut f.x, |i| turned(i)[part]),
-                Polarisation::Te => layout.z.add(&mut f.z[1..], |i| turned(i)[part]),
+            for i in 0..self.setup.cells[0] {
+                match self.setup.polarisation {
+                    Polarisation::Tm => layout.x.push(i, &mut f.x, &mut [], turned(i)[part]),
+                    Polarisation::Te => layout.z.push(i, &mut f.z[1..], &mut [], turned(i)[part]),
+                }
             }
         }
     }
@@ -201,17 +205,25 @@ impl Grid {
 
 /// Absorbers at the ends of x.
 #[inline(always)]
-fn across(spans: &Spans, strips: &[Strip], f: &mut [f64], psi: &mut [Vec<f64>], d: Difference) {
+fn across(spans: &Spans, strips: &[Strip], f: &mut [f64], j: &mut [f64], psi: &mut [Vec<f64>], d: Difference) {
     for (strip, psi) in strips.iter().zip(psi) {
-        spans.absorb(strip.range(), 0..usize::MAX, f, psi, d, strip.grades());
+        spans.absorb(strip.range(), 0..usize::MAX, f, j, psi, d, strip.grades());
     }
 }
 
 /// Absorbers at the ends of y, of which a row meets one or none.
 #[inline(always)]
-fn along(spans: &Spans, strips: &[Strip], j: usize, f: &mut [f64], psi: &mut [f64], d: Difference) {
-    if let Some(grade) = strips.iter().find_map(|strip| strip.at(j)) {
-        spans.absorb(0..psi.len(), 0..usize::MAX, f, psi, d, [grade.b, grade.c, grade.k]);
+fn along(
+    spans: &Spans,
+    strips: &[Strip],
+    row: usize,
+    f: &mut [f64],
+    j: &mut [f64],
+    psi: &mut [f64],
+    d: Difference,
+) {
+    if let Some(grade) = strips.iter().find_map(|strip| strip.at(row)) {
+        spans.absorb(0..psi.len(), 0..usize::MAX, f, j, psi, d, [grade.b, grade.c, grade.k]);
     }
 }
 

@@ -53,7 +53,7 @@ fn a_faint_loss_is_not_rounded_into_another() {
     let (cells, x, steps) = (32, 3.1e-16, 400_000);
     let stepping = Stepping::at(0.5);
     let mut setup = line::Setup::vacuum(cells, 1.0, line::Ends::Periodic, stepping);
-    let energy = |sigma: f64| {
+    let mut energy = |sigma: f64| {
         setup.background = Medium::conductor(1.0, sigma);
         let mut line = Line::new(setup.clone()).unwrap();
         line.set(|z| (std::f64::consts::TAU * z / 32.0).sin(), |_| 0.0);

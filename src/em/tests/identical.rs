@@ -24,7 +24,7 @@ fn a_pruned_line_has_the_fields_of_the_full_one_bit_by_bit() {
             let mut line = Line::new(setup).unwrap();
             line.illuminate(40, 1.0, packet(1e10, 1.0)).unwrap();
             line.inject(150, 2.0, packet(2e10, 1.0)).unwrap();
-            line.run(1500).unwrap();
+            line.run(400).unwrap();
             line
         };
         let (pruned, full) = (run(true), run(false));

@@ -28,15 +28,18 @@ fn plane_at(courant: f64, polarisation: Polarisation) -> Plane {
 #[test]
 fn just_below_the_limit_a_hundred_thousand_steps_are_stable() {
     let drude = Medium::metal(3e11, 0.0);
+    // A wave of amplitude 1 in E with no H beside it swings up to 1/cos(ωΔt/2) ≤ 1/√(1 − S²).
+    let courant: f64 = 1.0 - 1e-6;
+    let bound = 2.0 / ((1.0 - courant) * (1.0 + courant)).sqrt();
     for medium in [Medium::VACUUM, drude] {
-        let mut line = line_at(1.0 - 1e-9, medium);
+        let mut line = line_at(courant, medium);
         line.run(100_000).unwrap();
-        assert!(worst(line.e().iter().copied()) < 20.0);
+        assert!(worst(line.e().iter().copied()) < bound);
     }
     for polarisation in [Polarisation::Tm, Polarisation::Te] {
-        let mut plane = plane_at(theory::courant_limit(2) * (1.0 - 1e-9), polarisation);
+        let mut plane = plane_at(theory::courant_limit(2) * courant, polarisation);
         plane.run(100_000).unwrap();
-        assert!(worst(plane.z().into_iter().flatten()) < 20.0);
+        assert!(worst(plane.z().into_iter().flatten()) < bound);
     }
 }
 
@@ -52,6 +55,7 @@ fn just_above_the_limit_fields_grow_at_the_rate_of_theory() {
         let rate = theory::growth_per_step(excess);
         let n = (30.0 / rate) as u64;
         let mut line = line_at(excess, Medium::VACUUM);
+        line.set(|z| if (z * 1e3).round() as i64 % 2 == 0 { 1e-100 } else { -1e-100 }, |_| 0.0);
         let measured = growth(n, |n| {
             line.run(n).unwrap();
             worst(line.e().iter().copied())
@@ -64,6 +68,7 @@ fn just_above_the_limit_fields_grow_at_the_rate_of_theory() {
     let rate = theory::phase_per_step(&[k, k], courant).im;
     assert!(rate > 0.0);
     let mut plane = plane_at(courant, Polarisation::Tm);
+    plane.set_z(|x, y| Complex64::from(1e-100 * (k * x * 1e3).sin() * (k * y * 1e3).sin()));
     let measured = growth((40.0 / rate) as u64, |n| {
         plane.run(n).unwrap();
         worst(plane.z().into_iter().flatten())
