@@ -79,9 +79,9 @@ impl Curl for Circulation<'_> {
 /// E += drive·curl.
 #[inline(always)]
 pub(super) fn clear<D: Curl, C: Coefficient>(e: &mut [f64], curl: D, drive: C) {
-    let (n, curl, drive) = (e.len(), curl.cut(0..e.len()), drive.cut(0..e.len()));
-    for i in 0..n {
-        e[i] += drive.at(i) * curl.at(i);
+    let (curl, drive) = (curl.cut(0..e.len()), drive.cut(0..e.len()));
+    for (i, e) in e.iter_mut().enumerate() {
+        *e += drive.at(i) * curl.at(i);
     }
 }
 
@@ -90,8 +90,8 @@ pub(super) fn clear<D: Curl, C: Coefficient>(e: &mut [f64], curl: D, drive: C) {
 pub(super) fn lossy<D: Curl, C: Coefficient>(e: &mut [f64], curl: D, [drive, rest]: [C; 2]) {
     let n = e.len();
     let (curl, drive, rest) = (curl.cut(0..n), drive.cut(0..n), rest.cut(0..n));
-    for i in 0..n {
-        e[i] += drive.at(i) * curl.at(i) - rest.at(i) * e[i];
+    for (i, e) in e.iter_mut().enumerate() {
+        *e += drive.at(i) * curl.at(i) - rest.at(i) * *e;
     }
 }
 
@@ -100,8 +100,8 @@ pub(super) fn lossy<D: Curl, C: Coefficient>(e: &mut [f64], curl: D, [drive, res
 pub(super) fn conducting<D: Curl, C: Coefficient>(e: &mut [f64], curl: D, [drive, rest, base]: [C; 3]) {
     let n = e.len();
     let (curl, drive, rest, base) = (curl.cut(0..n), drive.cut(0..n), rest.cut(0..n), base.cut(0..n));
-    for i in 0..n {
-        e[i] = base.at(i) * e[i] + (drive.at(i) * curl.at(i) - rest.at(i) * e[i]);
+    for (i, e) in e.iter_mut().enumerate() {
+        *e = base.at(i) * *e + (drive.at(i) * curl.at(i) - rest.at(i) * *e);
     }
 }
 

@@ -135,9 +135,8 @@ impl Line {
             balance.heat += passed.heat;
         }
         for k in a..b {
-            let energy = |line: &Self| {
-                magnetic_energy(s, line.magnetic.drive(k), line.h[k + 1], line.e[k] - line.e[k + 1])
-            };
+            let energy =
+                |line: &Self| magnetic_energy(s, line.magnetic.drive(k), line.h[k + 1], line.e[k] - line.e[k + 1]);
             balance.before += energy(&before);
             balance.after += energy(self);
         }

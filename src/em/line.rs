@@ -246,7 +246,10 @@ impl Line {
     /// # Errors
     /// If the node is not stepped.
     pub fn inject(&mut self, node: usize, amplitude: f64, pulse: Pulse) -> Result<(), Refusal> {
-        self.add_source("a current", Source { node, amplitude: amplitude * ETA_0 * self.setup.spacing, pulse, hard: false })
+        self.add_source(
+            "a current",
+            Source { node, amplitude: amplitude * ETA_0 * self.setup.spacing, pulse, hard: false },
+        )
     }
 
     /// E_x = `amplitude` [V/m] × pulse at a node, whatever arrives there: a source that reflects.
@@ -359,7 +362,15 @@ impl Line {
         let curl = Difference { ahead: &self.h[..n], behind: &self.h[1..] };
         self.electric.step(window.clone(), &mut self.e[..n], &mut self.currents, curl);
         for (strip, psi) in self.strips.whole.iter().zip(&mut self.psi_e) {
-            self.electric.absorb(strip.range(), window.clone(), &mut self.e, &mut self.currents, psi, curl, strip.grades());
+            self.electric.absorb(
+                strip.range(),
+                window.clone(),
+                &mut self.e,
+                &mut self.currents,
+                psi,
+                curl,
+                strip.grades(),
+            );
         }
         let time = (self.steps + s as u64) as f64;
         let dt = time_step(self.setup.stepping.courant, self.setup.spacing);

@@ -82,9 +82,7 @@ impl Scheme {
             _ if distance == 0.0 => (start(0.0), 1),
             Self::Yee => (yee(problem, cells, courant, steps)?, steps),
             Self::FourthOrder => (compose(start(0.0), start(0.5), courant, steps, &mut Fourth), steps),
-            Self::PseudoSpectral => {
-                (compose(start(0.0), start(0.5), courant, steps, &mut Spectrum::new(cells)), steps)
-            }
+            Self::PseudoSpectral => (compose(start(0.0), start(0.5), courant, steps, &mut Spectrum::new(cells)), steps),
             Self::Spectral => (Spectrum::new(cells).turn(&start(0.0), distance / spacing), 1),
             Self::DAlembert => (start(-distance / spacing), 1),
         };

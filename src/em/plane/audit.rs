@@ -82,7 +82,8 @@ impl Plane {
             let of_x = |i: usize| if layout.x.drive(i % n) == 0.0 { 0.0 } else { change(&layout.x, |f| &f.x, i % n) };
             // With a Bloch phase the image on the right is turned; its cell is left out.
             let last = if self.grid.setup.parts() == 2 { n - 1 } else { n };
-            changes.push((0..=last).map(of_x).collect(), (0..last).map(|i| change(&layout.y, |f| &f.y[1..], i)).collect());
+            changes
+                .push((0..=last).map(of_x).collect(), (0..last).map(|i| change(&layout.y, |f| &f.y[1..], i)).collect());
         }
         changes
     }

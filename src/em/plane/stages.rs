@@ -124,7 +124,7 @@ impl Grid {
         let n = self.setup.cells[0];
         let te = self.setup.polarisation == Polarisation::Te;
         // Whole components run from their image on the right, half ones from theirs on the left.
-        let (last, first): (fn(&mut Fields) -> &mut Vec<f64>, fn(&mut Fields) -> &mut Vec<f64>) =
+        let (last, first): (Array, Array) =
             if te { (|f| &mut f.y, |f| &mut f.z) } else { (|f| &mut f.z, |f| &mut f.y) };
         match &mut row.parts[..] {
             [re] => {
@@ -203,6 +203,9 @@ impl Grid {
     }
 }
 
+/// One of a row's arrays.
+type Array = fn(&mut Fields) -> &mut Vec<f64>;
+
 /// Absorbers at the ends of x.
 #[inline(always)]
 fn across(spans: &Spans, strips: &[Strip], f: &mut [f64], j: &mut [f64], psi: &mut [Vec<f64>], d: Difference) {
@@ -213,15 +216,7 @@ fn across(spans: &Spans, strips: &[Strip], f: &mut [f64], j: &mut [f64], psi: &m
 
 /// Absorbers at the ends of y, of which a row meets one or none.
 #[inline(always)]
-fn along(
-    spans: &Spans,
-    strips: &[Strip],
-    row: usize,
-    f: &mut [f64],
-    j: &mut [f64],
-    psi: &mut [f64],
-    d: Difference,
-) {
+fn along(spans: &Spans, strips: &[Strip], row: usize, f: &mut [f64], j: &mut [f64], psi: &mut [f64], d: Difference) {
     if let Some(grade) = strips.iter().find_map(|strip| strip.at(row)) {
         spans.absorb(0..psi.len(), 0..usize::MAX, f, j, psi, d, [grade.b, grade.c, grade.k]);
     }

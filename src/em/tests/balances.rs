@@ -38,11 +38,17 @@ fn energy_on_a_line_balances_at_every_step() {
 fn charge_and_energy_balance_in_the_plane_at_every_step() {
     for polarisation in [Polarisation::Tm, Polarisation::Te] {
         for conduction in [Conduction::SemiImplicit, Conduction::Exponential] {
-            for sides in [Sides::Bloch(0.0), Sides::Bloch(0.4), Sides::Walls([plane::Setup::vacuum([1, 1], 1.0, polarisation, Stepping::at(0.5)).ends[0]; 2])] {
+            for sides in [
+                Sides::Bloch(0.0),
+                Sides::Bloch(0.4),
+                Sides::Walls([plane::Setup::vacuum([1, 1], 1.0, polarisation, Stepping::at(0.5)).ends[0]; 2]),
+            ] {
                 let stepping = Stepping { conduction, ..Stepping::at(0.6) };
                 let mut setup = plane::Setup::vacuum([24, 40], 1e-3, polarisation, stepping);
                 setup.sides = sides;
-                setup.regions = media().into_iter().enumerate()
+                setup.regions = media()
+                    .into_iter()
+                    .enumerate()
                     .map(|(k, m)| Region::disc([4e-3 * (k as f64 + 0.7), 6e-3 * (k as f64 + 0.9)], 3.3e-3, m))
                     .collect();
                 let mut plane = Plane::new(setup).unwrap();

@@ -55,7 +55,9 @@ fn tiles_in_time_change_no_bit() {
 fn plane_of(polarisation: Polarisation, phase: f64, pruned: bool) -> Plane {
     let stepping = Stepping { pruned, ..Stepping::at(0.6) };
     let mut setup = plane::Setup::vacuum([40, 230], 1e-3, polarisation, stepping).bloch(phase, 10);
-    setup.regions = layers().into_iter().enumerate()
+    setup.regions = layers()
+        .into_iter()
+        .enumerate()
         .map(|(k, (range, medium))| Region::disc([6e-3 * (k + 1) as f64, range.start as f64 * 8e-4], 7e-3, medium))
         .collect();
     let mut plane = Plane::new(setup).unwrap();

@@ -35,14 +35,17 @@ fn a_surface_reflects_and_transmits_as_fresnel_says_to_second_order() {
         let n_t = medium.index(OMEGA);
         let exact = fresnel::amplitudes(Incidence::NORMAL, 1.0, n_t);
         let powers = fresnel::powers(Incidence::NORMAL, 1.0, n_t);
-        let points: Vec<_> = [20, 40, 80].into_iter().map(|n| {
-            let [r, t] = on_a_line(n, medium, None, 0);
-            let error = (r.norm_sqr() - powers.r_s).abs();
-            // T = Re n |t|²: the field at the surface itself is the transmitted one.
-            let error_t = (t.norm_sqr() * n_t.re - powers.t_s).abs();
-            assert!((t.norm() - exact.t_s.norm()).abs() < 0.1);
-            (n as f64, error.max(error_t))
-        }).collect();
+        let points: Vec<_> = [20, 40, 80]
+            .into_iter()
+            .map(|n| {
+                let [r, t] = on_a_line(n, medium, None, 0);
+                let error = (r.norm_sqr() - powers.r_s).abs();
+                // T = Re n |t|²: the field at the surface itself is the transmitted one.
+                let error_t = (t.norm_sqr() * n_t.re - powers.t_s).abs();
+                assert!((t.norm() - exact.t_s.norm()).abs() < 0.1);
+                (n as f64, error.max(error_t))
+            })
+            .collect();
         let slope = order::slope(&points).unwrap();
         assert!((slope + 2.0).abs() < 0.3, "{medium:?}: {points:?}, slope {slope}");
         assert!(points[2].1 < 5e-3, "{medium:?}: {points:?}");
@@ -54,7 +57,8 @@ fn a_film_reflects_and_transmits_as_its_stack_does() {
     let n = 60;
     for eps_r in [2.25, 6.0] {
         let cells = 13;
-        let layers = [Layer { index: Complex64::from(f64::sqrt(eps_r)), thickness: cells as f64 / n as f64 * WAVELENGTH }];
+        let layers =
+            [Layer { index: Complex64::from(f64::sqrt(eps_r)), thickness: cells as f64 / n as f64 * WAVELENGTH }];
         let stack = Stack { n_i: 1.0, layers: &layers, substrate: Complex64::from(1.0) };
         let exact = stack.response(WAVELENGTH, Incidence::NORMAL, film::Polarisation::S);
         let [r, t] = on_a_line(n, Medium::dielectric(eps_r), Some(cells), cells + 20);
@@ -70,12 +74,15 @@ fn a_wave_in_a_conductor_decays_as_im_k() {
     // σ/(ωε₀) = 2.4: neither a dielectric nor a good conductor.
     let medium = Medium::conductor(1.5, 2.4 * EPSILON_0 * OMEGA);
     let exact = medium.index(OMEGA).im * OMEGA / C;
-    let points: Vec<_> = [20, 40, 80].into_iter().map(|n| {
-        let depth = n / 4;
-        let fields = [0, depth].map(|beyond| on_a_line(n, medium, None, beyond)[1].norm());
-        let decay = (fields[0] / fields[1]).ln() / (depth as f64 * WAVELENGTH / n as f64);
-        (n as f64, (decay / exact - 1.0).abs())
-    }).collect();
+    let points: Vec<_> = [20, 40, 80]
+        .into_iter()
+        .map(|n| {
+            let depth = n / 4;
+            let fields = [0, depth].map(|beyond| on_a_line(n, medium, None, beyond)[1].norm());
+            let decay = (fields[0] / fields[1]).ln() / (depth as f64 * WAVELENGTH / n as f64);
+            (n as f64, (decay / exact - 1.0).abs())
+        })
+        .collect();
     let slope = order::slope(&points).unwrap();
     assert!((slope + 2.0).abs() < 0.2 && points[2].1 < 2e-3, "{points:?}, slope {slope}");
 }
@@ -100,22 +107,29 @@ fn in_a_plane(polarisation: Polarisation, degrees: f64, n: usize, medium: Medium
 #[test]
 fn oblique_reflection_is_that_of_fresnel_and_of_the_stack() {
     let n = 40;
+    // Truncation of second order: (kΔ)².
+    let limit = (TAU / n as f64).powi(2);
     for degrees in [0.0, 30.0, 56.0, 70.0] {
         let incidence = Incidence::from_angle(f64::to_radians(degrees));
         for medium in [Medium::dielectric(2.25), Medium::metal(2.5 * OMEGA, 0.3 * OMEGA)] {
             let exact = fresnel::powers(incidence, 1.0, medium.index(OMEGA));
             for (polarisation, exact) in [(Polarisation::Tm, exact.r_s), (Polarisation::Te, exact.r_p)] {
                 let measured = in_a_plane(polarisation, degrees, n, medium, None);
-                assert!((measured - exact).abs() < 6e-3, "{polarisation:?} at {degrees}°, {medium:?}: {measured} {exact}");
+                assert!(
+                    (measured - exact).abs() < limit,
+                    "{polarisation:?} at {degrees}°, {medium:?}: {measured} {exact}"
+                );
             }
         }
         let cells = 9;
         let layers = [Layer { index: Complex64::from(2.0), thickness: cells as f64 / n as f64 * WAVELENGTH }];
         let stack = Stack { n_i: 1.0, layers: &layers, substrate: Complex64::from(1.0) };
-        for (polarisation, light) in [(Polarisation::Tm, film::Polarisation::S), (Polarisation::Te, film::Polarisation::P)] {
+        for (polarisation, light) in
+            [(Polarisation::Tm, film::Polarisation::S), (Polarisation::Te, film::Polarisation::P)]
+        {
             let exact = stack.response(WAVELENGTH, incidence, light).reflectance;
             let measured = in_a_plane(polarisation, degrees, n, Medium::dielectric(4.0), Some(cells));
-            assert!((measured - exact).abs() < 2e-2, "film, {polarisation:?} at {degrees}°: {measured} {exact}");
+            assert!((measured - exact).abs() < limit, "film, {polarisation:?} at {degrees}°: {measured} {exact}");
         }
     }
 }
