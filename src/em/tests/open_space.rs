@@ -65,11 +65,11 @@ fn the_incident_wave_does_not_leak() {
     let (before, after) = (line.probe(99).unwrap(), line.probe(100).unwrap());
     line.run(600).unwrap();
     let scale = worst(line.record(after).iter().copied());
-    // Until the far layer's echo comes back nothing is there but rounding.
-    let leaked = worst(line.record(before).iter().take(250).copied()) / scale;
+    // The far layer begins 70 cells on: before 2 × 70/0.8 steps no echo is back, and nothing is there but rounding.
+    let leaked = worst(line.record(before).iter().take(170).copied()) / scale;
     assert!(leaked < 1e-13, "{leaked:e}");
     let errors = line.record(after).iter().zip(line.incident().unwrap()).map(|(a, b)| a - b);
-    assert!(worst(errors.take(250)) < 1e-14 * scale.max(1.0));
+    assert!(worst(errors.take(170)) < 1e-14 * scale.max(1.0));
     for polarisation in [Polarisation::Tm, Polarisation::Te] {
         for phase in [0.0, 0.9] {
             let setup = plane::Setup::vacuum([5, 300], SPACING, polarisation, Stepping::at(0.6)).bloch(phase, 30);
