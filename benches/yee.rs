@@ -3,7 +3,9 @@
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
+use light::Complex64;
 use light::em::line::{self, Ends, Line};
+use light::em::plane::{self, Plane, Polarisation, Region};
 use light::em::{Medium, Stepping};
 
 fn main() {
@@ -46,4 +48,39 @@ fn line_of_everything(bencher: Bencher, cells: usize) {
     let quarter = (cells - 100) / 4;
     setup.layers = media.into_iter().enumerate().map(|(k, m)| (50 + k * quarter..50 + (k + 1) * quarter, m)).collect();
     line(bencher, setup, (20_000_000 / cells as u64).max(64));
+}
+
+fn plane(bencher: Bencher, setup: plane::Setup) {
+    let [columns, rows] = setup.cells;
+    let cells = (columns * rows) as u64;
+    let steps = (10_000_000 / cells).max(16);
+    let middle = 0.5 * setup.spacing * columns as f64;
+    let mut plane = Plane::new(setup).expect("a valid plane");
+    plane.set_z(|x, y| Complex64::from((-((x - middle).powi(2) + (y - middle).powi(2)) / (0.01 * middle * middle)).exp()));
+    bencher.counter(ItemsCount::new(cells * steps)).bench_local(|| {
+        plane.run_serial(black_box(steps)).expect("at least one step");
+        black_box(&plane);
+    });
+}
+
+#[divan::bench(args = [300, 1_000, 3_000], sample_count = 20)]
+fn plane_tm_vacuum(bencher: Bencher, cells: usize) {
+    plane(bencher, plane::Setup::vacuum([cells; 2], 1e-9, Polarisation::Tm, Stepping::at(0.7)));
+}
+
+#[divan::bench(args = [300, 1_000, 3_000], sample_count = 20)]
+fn plane_te_vacuum(bencher: Bencher, cells: usize) {
+    plane(bencher, plane::Setup::vacuum([cells; 2], 1e-9, Polarisation::Te, Stepping::at(0.7)));
+}
+
+/// Open on four sides, with a disc of glass and one of a conductor.
+#[divan::bench(args = [300, 1_000], sample_count = 20)]
+fn plane_tm_of_media(bencher: Bencher, cells: usize) {
+    let mut setup = plane::Setup::vacuum([cells; 2], 1e-9, Polarisation::Tm, Stepping::at(0.7)).open(10);
+    let length = cells as f64 * setup.spacing;
+    setup.regions = vec![
+        Region::disc([0.5 * length, 0.5 * length], 0.25 * length, Medium::dielectric(2.25)),
+        Region::disc([0.7 * length, 0.7 * length], 0.1 * length, Medium::conductor(4.0, 1e3)),
+    ];
+    plane(bencher, setup);
 }
