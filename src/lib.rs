@@ -26,6 +26,7 @@
 //! | equations, units, faces, derivations | [`equation`] | every step |
 //! | references, condition numbers, orders, quadrature | [`evidence`] | every check |
 
+pub mod em;
 pub mod equation;
 pub mod evidence;
 pub mod optics;

@@ -1,0 +1,425 @@
+//! One dimension: E_x and H_y along z.
+//!
+//! ∂D_x/∂t = −∂H_y/∂z − J_x, ∂B_y/∂t = −∂E_x/∂z. E_k stands at z = kΔ, k = 0 … N, and H_(k+½) in the middle of cell k,
+//! half a step later; T&H §3.6. Cells carry the media; E takes the mean of its two.
+//!
+//! Time runs through tiles: a tile of cells is stepped many times while it is in cache, each step one cell further
+//! to the left, so that what it needs from its left neighbour is there and what it needs from its right is not yet
+//! overwritten (time skewing; Wonnacott 2000). The arithmetic of a cell is the same, bit by bit.
+
+use super::absorber::{Cpml, Strip, Strips, Wall};
+use super::kernel::Difference;
+use super::medium::{Coefficients, Medium, Surroundings, time_step};
+use super::pulse::Pulse;
+use super::refusal::{Refusal, demand, inside};
+use super::span::{Need, Spans};
+use super::{ETA_0, Stepping, WORD, theory};
+use std::ops::Range;
+
+/// What stands at the two ends of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ends {
+    /// A wall at each end.
+    Walls([Wall; 2]),
+    /// The end is the beginning.
+    Periodic,
+}
+
+impl Ends {
+    /// Open space at both ends: layers of `cells` cells.
+    pub const fn open(cells: usize) -> Self {
+        Self::Walls([Wall::Open(Cpml::thick(cells)); 2])
+    }
+}
+
+/// A line to be built.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setup {
+    /// Number of cells N, absorbers included.
+    pub cells: usize,
+    /// Δ [m].
+    pub spacing: f64,
+    /// What stands at the ends.
+    pub ends: Ends,
+    /// What fills the cells that no layer claims.
+    pub background: Medium,
+    /// Cells and what fills them; later layers replace earlier ones.
+    pub layers: Vec<(Range<usize>, Medium)>,
+    /// How it is stepped.
+    pub stepping: Stepping,
+}
+
+impl Setup {
+    /// Vacuum.
+    pub fn vacuum(cells: usize, spacing: f64, ends: Ends, stepping: Stepping) -> Self {
+        Self { cells, spacing, ends, background: Medium::VACUUM, layers: Vec::new(), stepping }
+    }
+
+    pub(super) fn walls(&self) -> [Wall; 2] {
+        match self.ends {
+            Ends::Walls(walls) => walls,
+            Ends::Periodic => [Wall::Conductor; 2],
+        }
+    }
+
+    /// Bytes of the fields alone.
+    fn bytes(&self) -> u64 {
+        (self.cells as u64).saturating_add(1).saturating_mul(2 * WORD)
+    }
+
+    fn check(&self) -> Result<(), Refusal> {
+        demand(self.cells >= 1, "number of cells", self.cells as f64, "at least 1")?;
+        check_grid(self.spacing, &self.stepping, self.bytes())?;
+        let media = || std::iter::once(&self.background).chain(self.layers.iter().map(|(_, medium)| medium));
+        media().try_for_each(Medium::check)?;
+        check_courant(&self.stepping, media(), 1)?;
+        for (range, _) in &self.layers {
+            demand(range.start < range.end, "thickness of a layer", 0.0, "at least 1 cell")?;
+            inside("the end of a layer", range.end, 1, self.cells)?;
+        }
+        let walls = self.walls();
+        walls.iter().try_for_each(Wall::check)?;
+        let thick = walls[0].thickness().saturating_add(walls[1].thickness());
+        let valid = "less than the number of cells";
+        demand(thick < self.cells.max(1), "thickness of both absorbers", thick as f64, valid)
+    }
+
+    /// The medium of each cell.
+    pub(super) fn media(&self) -> Vec<Medium> {
+        let mut cells = vec![self.background; self.cells];
+        for (range, medium) in &self.layers {
+            cells[range.clone()].fill(*medium);
+        }
+        cells
+    }
+}
+
+/// What every grid demands of its spacing, its stepping and its size.
+pub(super) fn check_grid(spacing: f64, stepping: &Stepping, bytes: u64) -> Result<(), Refusal> {
+    demand(spacing > 0.0 && spacing.is_finite(), "spacing", spacing, "finite and above 0 m")?;
+    let courant = stepping.courant;
+    demand(courant > 0.0 && courant.is_finite(), "Courant number", courant, "finite and above 0")?;
+    let limit = stepping.memory_limit;
+    if bytes > limit { Err(Refusal::TooLarge { bytes, limit }) } else { Ok(()) }
+}
+
+/// Refuses a Courant number beyond what the fastest of `media` allows.
+pub(super) fn check_courant<'a>(
+    stepping: &Stepping,
+    media: impl Iterator<Item = &'a Medium>,
+    dimensions: u32,
+) -> Result<(), Refusal> {
+    // E and H average their own cells: the smallest ε and the smallest μ may meet.
+    let least = media.fold((f64::MAX, f64::MAX), |(eps, mu), m| (eps.min(m.eps_r), mu.min(m.mu_r)));
+    let limit = (least.0 * least.1).sqrt() * theory::courant_limit(dimensions);
+    let courant = stepping.courant;
+    if courant <= limit || stepping.unstable { Ok(()) } else { Err(Refusal::Unstable { courant, limit }) }
+}
+
+/// A signal at one node.
+#[derive(Clone, Debug)]
+struct Source {
+    node: usize,
+    amplitude: f64,
+    pulse: Pulse,
+    /// Whether the field itself is imposed, and not a current.
+    hard: bool,
+}
+
+/// A plane wave that enters at a node and travels to the right; it exists only from there on.
+#[derive(Clone, Debug)]
+struct Incident {
+    node: usize,
+    /// The same wave on a line of its own, one node further.
+    line: Box<Line>,
+    /// η₀H at node − ½ and E at the node, for each step of the block at hand.
+    ahead: Vec<[f64; 2]>,
+}
+
+/// Cells of an incident wave's own line.
+const INCIDENT_CELLS: usize = 48;
+const INCIDENT_ABSORBER: usize = 40;
+
+/// How many nodes make a tile, and for how many steps it is kept in cache.
+const TILE: usize = 1024;
+const DEEP: usize = 64;
+
+/// Fields along a line, and everything that steps them.
+#[derive(Clone, Debug)]
+pub struct Line {
+    setup: Setup,
+    /// E_k [V/m], k = 0 … N.
+    pub(super) e: Vec<f64>,
+    /// η₀H_(k−½) [V/m], k = 1 … N; the first is the image of the last if periodic.
+    pub(super) h: Vec<f64>,
+    pub(super) electric: Spans,
+    pub(super) magnetic: Spans,
+    pub(super) currents: Vec<f64>,
+    strips: Strips,
+    psi_e: Vec<Vec<f64>>,
+    psi_h: Vec<Vec<f64>>,
+    sources: Vec<Source>,
+    incident: Option<Incident>,
+    probes: Vec<(usize, Vec<f64>)>,
+    steps: u64,
+}
+
+impl Line {
+    /// Builds the line at rest.
+    ///
+    /// # Errors
+    /// No cells, unphysical media, a Courant number beyond the limit, a grid that exceeds the memory limit, absorbers
+    /// that leave no room, layers outside the grid.
+    pub fn new(setup: Setup) -> Result<Self, Refusal> {
+        setup.check()?;
+        let (media, n) = (setup.media(), setup.cells);
+        let Stepping { courant, conduction, pruned, .. } = setup.stepping;
+        let dt = time_step(courant, setup.spacing);
+        let first = usize::from(setup.ends != Ends::Periodic);
+        let all = |need| (!pruned).then_some(need);
+        let electric = Spans::new(first..n, all(Need::Electrons), |k| {
+            let cells = [&media[(k + n - 1) % n], &media[k]];
+            Surroundings::mean(cells).coefficients(courant, dt, conduction)
+        });
+        let magnetic = Spans::new(0..n, all(Need::Clear), |k| Coefficients::magnetic(courant, media[k].mu_r));
+        let impedance = [&media[0], &media[n - 1]].map(|medium| (medium.mu_r / medium.eps_r).sqrt());
+        let strips = Strips::new(setup.walls(), n, setup.spacing, dt, impedance);
+        let zeros = |strips: &[Strip]| strips.iter().map(|strip| vec![0.0; strip.b.len()]).collect();
+        Ok(Self {
+            e: vec![0.0; n + 1],
+            h: vec![0.0; n + 1],
+            currents: vec![0.0; electric.currents],
+            psi_e: zeros(&strips.whole),
+            psi_h: zeros(&strips.half),
+            electric,
+            magnetic,
+            strips,
+            sources: Vec::new(),
+            incident: None,
+            probes: Vec::new(),
+            steps: 0,
+            setup,
+        })
+    }
+
+    /// What it was built from.
+    pub fn setup(&self) -> &Setup {
+        &self.setup
+    }
+
+    /// Δt [s].
+    pub fn dt(&self) -> f64 {
+        time_step(self.setup.stepping.courant, self.setup.spacing)
+    }
+
+    /// How many steps it has run; E is at `steps`·Δt, H half a step later.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// E_x [V/m] at z = kΔ, k = 0 … N.
+    pub fn e(&self) -> &[f64] {
+        &self.e
+    }
+
+    /// H_y [A/m] at z = (k + ½)Δ, k = 0 … N − 1.
+    pub fn h(&self) -> Vec<f64> {
+        self.h[1..].iter().map(|h| h / ETA_0).collect()
+    }
+
+    /// Sets the fields: E_x [V/m] of z [m] at the present time, H_y [A/m] of z half a step later. E on a conductor
+    /// stays zero.
+    pub fn set(&mut self, e: impl Fn(f64) -> f64, h: impl Fn(f64) -> f64) {
+        let (n, spacing) = (self.setup.cells, self.setup.spacing);
+        let first = usize::from(self.setup.ends != Ends::Periodic);
+        for k in first..n {
+            self.e[k] = e(k as f64 * spacing);
+        }
+        for k in 0..n {
+            self.h[k + 1] = ETA_0 * h((k as f64 + 0.5) * spacing);
+        }
+        self.wrap();
+    }
+
+    /// A current J_x = `amplitude` [A/m²] × pulse at a node: a source that waves pass through.
+    ///
+    /// # Errors
+    /// If the node is not stepped.
+    pub fn inject(&mut self, node: usize, amplitude: f64, pulse: Pulse) -> Result<(), Refusal> {
+        self.add_source(
+            "a current",
+            Source { node, amplitude: amplitude * ETA_0 * self.setup.spacing, pulse, hard: false },
+        )
+    }
+
+    /// E_x = `amplitude` [V/m] × pulse at a node, whatever arrives there: a source that reflects.
+    ///
+    /// # Errors
+    /// If the node is not stepped.
+    pub fn impose(&mut self, node: usize, amplitude: f64, pulse: Pulse) -> Result<(), Refusal> {
+        self.add_source("an imposed field", Source { node, amplitude, pulse, hard: true })
+    }
+
+    fn add_source(&mut self, what: &'static str, source: Source) -> Result<(), Refusal> {
+        demand(source.amplitude.is_finite(), "amplitude of a source", source.amplitude, "finite")?;
+        inside(what, source.node, 1, self.setup.cells - 1)?;
+        self.sources.push(source);
+        Ok(())
+    }
+
+    /// A plane wave of E_x = `amplitude` [V/m] × pulse, travelling to the right, that exists from `node` on (total
+    /// field) and not before it (scattered field); T&H §5.6. Exact: it is stepped on a line of its own, of the
+    /// medium at the node, and enters that line one cell earlier. It replaces an earlier one.
+    ///
+    /// # Errors
+    /// If the node lies in an absorber or next to a wall, or the line is periodic.
+    pub fn illuminate(&mut self, node: usize, amplitude: f64, pulse: Pulse) -> Result<(), Refusal> {
+        let walls = self.setup.walls();
+        let last = if self.setup.ends == Ends::Periodic { 0 } else { self.setup.cells - walls[1].thickness() };
+        inside("an incident wave", node, walls[0].thickness() + 1, last.saturating_sub(1))?;
+        demand(amplitude.is_finite(), "amplitude of a source", amplitude, "finite")?;
+        let media = self.setup.media();
+        let mut line = Self::new(Setup {
+            cells: INCIDENT_CELLS,
+            ends: Ends::Walls([Wall::Conductor, Wall::Open(Cpml::thick(INCIDENT_ABSORBER))]),
+            background: media[node],
+            layers: Vec::new(),
+            stepping: Stepping { pruned: true, ..self.setup.stepping },
+            ..self.setup
+        })?;
+        line.sources.push(Source { node: 0, amplitude, pulse, hard: true });
+        line.probe(1)?;
+        self.incident = Some(Incident { node, line: Box::new(line), ahead: Vec::new() });
+        Ok(())
+    }
+
+    /// Records E_x at a node after every step from now on; the answer names the record.
+    ///
+    /// # Errors
+    /// If the node is not on the line.
+    pub fn probe(&mut self, node: usize) -> Result<usize, Refusal> {
+        inside("a probe", node, 0, self.setup.cells - 1)?;
+        self.probes.push((node, Vec::new()));
+        Ok(self.probes.len() - 1)
+    }
+
+    /// E_x [V/m] after each step since the probe was set.
+    pub fn record(&self, probe: usize) -> &[f64] {
+        &self.probes[probe].1
+    }
+
+    /// E_x [V/m] of the incident wave at its node after each step since it was set.
+    pub fn incident(&self) -> Option<&[f64]> {
+        self.incident.as_ref().map(|incident| incident.line.record(0))
+    }
+
+    /// Steps `steps` times.
+    ///
+    /// # Errors
+    /// If `steps` is zero.
+    pub fn run(&mut self, steps: u64) -> Result<(), Refusal> {
+        demand(steps >= 1, "number of steps", steps as f64, "at least 1")?;
+        let mut left = steps;
+        while left > 0 {
+            let deep = left.min(if self.setup.ends == Ends::Periodic { 1 } else { DEEP as u64 });
+            self.block(deep as usize);
+            left -= deep;
+        }
+        Ok(())
+    }
+
+    /// `deep` steps, tile by tile.
+    fn block(&mut self, deep: usize) {
+        if let Some(incident) = &mut self.incident {
+            incident.look_ahead(deep);
+        }
+        let n = self.setup.cells;
+        let clip = |at: usize, back: usize, end: usize| at.saturating_sub(back).min(end);
+        for start in (0..n + deep + 1).step_by(TILE) {
+            for s in 0..deep {
+                self.step_electric(clip(start, s, n)..clip(start + TILE, s, n), s);
+                self.step_magnetic(clip(start, s + 1, n)..clip(start + TILE, s + 1, n), s);
+            }
+        }
+        self.wrap();
+        self.steps += deep as u64;
+    }
+
+    /// The images across a periodic end.
+    fn wrap(&mut self) {
+        if self.setup.ends == Ends::Periodic {
+            let n = self.setup.cells;
+            (self.e[n], self.h[0]) = (self.e[0], self.h[n]);
+        }
+    }
+
+    /// E of the nodes `window`, in step `s` of the block.
+    fn step_electric(&mut self, window: Range<usize>, s: usize) {
+        if window.is_empty() {
+            return;
+        }
+        let n = self.setup.cells;
+        let curl = Difference { ahead: &self.h[..n], behind: &self.h[1..] };
+        self.electric.step(window.clone(), &mut self.e[..n], &mut self.currents, curl);
+        for (strip, psi) in self.strips.whole.iter().zip(&mut self.psi_e) {
+            self.electric.absorb(
+                strip.range(),
+                window.clone(),
+                &mut self.e,
+                &mut self.currents,
+                psi,
+                curl,
+                strip.grades(),
+            );
+        }
+        let time = (self.steps + s as u64) as f64;
+        let dt = time_step(self.setup.stepping.courant, self.setup.spacing);
+        for source in self.sources.iter().filter(|source| window.contains(&source.node)) {
+            if source.hard {
+                self.e[source.node] = source.amplitude * source.pulse.at((time + 1.0) * dt);
+            } else {
+                let j = source.amplitude * source.pulse.at((time + 0.5) * dt);
+                self.electric.push(source.node, &mut self.e, &mut self.currents, -j);
+            }
+        }
+        if let Some(incident) = self.incident.as_ref().filter(|incident| window.contains(&incident.node)) {
+            self.electric.push(incident.node, &mut self.e, &mut self.currents, incident.ahead[s][0]);
+        }
+        if window.start == 0 && self.setup.ends == Ends::Periodic {
+            self.e[n] = self.e[0];
+        }
+        for (node, record) in self.probes.iter_mut().filter(|(node, _)| window.contains(node)) {
+            record.push(self.e[*node]);
+        }
+    }
+
+    /// H of the cells `window`, in step `s` of the block.
+    fn step_magnetic(&mut self, window: Range<usize>, s: usize) {
+        if window.is_empty() {
+            return;
+        }
+        let n = self.setup.cells;
+        let curl = Difference { ahead: &self.e[..n], behind: &self.e[1..] };
+        let h = &mut self.h[1..];
+        self.magnetic.step(window.clone(), h, &mut [], curl);
+        for (strip, psi) in self.strips.half.iter().zip(&mut self.psi_h) {
+            self.magnetic.absorb(strip.range(), window.clone(), h, &mut [], psi, curl, strip.grades());
+        }
+        if let Some(incident) = self.incident.as_ref().filter(|incident| window.contains(&(incident.node - 1))) {
+            let cell = incident.node - 1;
+            self.magnetic.push(cell, h, &mut [], incident.ahead[s][1]);
+        }
+    }
+}
+
+impl Incident {
+    /// Steps the wave's own line through the block at hand.
+    fn look_ahead(&mut self, deep: usize) {
+        self.ahead.clear();
+        for _ in 0..deep {
+            let h = self.line.h[1];
+            self.line.block(1);
+            self.ahead.push([h, self.line.e[1]]);
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! Maxwell's equations solved as fields: the Yee grid (finite differences in time domain).
+//!
+//! K. S. Yee, *IEEE Trans. Antennas Propag.* **14**, 302 (1966); A. Taflove & S. C. Hagness, *Computational
+//! Electrodynamics* (3rd ed., 2005), cited as T&H. E and H sit half a cell and half a step apart, so that every
+//! derivative of E1 is a centred difference,
+//!
+//! ε (E′ − E)/Δt = ∇×H − σE − J,  μ (H′ − H)/Δt = −∇×E,
+//!
+//! second-order accurate, and the two divergences of E1 are kept to rounding because the discrete divergence of a
+//! discrete curl is zero term by term.
+//!
+//! | idea | where |
+//! |---|---|
+//! | E_x, H_y along z | [`line::Line`] |
+//! | TM (E_z, H_x, H_y) and TE (H_z, E_x, E_y) in the plane | [`plane::Plane`] |
+//! | ε, μ, σ and Drude metals; update coefficients that keep their digits | [`medium`] |
+//! | walls: conductor, periodic and Bloch-periodic, CPML | [`absorber`] |
+//! | pulses, point sources | [`pulse`] |
+//! | Courant limit, growth beyond it, numerical dispersion | [`theory`] |
+//! | charge and energy, balanced step by step | [`ledger`] |
+//! | other ways to solve the wave equation | [`wave`] |
+//! | what a scene left out | [`pruning`] |
+//!
+//! Inside, H is held as η₀H [V/m], so that vacuum needs one number, the Courant number S = cΔt/Δ; every public
+//! function speaks SI. Fields are real, or a pair of real grids where a Bloch phase makes them complex.
+
+pub mod absorber;
+mod kernel;
+pub mod ledger;
+pub mod line;
+pub mod medium;
+pub mod plane;
+pub mod pruning;
+pub mod pulse;
+mod refusal;
+mod span;
+pub mod theory;
+pub mod wave;
+
+#[cfg(test)]
+mod tests;
+
+pub use absorber::{Cpml, Wall};
+pub use line::Line;
+pub use medium::{Conduction, Drude, Medium};
+pub use plane::Plane;
+pub use pulse::Pulse;
+pub use refusal::Refusal;
+
+/// Speed of light in vacuum, c [m/s], exact.
+pub const C: f64 = 299_792_458.0;
+/// Permeability of vacuum, μ₀ [H/m] (CODATA 2022).
+pub const MU_0: f64 = 1.256_637_061_27e-6;
+/// Permittivity of vacuum, ε₀ = 1/(μ₀c²) [F/m].
+pub const EPSILON_0: f64 = 1.0 / (MU_0 * C * C);
+/// Impedance of vacuum, η₀ = μ₀c [Ω].
+pub const ETA_0: f64 = MU_0 * C;
+
+/// How a run is stepped, whatever its shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stepping {
+    /// S = cΔt/Δ [1], with c of vacuum; at most √(ε_r μ_r)/√dimensions of the fastest medium.
+    pub courant: f64,
+    /// Whether a Courant number above the limit is taken all the same.
+    pub unstable: bool,
+    /// How conduction is stepped.
+    pub conduction: Conduction,
+    /// Whether what a cell does not need is left out of its update; the fields are the same bit by bit.
+    pub pruned: bool,
+    /// The most memory a grid may take [B].
+    pub memory_limit: u64,
+}
+
+impl Stepping {
+    /// The usual choices at this Courant number [1]: exponential conduction, pruned, at most 2 GiB.
+    pub const fn at(courant: f64) -> Self {
+        Self { courant, unstable: false, conduction: Conduction::Exponential, pruned: true, memory_limit: 2 << 30 }
+    }
+}
+
+/// Number of bytes of an `f64`.
+const WORD: u64 = 8;

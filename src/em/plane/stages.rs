@@ -1,0 +1,235 @@
+//! One row, one half step.
+
+use super::super::absorber::Strip;
+use super::super::kernel::{Circulation, Difference};
+use super::super::span::Spans;
+use super::{Fields, Grid, Polarisation, Row, Sides};
+use num_complex::Complex64;
+
+/// The moment at which a row is stepped, and what arrives from outside then.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moment<'a> {
+    /// Steps run before this one.
+    pub step: u64,
+    /// The row of the incident wave, η₀H below it and E in it, at column 0.
+    pub incident: Option<(usize, &'a [Complex64; 2])>,
+}
+
+impl Grid {
+    /// E of row `j`; `below` is row j − 1, `here` row j.
+    #[inline(always)]
+    pub(super) fn step_electric(&self, below: Option<&Row>, here: &mut Row, j: usize, moment: Moment) {
+        if j == 0 {
+            self.enter(here, moment.step);
+        }
+        self.wrap_row(here);
+        for part in 0..here.parts.len() {
+            let under = below.map(|row| &row.parts[part]);
+            match self.setup.polarisation {
+                Polarisation::Tm => {
+                    if let Some(under) = under {
+                        self.e_z(under, &mut here.parts[part], j);
+                    }
+                }
+                Polarisation::Te => {
+                    if let Some(under) = under {
+                        self.e_x(under, &mut here.parts[part], j);
+                    }
+                    self.e_y(&mut here.parts[part], j);
+                }
+            }
+        }
+        self.inject(here, j, moment.step);
+        if let Some((_, [h, _])) = moment.incident.filter(|(row, _)| *row == j) {
+            // The row takes its curl from a row below in which only the scattered field lives.
+            let sign = if self.setup.polarisation == Polarisation::Tm { 1.0 } else { -1.0 };
+            self.add_incident(here, j, sign * h);
+        }
+        self.wrap_row(here);
+        if self.setup.polarisation == Polarisation::Tm {
+            record(here, 0);
+        }
+    }
+
+    /// H of row `j`; `above` is row j + 1.
+    #[inline(always)]
+    pub(super) fn step_magnetic(&self, here: &mut Row, above: &Row, j: usize, moment: Moment) {
+        for (part, over) in here.parts.iter_mut().zip(&above.parts) {
+            match self.setup.polarisation {
+                Polarisation::Tm => self.h_xy(part, over, j),
+                Polarisation::Te => self.h_z(part, over, j),
+            }
+        }
+        if let Some((_, [_, e])) = moment.incident.filter(|(row, _)| *row == j + 1) {
+            // The row takes its curl from a row above in which the total field lives.
+            let sign = if self.setup.polarisation == Polarisation::Tm { 1.0 } else { -1.0 };
+            self.add_scattered(here, j, sign * e);
+        }
+        if self.setup.polarisation == Polarisation::Te {
+            record(here, 1);
+        }
+    }
+
+    #[inline(always)]
+    fn e_z(&self, under: &Fields, f: &mut Fields, j: usize) {
+        let (n, spans) = (self.setup.cells[0], &self.layouts[j].z);
+        let x = Difference { ahead: &f.y[1..], behind: &f.y[..n] };
+        let y = Difference { ahead: &f.x, behind: &under.x };
+        spans.step(0..n, &mut f.z, &mut f.currents[0], Circulation(x, y));
+        across(spans, &self.across.whole, &mut f.z, &mut f.currents[0], &mut f.psi_zx, x);
+        along(spans, &self.along.whole, j, &mut f.z, &mut f.currents[0], &mut f.psi_zy, flipped(y));
+    }
+
+    #[inline(always)]
+    fn h_xy(&self, f: &mut Fields, over: &Fields, j: usize) {
+        let (n, layout) = (self.setup.cells[0], &self.layouts[j]);
+        let y = Difference { ahead: &f.z[..n], behind: &over.z[..n] };
+        layout.x.step(0..n, &mut f.x, &mut [], y);
+        along(&layout.x, &self.along.half, j, &mut f.x, &mut [], &mut f.psi_xy, y);
+        let x = Difference { ahead: &f.z[1..], behind: &f.z[..n] };
+        layout.y.step(0..n, &mut f.y[1..], &mut [], x);
+        across(&layout.y, &self.across.half, &mut f.y[1..], &mut [], &mut f.psi_yx, x);
+    }
+
+    #[inline(always)]
+    fn e_x(&self, under: &Fields, f: &mut Fields, j: usize) {
+        let (n, spans) = (self.setup.cells[0], &self.layouts[j].x);
+        let y = Difference { ahead: &f.z[1..], behind: &under.z[1..] };
+        spans.step(0..n, &mut f.x, &mut f.currents[0], y);
+        along(spans, &self.along.whole, j, &mut f.x, &mut f.currents[0], &mut f.psi_xy, y);
+    }
+
+    #[inline(always)]
+    fn e_y(&self, f: &mut Fields, j: usize) {
+        let (n, spans) = (self.setup.cells[0], &self.layouts[j].y);
+        let x = Difference { ahead: &f.z[..n], behind: &f.z[1..] };
+        spans.step(0..n, &mut f.y, &mut f.currents[1], x);
+        across(spans, &self.across.whole, &mut f.y, &mut f.currents[1], &mut f.psi_yx, x);
+    }
+
+    #[inline(always)]
+    fn h_z(&self, f: &mut Fields, over: &Fields, j: usize) {
+        let (n, spans) = (self.setup.cells[0], &self.layouts[j].z);
+        let y = Difference { ahead: &over.x, behind: &f.x };
+        let x = Difference { ahead: &f.y[1..], behind: &f.y[..n] };
+        let z = &mut f.z[1..];
+        spans.step(0..n, z, &mut [], Circulation(y, x));
+        across(spans, &self.across.half, z, &mut [], &mut f.psi_zx, flipped(x));
+        along(spans, &self.along.half, j, z, &mut [], &mut f.psi_zy, y);
+    }
+
+    /// The images across periodic sides, of the components that are differenced along x.
+    pub(super) fn wrap_row(&self, row: &mut Row) {
+        let Sides::Bloch(phase) = self.setup.sides else { return };
+        let n = self.setup.cells[0];
+        let te = self.setup.polarisation == Polarisation::Te;
+        // Whole components run from their image on the right, half ones from theirs on the left.
+        let (last, first): (Array, Array) =
+            if te { (|f| &mut f.y, |f| &mut f.z) } else { (|f| &mut f.z, |f| &mut f.y) };
+        match &mut row.parts[..] {
+            [re] => {
+                let (whole, half) = (last(re)[0], first(re)[n]);
+                (last(re)[n], first(re)[0]) = (whole, half);
+            }
+            [re, im] => {
+                let turn = Complex64::cis(phase);
+                let whole = Complex64::new(last(re)[0], last(im)[0]) * turn;
+                let half = Complex64::new(first(re)[n], first(im)[n]) * turn.conj();
+                (last(re)[n], last(im)[n]) = (whole.re, whole.im);
+                (first(re)[0], first(im)[0]) = (half.re, half.im);
+            }
+            _ => {}
+        }
+    }
+
+    fn inject(&self, row: &mut Row, j: usize, step: u64) {
+        for source in self.sources.iter().filter(|source| source.at[1] == j) {
+            let i = source.at[0];
+            let j_now = source.amplitude * source.pulse.at((step as f64 + 0.5) * self.dt());
+            let layout = &self.layouts[j];
+            let fields = &mut row.parts[0];
+            match self.setup.polarisation {
+                Polarisation::Tm => layout.z.push(i, &mut fields.z, &mut fields.currents[0], -j_now),
+                Polarisation::Te => layout.x.push(i, &mut fields.x, &mut fields.currents[0], -j_now),
+            }
+        }
+    }
+
+    /// Imposes the tangential E of the first row.
+    fn enter(&self, row: &mut Row, step: u64) {
+        let Some((amplitude, pulse)) = &self.entry else { return };
+        let e = amplitude * pulse.at((step + 1) as f64 * self.dt());
+        let fields = &mut row.parts[0];
+        match self.setup.polarisation {
+            Polarisation::Tm => fields.z[0] = e,
+            Polarisation::Te => fields.x[0] = e,
+        }
+    }
+
+    fn add_incident(&self, row: &mut Row, j: usize, h: Complex64) {
+        let layout = &self.layouts[j];
+        let turned = self.turned(h);
+        for (part, f) in row.parts.iter_mut().enumerate() {
+            for i in 0..self.setup.cells[0] {
+                match self.setup.polarisation {
+                    Polarisation::Tm => layout.z.push(i, &mut f.z, &mut f.currents[0], turned(i)[part]),
+                    Polarisation::Te => layout.x.push(i, &mut f.x, &mut f.currents[0], turned(i)[part]),
+                }
+            }
+        }
+    }
+
+    fn add_scattered(&self, row: &mut Row, j: usize, e: Complex64) {
+        let layout = &self.layouts[j];
+        let turned = self.turned(e);
+        for (part, f) in row.parts.iter_mut().enumerate() {
+            for i in 0..self.setup.cells[0] {
+                match self.setup.polarisation {
+                    Polarisation::Tm => layout.x.push(i, &mut f.x, &mut [], turned(i)[part]),
+                    Polarisation::Te => layout.z.push(i, &mut f.z[1..], &mut [], turned(i)[part]),
+                }
+            }
+        }
+    }
+
+    /// Real and imaginary part at column i of what is `at_origin` at column 0.
+    fn turned(&self, at_origin: Complex64) -> impl Fn(usize) -> [f64; 2] {
+        let Sides::Bloch(phase) = self.setup.sides else { unreachable!("incident waves need periodic sides") };
+        let step = phase / self.setup.cells[0] as f64;
+        move |i| {
+            let value = if step == 0.0 { at_origin } else { at_origin * Complex64::cis(step * i as f64) };
+            [value.re, value.im]
+        }
+    }
+}
+
+/// One of a row's arrays.
+type Array = fn(&mut Fields) -> &mut Vec<f64>;
+
+/// Absorbers at the ends of x.
+#[inline(always)]
+fn across(spans: &Spans, strips: &[Strip], f: &mut [f64], j: &mut [f64], psi: &mut [Vec<f64>], d: Difference) {
+    for (strip, psi) in strips.iter().zip(psi) {
+        spans.absorb(strip.range(), 0..usize::MAX, f, j, psi, d, strip.grades());
+    }
+}
+
+/// Absorbers at the ends of y, of which a row meets one or none.
+#[inline(always)]
+fn along(spans: &Spans, strips: &[Strip], row: usize, f: &mut [f64], j: &mut [f64], psi: &mut [f64], d: Difference) {
+    if let Some(grade) = strips.iter().find_map(|strip| strip.at(row)) {
+        spans.absorb(0..psi.len(), 0..usize::MAX, f, j, psi, d, [grade.b, grade.c, grade.k]);
+    }
+}
+
+fn flipped(d: Difference) -> Difference {
+    Difference { ahead: d.behind, behind: d.ahead }
+}
+
+fn record(row: &mut Row, offset: usize) {
+    let Row { parts, probes } = row;
+    for (column, _, record) in probes {
+        let part = |k: usize| parts.get(k).map_or(0.0, |f: &Fields| f.z[*column + offset]);
+        record.push(Complex64::new(part(0), part(1)));
+    }
+}

@@ -1,0 +1,70 @@
+//! What cannot be simulated, and why.
+
+use std::fmt;
+
+/// Why a run was refused: where the trouble is, what was given, and what is allowed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refusal {
+    /// The grid would take more memory than allowed.
+    TooLarge {
+        /// What it would take [B].
+        bytes: u64,
+        /// What it may take [B].
+        limit: u64,
+    },
+    /// The step is too long for the grid.
+    Unstable {
+        /// S = cΔt/Δ asked for [1].
+        courant: f64,
+        /// Largest stable S for these media [1].
+        limit: f64,
+    },
+    /// A number is outside its range.
+    OutOfRange {
+        /// Which number.
+        what: &'static str,
+        /// Its value.
+        given: f64,
+        /// Its valid range.
+        valid: &'static str,
+    },
+    /// A place does not lie on the grid.
+    Outside {
+        /// What was to be put there.
+        what: &'static str,
+        /// Where.
+        at: usize,
+        /// First and last valid place.
+        valid: (usize, usize),
+    },
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match *self {
+            Self::TooLarge { bytes, limit } => {
+                write!(f, "the grid would take {bytes} bytes of memory, and the limit is {limit}")
+            }
+            Self::Unstable { courant, limit } => write!(
+                f,
+                "a Courant number of {courant} is unstable here: at most {limit}, unless instability is asked for"
+            ),
+            Self::OutOfRange { what, given, valid } => write!(f, "{what} is {given}; it must be {valid}"),
+            Self::Outside { what, at, valid } => {
+                write!(f, "{what} at {at} is outside the grid: {} to {}", valid.0, valid.1)
+            }
+        }
+    }
+}
+
+impl std::error::Error for Refusal {}
+
+/// `value` if `ok`, else the refusal that names it.
+pub(super) fn demand(ok: bool, what: &'static str, given: f64, valid: &'static str) -> Result<(), Refusal> {
+    if ok { Ok(()) } else { Err(Refusal::OutOfRange { what, given, valid }) }
+}
+
+/// Refuses `at` outside `first ..= last`.
+pub(super) fn inside(what: &'static str, at: usize, first: usize, last: usize) -> Result<(), Refusal> {
+    if (first..=last).contains(&at) { Ok(()) } else { Err(Refusal::Outside { what, at, valid: (first, last) }) }
+}

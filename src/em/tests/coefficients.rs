@@ -1,0 +1,70 @@
+use crate::em::medium::{Conduction, Medium, Relaxation, Surroundings};
+use crate::em::{EPSILON_0, Line, Stepping, line};
+use crate::precise::{real, relative_error};
+
+/// σΔt/ε from 1e−30 to 1e30, far beyond σ/(ωε) from 1e−6 to 1e12 at any sampling.
+fn steps() -> impl Iterator<Item = f64> {
+    (-300..=300).map(|p| 10f64.powf(f64::from(p) / 10.0))
+}
+
+#[test]
+fn no_coefficient_loses_digits_at_either_end() {
+    for x in steps() {
+        let (one, half, exact) = (real(1.0), real(0.5), real(x));
+        let crank = Relaxation::new(Conduction::SemiImplicit, x);
+        let below = &one + &half * &exact;
+        let exact_crank = [&exact / &below, (&one - &half * &exact) / &below, &one / &below];
+        for (ours, exact) in [crank.loss, crank.keep, crank.drive].into_iter().zip(&exact_crank) {
+            assert!(relative_error(ours, exact) <= 4.0 * f64::EPSILON, "semi-implicit {ours} at x = {x}");
+        }
+        let exponential = Relaxation::new(Conduction::Exponential, x);
+        // Beyond e^(−700) nothing is left to be compared.
+        let keep = if x < 700.0 { (-exact.clone()).exp() } else { real(0.0) };
+        let loss = &one - &keep;
+        let drive = &loss / &exact;
+        for (ours, exact) in [(exponential.loss, &loss), (exponential.drive, &drive)] {
+            assert!(relative_error(ours, exact) <= 4.0 * f64::EPSILON, "exponential {ours} at x = {x}");
+        }
+        if x < 700.0 {
+            assert!(relative_error(exponential.keep, &keep) <= 4.0 * f64::EPSILON, "keep at x = {x}");
+        }
+    }
+}
+
+#[test]
+fn a_cell_is_stepped_with_the_smallest_of_loss_keep_and_one_plus_keep() {
+    let dt = 1e-12;
+    for x in steps() {
+        let medium = Medium::conductor(2.0, x * 2.0 * EPSILON_0 / dt);
+        for conduction in [Conduction::SemiImplicit, Conduction::Exponential] {
+            let around = Surroundings::mean([&medium, &medium]);
+            let c = around.coefficients(0.5, dt, conduction);
+            let step = Relaxation::new(conduction, around.conduction(dt) / 2.0);
+            assert!((c.base - c.rest - step.keep).abs() <= f64::EPSILON * 2.0, "x = {x}");
+            assert!(c.rest.abs() <= 0.70, "x = {x}: {}", c.rest);
+        }
+    }
+}
+
+#[test]
+fn a_faint_loss_is_not_rounded_into_another() {
+    // A standing wave in a closed box loses e^(−x/2) a step; with keep = 1 − x as one number x would be rounded to
+    // a multiple of ε/2, here by up to one part in two.
+    let (cells, x, steps) = (32, 3.1e-16, 400_000);
+    let stepping = Stepping::at(0.5);
+    let mut setup = line::Setup::vacuum(cells, 1.0, line::Ends::Periodic, stepping);
+    let mut energy = |sigma: f64| {
+        setup.background = Medium::conductor(1.0, sigma);
+        let mut line = Line::new(setup.clone()).unwrap();
+        line.set(|z| (std::f64::consts::TAU * z / 32.0).sin(), |_| 0.0);
+        line.run(steps).unwrap();
+        line.audited_step(1..=31).unwrap().before
+    };
+    let clear = energy(0.0);
+    let dt = 0.5 / crate::em::C;
+    let lossy = energy(x * EPSILON_0 / dt);
+    let lost = (clear - lossy) / clear;
+    let due = -f64::exp_m1(-x * steps as f64);
+    // Both runs round at random: √steps ε or so, a sixth of what is lost.
+    assert!((lost / due - 1.0).abs() < 0.3, "lost {lost:e}, due {due:e}");
+}

@@ -1,0 +1,99 @@
+use super::{complex, packet, worst};
+use crate::em::line::{Ends, Setup};
+use crate::em::plane::{self, Polarisation};
+use crate::em::pulse::amplitude;
+use crate::em::{C, Cpml, Line, Medium, Plane, Stepping, Wall};
+use std::f64::consts::TAU;
+
+/// 20 cells a wavelength at the carrier.
+const SPACING: f64 = 1e-3;
+const FREQUENCY: f64 = C / (20.0 * SPACING);
+
+#[test]
+fn the_layer_reflects_less_than_a_millionth_on_a_line() {
+    for eps_r in [1.0, 2.25] {
+        let setup = |cells| {
+            let mut setup = Setup::vacuum(cells, SPACING, Ends::open(30), Stepping::at(0.7));
+            setup.background = Medium::dielectric(eps_r);
+            setup
+        };
+        let run = |cells: usize| {
+            let mut line = Line::new(setup(cells)).unwrap();
+            line.inject(60, 1.0, packet(FREQUENCY, 1.0)).unwrap();
+            let probe = line.probe(70).unwrap();
+            line.run(1200).unwrap();
+            line.record(probe).to_vec()
+        };
+        // The far end of the long line is not heard of in time; the near one is the same in both.
+        let (short, long) = (run(140), run(1500));
+        let scale = worst(long.iter().copied());
+        let reflected = worst(short.iter().zip(&long).map(|(a, b)| a - b)) / scale;
+        assert!(0.0 < reflected && reflected < 1e-6, "ε_r = {eps_r}: {reflected:e}");
+    }
+}
+
+#[test]
+fn the_layer_reflects_less_than_a_millionth_in_the_plane() {
+    for polarisation in [Polarisation::Tm, Polarisation::Te] {
+        for degrees in [0.0, 20.0, 45.0] {
+            let columns = 4;
+            let k_x = TAU * FREQUENCY / C * f64::to_radians(degrees).sin();
+            let run = |rows: usize| {
+                let phase = k_x * SPACING * columns as f64;
+                let setup = plane::Setup::vacuum([columns, rows], SPACING, polarisation, Stepping::at(0.6));
+                let mut setup = setup.bloch(phase, 30);
+                setup.ends[0] = Wall::Conductor;
+                let mut plane = Plane::new(setup).unwrap();
+                plane.illuminate(10, 1.0, packet(FREQUENCY, 4.0)).unwrap();
+                let probe = plane.probe([0, 30]).unwrap();
+                plane.run(2000).unwrap();
+                plane.record(probe)
+            };
+            let (short, long) = (run(90), run(900));
+            let at = |record: &[_]| amplitude(record, 0.0, 0.6 * SPACING / C, TAU * FREQUENCY);
+            let difference: Vec<_> = short.iter().zip(&long).map(|(a, b)| a - b).collect();
+            let reflected = at(&difference).norm() / at(&long).norm();
+            assert!(0.0 < reflected && reflected < 1e-6, "{polarisation:?} at {degrees}°: {reflected:e}");
+        }
+    }
+}
+
+#[test]
+fn the_incident_wave_does_not_leak() {
+    let mut line = Line::new(Setup::vacuum(200, SPACING, Ends::open(30), Stepping::at(0.8))).unwrap();
+    line.illuminate(100, 1.0, packet(FREQUENCY, 1.0)).unwrap();
+    let (before, after) = (line.probe(99).unwrap(), line.probe(100).unwrap());
+    line.run(600).unwrap();
+    let scale = worst(line.record(after).iter().copied());
+    // The far layer begins 70 cells on: before 2 × 70/0.8 steps no echo is back, and nothing is there but rounding.
+    let leaked = worst(line.record(before).iter().take(170).copied()) / scale;
+    assert!(leaked < 1e-13, "{leaked:e}");
+    let errors = line.record(after).iter().zip(line.incident().unwrap()).map(|(a, b)| a - b);
+    assert!(worst(errors.take(170)) < 1e-14 * scale.max(1.0));
+    for polarisation in [Polarisation::Tm, Polarisation::Te] {
+        for phase in [0.0, 0.9] {
+            let setup = plane::Setup::vacuum([5, 300], SPACING, polarisation, Stepping::at(0.6)).bloch(phase, 30);
+            let mut plane = Plane::new(setup).unwrap();
+            plane.illuminate(40, 1.0, packet(FREQUENCY, 1.0)).unwrap();
+            let (before, after) = (plane.probe([3, 38]).unwrap(), plane.probe([3, 41]).unwrap());
+            plane.run(500).unwrap();
+            let scale = worst(plane.record(after).iter().map(|z| z.norm()));
+            let leaked = worst(plane.record(before).iter().map(|z| z.norm())) / scale;
+            assert!(leaked < 1e-13, "{polarisation:?}, phase {phase}: {leaked:e}");
+            assert!(plane.incident().unwrap().len() == 500);
+        }
+    }
+}
+
+#[test]
+fn a_conductor_behind_reflects_everything() {
+    let ends = Ends::Walls([Wall::Open(Cpml::thick(30)), Wall::Conductor]);
+    let mut line = Line::new(Setup::vacuum(200, SPACING, ends, Stepping::at(0.8))).unwrap();
+    line.illuminate(60, 1.0, packet(FREQUENCY, 1.0)).unwrap();
+    let probe = line.probe(50).unwrap();
+    line.run(1500).unwrap();
+    let dt = line.dt();
+    let [back, there] = [line.record(probe), line.incident().unwrap()]
+        .map(|record| amplitude(&complex(record), 0.0, dt, TAU * FREQUENCY).norm());
+    assert!((back / there - 1.0).abs() < 1e-6, "{}", back / there);
+}
