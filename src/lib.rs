@@ -34,6 +34,7 @@
 pub mod em;
 pub mod equation;
 pub mod evidence;
+pub mod fields;
 pub mod optics;
 pub mod precise;
 pub mod sampling;

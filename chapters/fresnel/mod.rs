@@ -7,7 +7,7 @@ mod digits;
 mod dip;
 mod energy;
 mod extremes;
-mod fields;
+pub(crate) mod fields;
 mod films;
 mod functions;
 mod grazing;
@@ -69,10 +69,10 @@ const N_T: Parameter =
     Parameter { name: "n_t", symbol: "n_2", says: "medium behind the interface", default: "1.5", kind: Kind::Medium };
 
 /// What most steps let the learner change.
-const INTERFACE: &[Parameter] = &[N_I, N_T, THETA, WAVELENGTH];
+pub(crate) const INTERFACE: &[Parameter] = &[N_I, N_T, THETA, WAVELENGTH];
 
 /// The interface that the setting describes.
-fn interface(setting: &Setting) -> Input {
+pub(crate) fn interface(setting: &Setting) -> Input {
     Input {
         direction: Direction::Angle(setting.number("theta")),
         n_i: setting.index("n_i").re,
@@ -114,7 +114,7 @@ fn sample_media() -> Vec<(f64, Complex64)> {
 }
 
 /// `n 1 → 1.5` or `n 1 → 0.4222 + 2.473i`: the pair of media as a heading.
-fn media(n_i: f64, n_t: Complex64) -> String {
+pub(crate) fn media(n_i: f64, n_t: Complex64) -> String {
     let short = |x: f64| {
         let rounded = (x * 1e4).round() / 1e4;
         if rounded == x || (1e-2..1e4).contains(&x) { format!("{rounded}") } else { format!("{x:.3e}") }
@@ -124,7 +124,7 @@ fn media(n_i: f64, n_t: Complex64) -> String {
 }
 
 /// The sample media and the setting's own pair, each at every angle of a coarse fan.
-fn sample_inputs(setting: &Setting) -> Vec<Input> {
+pub(crate) fn sample_inputs(setting: &Setting) -> Vec<Input> {
     let own = interface(setting);
     let fan = [0.0, 10.0, 25.0, 41.0, 45.0, 56.0, 70.0, 80.0, 89.0, 89.99]
         .map(|degrees: f64| Direction::Angle(degrees.to_radians()));

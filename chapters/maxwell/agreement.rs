@@ -1,0 +1,297 @@
+//! C2: the grid beside the closed forms, at interfaces, on films and in conductors.
+
+use super::scattering::{Scene, exact_wave_number, wave_number_on_grid};
+use crate::figure::{Axis, Chart, Dash, Hue, Map, Mark, Panel, Plot, Ramp, Shape};
+use crate::fresnel::media;
+use crate::setting::{Kind, Parameter, Setting};
+use crate::vocabulary::{Bound, Check, Figure, Measured, Quantity, Statement, Step, fitted_order, rms};
+use light::em::line::{Ends, Line, Setup};
+use light::em::{C, Medium, Pulse, Stepping};
+use light::equation::{Dimension, Equation, Symbol};
+use light::optics::Incidence;
+use light::optics::film::Polarisation;
+use light::optics::fresnel::powers;
+
+const INDEX: Parameter = Parameter {
+    name: "n",
+    symbol: "n_2",
+    says: "index behind the interface",
+    default: "1.5",
+    kind: Kind::Number { min: 1.0, max: 4.0, unit: "1" },
+};
+const TANGENT: Parameter = Parameter {
+    name: "tau",
+    symbol: "σ/(ωε)",
+    says: "conduction over displacement current, of the conductor",
+    default: "10",
+    kind: Kind::Number { min: 0.01, max: 100.0, unit: "1" },
+};
+
+pub(super) const STEP: Step = Step {
+    id: "agreement",
+    title: "Grid and formula agree",
+    says: "Reflection, transmission, films and the decay in a conductor come out of the grid alone, with an error that falls as the square of the cell.",
+    rows: &["C2"],
+    parameters: &[INDEX, TANGENT],
+    statements: &[Statement {
+        id: "second_order",
+        says: "what is left between grid and formula",
+        rows: &["C2"],
+        equation: || Equation::proportional(DELTA_R, CELL.pow(2)),
+    }],
+    derivations: &[],
+    readout: Some(readout),
+    checks: &[INTERFACES, FILMS, CONDUCTORS],
+    stress: &[],
+    races: &[],
+    figures: &[
+        Figure {
+            id: "pulse_at_an_interface",
+            says: "A pulse runs into glass: place to the right, time upwards. It splits, slows down and shortens.",
+            rows: &["C2"],
+            plot: space_time,
+        },
+        Figure {
+            id: "reflectance",
+            says: "Fresnel's curves, and what the grid finds without knowing them.",
+            rows: &["C2"],
+            plot: reflectance,
+        },
+        Figure {
+            id: "conductor",
+            says: "A harmonic wave driven into a conductor: the field on the grid, and E18.",
+            rows: &["C2"],
+            plot: conductor,
+        },
+    ],
+};
+
+const DELTA_R: Symbol = Symbol::scalar("Delta_R", Dimension::ONE);
+const CELL: Symbol = Symbol::scalar("Delta", Dimension::METRE);
+
+const BOTH: [Polarisation; 2] = [Polarisation::S, Polarisation::P];
+/// Cells to the vacuum wavelength; a quarter of it is a whole number of them.
+const REFINED: [usize; 3] = [16, 24, 36];
+
+/// The order with which the grid's R approaches `exact`, the worst of `groups`; of the scenes of a group the RMS error
+/// counts, since one alone may pass through zero.
+fn order_of(groups: impl Iterator<Item = Vec<Scene>>, exact: fn(&Scene) -> f64) -> Measured {
+    worst_order(groups.map(|scenes| {
+        let error = |cells: usize| {
+            let errors: Vec<f64> = scenes.iter().map(|scene| scene.on_grid(cells).0 - exact(scene)).collect();
+            (cells as f64, rms(&errors))
+        };
+        let first = &scenes[0];
+        let place = format!("{:?}, θ = {:.2}, {} films", first.polarisation, first.theta, first.films.len());
+        (fitted_order(&REFINED.map(error)).unwrap_or(f64::NAN), place)
+    }))
+}
+
+/// The order farthest from 2.
+fn worst_order(orders: impl Iterator<Item = (f64, String)>) -> Measured {
+    let orders: Vec<(f64, String)> = orders.collect();
+    let away = |order: f64| (order - 2.0).abs();
+    let worst = orders.iter().max_by(|a, b| away(a.0).total_cmp(&away(b.0))).expect("some orders");
+    Measured { value: worst.0, at: worst.1.clone(), cases: orders.len() }
+}
+
+fn interfaces(angles: &'static [f64]) -> impl Iterator<Item = Vec<Scene>> {
+    let cases = angles.iter().flat_map(|&theta| BOTH.map(|polarisation| (theta, polarisation)));
+    cases.map(|(theta, polarisation)| vec![Scene { theta, polarisation, films: vec![], substrate: 2.25 }])
+}
+
+/// Two films on glass at several angles, for s and for p.
+fn films() -> impl Iterator<Item = Vec<Scene>> {
+    BOTH.into_iter().map(|polarisation| {
+        let at = |theta| Scene { theta, polarisation, films: vec![(0.25, 4.0), (0.25, 1.9)], substrate: 2.25 };
+        [0.0, 0.25, 0.5].map(at).into()
+    })
+}
+
+const SECOND: Bound = Bound::Order {
+    order: 2.0,
+    tolerance: 0.25,
+    why: "centred differences, and media averaged where E lies on an interface; 16 to 36 cells a wave are not yet the limit",
+};
+
+const INTERFACES: Check = Check {
+    id: "interfaces",
+    claim: "the grid's reflectance of glass approaches E36 and E39 squared with the second power of the cell, s and p",
+    rows: &["C2"],
+    route: "the two-dimensional solver, a pulse at 17°, 34° and 45°, the fields Fourier transformed where they come back",
+    bound: SECOND,
+    measure: |_| order_of(interfaces(&[0.3, 0.6, 0.785]), |scene| scene.exact().0),
+    spoiled: |_| {
+        order_of(interfaces(&[0.6]), |scene| {
+            let other = if scene.polarisation == Polarisation::S { Polarisation::P } else { Polarisation::S };
+            Scene { polarisation: other, ..scene.clone() }.exact().0
+        })
+    },
+    slip: "s for p",
+};
+
+const FILMS: Check = Check {
+    id: "films",
+    claim: "and so does that of two films on glass, every bounce included",
+    rows: &["C2"],
+    route: "the two-dimensional solver at 0°, 14° and 29° against the stack solver of chapter fresnel",
+    bound: SECOND,
+    measure: |_| order_of(films(), |scene| scene.exact().0),
+    spoiled: |_| {
+        order_of(films(), |scene| {
+            let films = scene.films.iter().rev().copied().collect();
+            Scene { films, ..scene.clone() }.exact().0
+        })
+    },
+    slip: "the films in the wrong order",
+};
+
+const CONDUCTORS: Check = Check {
+    id: "conductors",
+    claim: "wave length and decay in a conductor approach E18 with the second power of the cell",
+    rows: &["C2"],
+    route: "the one-dimensional solver: ratio of the fields at two depths, against √(ω²με + iωμσ)",
+    bound: Bound::Order { order: 2.0, tolerance: 0.2, why: "centred differences" },
+    measure: |_| decay(exact_wave_number),
+    spoiled: |_| decay(|tau| exact_wave_number(tau).conj().re.into()),
+    slip: "the decay is forgotten",
+};
+
+fn decay(exact: fn(f64) -> light::Complex64) -> Measured {
+    worst_order([0.1, 1.0, 10.0].into_iter().map(|tau| {
+        let points = [6, 9, 14].map(|cells| (cells as f64, (wave_number_on_grid(tau, cells) - exact(tau)).norm()));
+        (fitted_order(&points).unwrap_or(f64::NAN), format!("σ/(ωε) = {tau}"))
+    }))
+}
+
+fn glass(setting: &Setting, theta: f64, polarisation: Polarisation) -> Scene {
+    Scene { theta, polarisation, films: vec![], substrate: setting.number("n").powi(2) }
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let scene = glass(setting, 0.0, Polarisation::S);
+    let value = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
+    vec![
+        value("r_grid", "R", "reflectance at normal incidence, grid of 16 cells to a wave", scene.on_grid(16).0),
+        value("r_fine", "R", "the same, 32 cells", scene.on_grid(32).0),
+        value("r_formula", "R", "by E36", scene.exact().0),
+    ]
+}
+
+/// A pulse of a few waves that runs into glass half-way.
+fn space_time(setting: &Setting) -> Plot {
+    const CELLS: usize = 600;
+    const FRAMES: usize = 220;
+    const SHOWN: std::ops::Range<usize> = 40..CELLS - 40;
+    let n = setting.number("n");
+    // Cells of 1/30 of a unit of length; time is counted in the same units, ct.
+    let spacing = 1.0 / 30.0;
+    let setup = Setup {
+        layers: vec![(CELLS / 2..CELLS, Medium::dielectric(n * n))],
+        ..Setup::vacuum(CELLS, spacing, Ends::open(20), Stepping::at(0.5))
+    };
+    let mut line = Line::new(setup).expect("a line within all limits");
+    let width = 0.8 / C;
+    line.illuminate(30, 1.0, Pulse::Modulated { frequency: C / 1.6, delay: 3.0 * width, width }).expect("an open node");
+    let steps = 8;
+    let mut values = Vec::new();
+    for _ in 0..FRAMES {
+        line.run(steps).expect("some steps");
+        values.extend(line.e()[SHOWN].iter().step_by(2));
+    }
+    let far = (SHOWN.end - CELLS / 2) as f64 * spacing;
+    let until = (FRAMES as u64 * steps) as f64 * 0.5 * spacing;
+    let map = Map {
+        title: String::new(),
+        x: Axis::linear("z", "m").range(-far, far),
+        y: Axis::linear("ct", "m").range(0.0, until),
+        colour: Axis::linear("E over the incident amplitude", "").range(-1.0, 1.0),
+        ramp: Ramp::Diverging,
+        columns: SHOWN.len() / 2,
+        values,
+        marks: vec![Mark::AtX { x: 0.0, label: media(1.0, n.into()) }],
+    };
+    Plot::of("A pulse at an interface", map)
+}
+
+fn reflectance(setting: &Setting) -> Plot {
+    let n = setting.number("n");
+    let chart = Chart::new(
+        "",
+        Axis::linear("angle of incidence", "°").range(0.0, 90.0).tick(15.0),
+        Axis::linear("reflectance R", "").range(0.0, 1.0),
+    );
+    let chart = [(Polarisation::S, Hue::S, "s"), (Polarisation::P, Hue::P, "p")].into_iter().fold(
+        chart,
+        |chart, (polarisation, hue, name)| {
+            let formula = (0..=180).map(|half| f64::from(half) / 2.0).map(|degrees: f64| {
+                let powers = powers(Incidence::from_angle(degrees.min(89.99).to_radians()), 1.0, n.into());
+                [degrees, if polarisation == Polarisation::S { powers.r_s } else { powers.r_p }]
+            });
+            let grid = [0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0]
+                .map(|degrees: f64| [degrees, glass(setting, degrees.to_radians(), polarisation).on_grid(24).0]);
+            chart.line(hue, format!("{name}, formula"), formula.collect()).with(Mark::Points {
+                label: format!("{name}, grid of λ/24"),
+                hue,
+                shape: Shape::Disc,
+                joined: false,
+                points: grid.into(),
+            })
+        },
+    );
+    Plot::of("Reflection from the fields alone", chart)
+}
+
+/// A wave that has been driven into a conductor for long, at two moments.
+fn conductor(setting: &Setting) -> Plot {
+    let tau = setting.number("tau");
+    let k = exact_wave_number(tau);
+    let depth = k.im.recip();
+    let cells_deep = 40;
+    let spacing = depth / f64::from(cells_deep);
+    let omega = std::f64::consts::TAU * C;
+    let medium = Medium::conductor(1.0, tau * omega * light::em::EPSILON_0);
+    let setup = Setup {
+        background: medium,
+        ..Setup::vacuum(12 * cells_deep as usize, spacing, Ends::open(10), Stepping::at(0.9))
+    };
+    let mut line = Line::new(setup).expect("a line within all limits");
+    // Switched on within three periods.
+    let drive = move |t: f64| (omega * t).cos() * (0.5 - 0.5 * (omega * t / 6.0).min(std::f64::consts::PI).cos());
+    let first = 11;
+    line.impose(first, 1.0, Pulse::custom(drive)).expect("a node of the line");
+    let period = std::f64::consts::TAU / omega;
+    let dt = line.dt();
+    line.run((12.0 * period / dt).round() as u64).expect("some steps");
+    let shown = first..first + 5 * cells_deep as usize;
+    let z = |node: usize| (node - first) as f64 / f64::from(cells_deep);
+    let mut chart = Chart::new(
+        format!("σ/(ωε) = {tau}"),
+        Axis::linear("depth over skin depth", "").range(0.0, 5.0),
+        Axis::linear("E over its amplitude at the surface", "").range(-1.0, 1.0),
+    );
+    for (at, name) in [(0, "at a crest"), (1, "a quarter period later")] {
+        let now = line.steps() as f64 * dt;
+        let formula = shown.clone().map(|node| {
+            let here = (light::Complex64::i() * (k * z(node) * depth - omega * now)).exp();
+            [z(node), here.re]
+        });
+        let grid = shown.clone().step_by(10).map(|node| [z(node), line.e()[node]]);
+        chart = chart.line(Hue::Nth(at), format!("E18, {name}"), formula.collect()).with(Mark::Points {
+            label: String::new(),
+            hue: Hue::Nth(at),
+            shape: Shape::Disc,
+            joined: false,
+            points: grid.collect(),
+        });
+        line.run((0.25 * period / dt).round() as u64).expect("some steps");
+    }
+    let envelope = (0..=100).map(|at| f64::from(at) / 20.0);
+    chart = chart.with(Mark::Line {
+        label: "e^{−z/δ}".into(),
+        hue: Hue::Reference,
+        dash: Dash::Dashed,
+        points: envelope.map(|z| [z, (-z).exp()]).collect(),
+    });
+    Plot::of("A wave in a conductor: grid (points) and E18 (lines)", Panel::Chart(chart))
+}

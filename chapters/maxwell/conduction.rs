@@ -1,0 +1,267 @@
+//! C2: conduction makes Ampère's law stiff in every cell.
+
+use super::symbols::{E, EPSILON, H, SIGMA, T};
+use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
+use crate::setting::{Kind, Parameter, Setting};
+use crate::vocabulary::{Derivation, Expects, Extreme, Figure, Heat, Lane, Quantity, Race, Statement, Step, Stress};
+use light::equation::derivation::Chain;
+use light::equation::expr::{curl, exp, partial};
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::evidence::waves as exact;
+use light::precise;
+use light::waves::conduction::{Cell, Scheme, Update};
+use light::waves::constants::EPSILON_0;
+
+const TANGENT: Parameter = Parameter {
+    name: "tau",
+    symbol: "σ/(ωε)",
+    says: "conduction over displacement current",
+    default: "1000",
+    kind: Kind::Number { min: 1e-6, max: 1e12, unit: "1" },
+};
+const STEPS: Parameter = Parameter {
+    name: "steps",
+    symbol: "N",
+    says: "steps from ωt = 0 to 5",
+    default: "64",
+    kind: Kind::Count { min: 1, max: 1_000_000 },
+};
+
+pub(super) const STEP: Step = Step {
+    id: "conduction",
+    title: "Stiff cells",
+    says: "Charge relaxes within ε/σ while the wave takes its time: only some ways to step E survive the ratio of the two.",
+    rows: &["C2"],
+    parameters: &[TANGENT, STEPS],
+    statements: &[
+        Statement {
+            id: "relaxation",
+            says: "Ampère's law in a conductor: E relaxes towards the curl",
+            rows: &["C2"],
+            equation: || Equation::new(EPSILON * partial(E, T), curl(H) - SIGMA * E),
+        },
+        Statement {
+            id: "exponential_step",
+            says: "the exact step while the curl stays what it is",
+            rows: &["C2"],
+            equation: || Equation::new(RELAXED, relaxed()),
+        },
+    ],
+    derivations: &[Derivation {
+        id: "solves_ampere",
+        says: "the exponential step, put into Ampère's law",
+        rows: &["C2"],
+        chain: || step_obeys(DRIVE.into()),
+        spoiled: || step_obeys(DRIVE - SIGMA * START),
+        slip: "the curl forgets what E was at the start",
+    }],
+    readout: Some(readout),
+    checks: &[],
+    stress: &[Stress {
+        id: "coefficients",
+        claim: "what E is multiplied by in a step keeps its digits from the best insulator to the perfect conductor, and so does what it loses",
+        rows: &["C2"],
+        textbook: "the coefficients as they are usually programmed, 1 − e^(−x) and all",
+        reference: "the same in 256 bits",
+        cases: |_| coefficients(),
+    }],
+    races: &[
+        Race {
+            id: "insulator", claim: "σ/(ωε) = 1e−3: nothing is stiff, and order wins", lanes: &INSULATOR, ..RACE
+        },
+        Race {
+            id: "conductor",
+            claim: "σ/(ωε) = 1e6: forward Euler explodes, the usual update rings, the exponential one is late",
+            lanes: &CONDUCTOR,
+            ..RACE
+        },
+        Race { id: "metal", claim: "σ/(ωε) = 1e12: the same, only more so", lanes: &METAL, ..RACE },
+    ],
+    figures: &[Figure {
+        id: "stiffness",
+        says: "The error of each way to step E over 18 decades of conduction, and what it does to a transient.",
+        rows: &["C2"],
+        plot: stiffness,
+    }],
+};
+
+const START: Symbol = Symbol::scalar("E_0", Dimension::VOLT_PER_METRE);
+const RELAXED: Symbol = Symbol::scalar("E", Dimension::VOLT_PER_METRE);
+/// ∇×H, held.
+const DRIVE: Symbol = Symbol::scalar("q", Dimension::AMPERE_PER_SQUARE_METRE);
+
+fn relaxed() -> Expr {
+    let keep = || exp(-(SIGMA * T / EPSILON));
+    keep() * START + (1 - keep()) / SIGMA * DRIVE
+}
+
+fn step_obeys(last: Expr) -> Chain {
+    Chain::new(EPSILON * partial(RELAXED, T) + SIGMA * RELAXED)
+        .given(RELAXED, relaxed(), "the step")
+        .then(last, ["chain rule"])
+        .because("∇×H = σE + ε∂E/∂t with the curl held at q")
+}
+
+/// Where the runs end, ωt.
+const END: f64 = 5.0;
+
+const NAMES: [(Scheme, &str); 4] = [
+    (Scheme::ForwardEuler, "forward Euler"),
+    (Scheme::SemiImplicit, "semi-implicit"),
+    (Scheme::Exponential, "exponential"),
+    (Scheme::BackwardEuler, "backward Euler"),
+];
+
+fn cell(tau: f64) -> Cell {
+    Cell::new(tau).expect("a loss tangent within range")
+}
+
+fn error_after(scheme: Scheme, tau: f64, steps: u64) -> f64 {
+    let cell = cell(tau);
+    (cell.march(scheme, 0.0, END, steps) - cell.exact(0.0, END)).abs()
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let (tau, steps) = (setting.number("tau"), setting.number("steps"));
+    let x = tau * END / steps;
+    let value = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
+    let keys = ["forward_euler", "semi_implicit", "exponential", "backward_euler"];
+    let kept = NAMES
+        .into_iter()
+        .zip(keys)
+        .map(|((scheme, name), key)| value(key, "E′/E", name, Update::new(scheme, 1.0, tau, END / steps).keep));
+    [value("x", "σΔt/ε", "relaxation times in a step", x)].into_iter().chain(kept).collect()
+}
+
+fn coefficients() -> Vec<Extreme> {
+    let dt = 1e-17;
+    let ratios = [0.0, 1e-300, 1e-18, 1e-12, 1e-6, 1e-3, 1.0, 30.0, 1e6, 1e15];
+    let schemes = [(Scheme::SemiImplicit, "semi-implicit"), (Scheme::Exponential, "exponential")];
+    let cases = schemes.into_iter().flat_map(|scheme| ratios.map(|x| (scheme, x)));
+    cases
+        .flat_map(|((scheme, name), x)| {
+            let sigma = x * EPSILON_0 / dt;
+            let (ours, book) =
+                (Update::new(scheme, EPSILON_0, sigma, dt), Update::as_written(scheme, EPSILON_0, sigma, dt));
+            let [keep, loss, gain] = exact::update(scheme, EPSILON_0, sigma, dt);
+            let rows = [
+                ("C_a", keep, book.keep, ours.keep),
+                ("1 − C_a", loss, book.loss, ours.loss),
+                ("C_b", gain, book.gain, ours.gain),
+            ];
+            // Of what lies below the range of f64 there are no digits to keep.
+            let kept = rows
+                .into_iter()
+                .filter(|(_, (exact, _), ..)| exact.repr().significand().is_zero() || precise::to_f64(exact) != 0.0);
+            kept.map(|(quantity, (reference, condition), textbook, ours)| Extreme {
+                input: format!("{name}, σΔt/ε = {x:e}"),
+                quantity,
+                reference,
+                textbook,
+                ours,
+                condition,
+                worst_of: 1,
+            })
+            .collect::<Vec<_>>()
+        })
+        .collect()
+}
+
+const RACE: Race = Race {
+    id: "",
+    claim: "",
+    rows: &["C2"],
+    work: "steps (Radau: its tolerance is (10/N)⁵)",
+    error: "|ΔE| over the final amplitude",
+    reference: "the closed form of a cell driven from rest by a harmonic curl, at ωt = 5",
+    lanes: &[],
+};
+
+/// Exponents of ten of σ/(ωε).
+const SLOW: i32 = -3;
+const FAST: i32 = 6;
+const FASTEST: i32 = 12;
+
+const COUNTS: &[u64] = &[32, 64, 128, 256, 512, 1024];
+
+const fn order(order: f64) -> Expects {
+    Expects::Order { order, tolerance: 0.15 }
+}
+
+const BLOWS_UP: Expects = Expects::Breaks { limit: 1e3, why: "σΔt/ε is beyond 2" };
+const RINGS: Expects =
+    Expects::Breaks { limit: 0.5, why: "the transient changes its sign at every step instead of dying" };
+const FOLLOWS: Expects =
+    Expects::Within { limit: 1e-4, why: "it is L-stable and chooses its own steps; its tolerance is at most 1e−3" };
+
+const INSULATOR: [Lane; 5] = lanes::<SLOW>([order(1.0), order(2.0), order(2.0), order(1.0)]);
+const CONDUCTOR: [Lane; 5] = lanes::<FAST>([BLOWS_UP, RINGS, order(1.0), order(1.0)]);
+const METAL: [Lane; 5] = lanes::<FASTEST>([
+    BLOWS_UP,
+    RINGS,
+    order(1.0),
+    Expects::Within { limit: 1e-11, why: "what the field lacks of the curl is ωε/σ of it" },
+]);
+
+/// Every way to step a cell whose σ/(ωε) is 10^`EXPONENT`.
+const fn lanes<const EXPONENT: i32>([euler, semi, exponential, backward]: [Expects; 4]) -> [Lane; 5] {
+    const fn lane(id: &'static str, label: &'static str, expects: Expects, prepare: Prepare) -> Lane {
+        Lane { id, label, works: COUNTS, expects, repeats: 1, prepare }
+    }
+    [
+        lane("forward_euler", "forward Euler", euler, |_, n| march::<EXPONENT>(Scheme::ForwardEuler, n)),
+        lane("semi_implicit", "semi-implicit (the usual)", semi, |_, n| march::<EXPONENT>(Scheme::SemiImplicit, n)),
+        lane("exponential", "exponential", exponential, |_, n| march::<EXPONENT>(Scheme::Exponential, n)),
+        lane("backward_euler", "backward Euler", backward, |_, n| march::<EXPONENT>(Scheme::BackwardEuler, n)),
+        lane("radau", "Radau IIA, adaptive", FOLLOWS, |_, n| adapt::<EXPONENT>(n)),
+    ]
+}
+
+type Prepare = fn(&mut crate::vocabulary::Bench, u64) -> Heat;
+
+fn judged<const EXPONENT: i32>(mut run: impl FnMut(&Cell) -> f64 + 'static) -> Heat {
+    let cell = cell(10f64.powi(EXPONENT));
+    let exact = cell.exact(0.0, END);
+    Heat { run: Box::new(move || vec![run(&cell)]), error: Box::new(move |found| (found[0] - exact).abs()) }
+}
+
+fn march<const EXPONENT: i32>(scheme: Scheme, steps: u64) -> Heat {
+    judged::<EXPONENT>(move |cell| cell.march(scheme, 0.0, END, steps))
+}
+
+fn adapt<const EXPONENT: i32>(steps: u64) -> Heat {
+    let tolerance = (10.0 / steps as f64).powi(5);
+    judged::<EXPONENT>(move |cell| cell.adaptive(0.0, END, tolerance).map_or(f64::NAN, |found| found.field))
+}
+
+fn stiffness(setting: &Setting) -> Plot {
+    let steps = setting.number("steps") as u64;
+    let shapes = [Shape::Triangle, Shape::Square, Shape::Disc, Shape::Diamond];
+    let errors = Chart::new(
+        format!("error after {steps} steps"),
+        Axis::log("conduction σ/(ωε)", "").range(1e-6, 1e12),
+        Axis::log("|ΔE| over the final amplitude", "").range(1e-17, 1e3),
+    );
+    let errors = NAMES.iter().zip(shapes).enumerate().fold(errors, |chart, (at, ((scheme, name), shape))| {
+        let points = (-12..=24).map(|half| {
+            let tau = 10f64.powf(f64::from(half) / 2.0);
+            [tau, error_after(*scheme, tau, steps)]
+        });
+        let (kept, lost): (Vec<_>, Vec<_>) = points.partition(|point: &[f64; 2]| point[1] <= 1e3);
+        let hue = Hue::Nth(at as u8);
+        let chart = chart.with(Mark::Points { label: (*name).into(), hue, shape, joined: true, points: kept });
+        chart.with(Mark::Broken { hue, shape, at: lost.iter().map(|point| point[0]).collect() })
+    });
+    let transient = Chart::new(
+        "what a step keeps of E",
+        Axis::log("relaxation times in a step σΔt/ε", "").range(1e-3, 1e3),
+        Axis::linear("E′/E", "").range(-2.0, 1.0),
+    )
+    .at_y(-1.0, "unstable below");
+    let transient = NAMES.iter().enumerate().fold(transient, |chart, (at, (scheme, _))| {
+        let ratios = (-120..=120).map(|at| 10f64.powf(f64::from(at) / 40.0));
+        let curve = ratios.map(|x| [x, Update::new(*scheme, 1.0, x, 1.0).keep]).collect();
+        chart.line(Hue::Nth(at as u8), "", curve)
+    });
+    Plot::grid("A conducting cell, driven from rest", 2, vec![errors.into(), transient.into()])
+}

@@ -1,0 +1,131 @@
+//! E2: charge is conserved, because a curl has no divergence.
+
+use super::symbols::{D, E, EPSILON, H, J, RHO, SIGMA, T};
+use crate::setting::Setting;
+use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step};
+use light::em::plane::{Plane, Polarisation, Region, Setup, Sides};
+use light::em::{C, Medium, Pulse, Stepping};
+use light::equation::derivation::Chain;
+use light::equation::expr::{curl, divergence, partial};
+use light::equation::{Equation, Expr};
+use light::sampling::uniform;
+
+pub(super) const STEP: Step = Step {
+    id: "continuity",
+    title: "Charge is conserved",
+    says: "The four laws leave charge no way to vanish: what leaves a place as current is missing there.",
+    rows: &["E2"],
+    parameters: &[],
+    statements: &[
+        Statement {
+            id: "continuity",
+            says: "what flows away is missing",
+            rows: &["E2"],
+            equation: || Equation::new(divergence(J), -partial(RHO, T)),
+        },
+        Statement {
+            id: "relaxation",
+            says: "in a uniform conductor charge dies away where it is, in the time ε/σ",
+            rows: &["E2"],
+            equation: || Equation::new(partial(RHO, T), -(SIGMA / EPSILON * RHO)),
+        },
+    ],
+    derivations: &[
+        Derivation {
+            id: "from_maxwell",
+            says: "the divergence of Ampère's law, with Gauss's",
+            rows: &["E2"],
+            chain: || continuity(divergence(J)),
+            spoiled: || continuity(-divergence(J)),
+            slip: "the sign of the current in ∇×H = J + ∂D/∂t",
+        },
+        Derivation {
+            id: "dies_away",
+            says: "continuity with J = σE and D = εE: no place and no wave in it, only a time",
+            rows: &["E2"],
+            chain: || relaxation(-(SIGMA / EPSILON * RHO)),
+            spoiled: || relaxation(SIGMA / EPSILON * RHO),
+            slip: "the charge draws more to itself",
+        },
+    ],
+    readout: Some(readout),
+    checks: &[KEPT],
+    stress: &[],
+    races: &[],
+    figures: &[],
+};
+
+fn continuity(last: Expr) -> Chain {
+    Chain::new(-partial(RHO, T))
+        .given(RHO, divergence(D), "∇·D = ρ")
+        .given(partial(D, T), curl(H) - J, "∇×H = J + ∂D/∂t")
+        .then(-partial(divergence(D), T), ["∇·D = ρ"])
+        .then(-divergence(partial(D, T)), ["derivatives commute"])
+        .then(-divergence(curl(H) - J), ["∇×H = J + ∂D/∂t"])
+        .then(last, ["∇·(∇×H) = 0"])
+        .because("a field that only circles carries nothing out of any volume")
+}
+
+fn relaxation(last: Expr) -> Chain {
+    Chain::new(partial(RHO, T))
+        .given(RHO, divergence(D), "∇·D = ρ")
+        .given(D, EPSILON * E, "D = εE")
+        .given(J, SIGMA * E, "J = σE")
+        .given(partial(E, T), (curl(H) - J) / EPSILON, "∇×H = J + ∂D/∂t")
+        .then(-divergence(J), ["continuity"])
+        .then(-(SIGMA * divergence(E)), ["J = σE", "σ is the same everywhere"])
+        .then(last, ["D = εE", "∇·D = ρ"])
+}
+
+fn readout(_: &Setting) -> Vec<Quantity> {
+    let second = |key, says, epsilon_r: f64, sigma: f64| Quantity {
+        key,
+        symbol: "ε/σ",
+        says,
+        value: epsilon_r * light::waves::constants::EPSILON_0 / sigma,
+        unit: "s",
+    };
+    vec![
+        second("copper", "copper forgets a charge in", 1.0, 5.8e7),
+        second("sea_water", "sea water in", 74.0, 4.0),
+        second("distilled_water", "distilled water in", 80.0, 5.5e-6),
+        second("fused_silica", "fused silica in", 3.8, 1e-18),
+    ]
+}
+
+const KEPT: Check = Check {
+    id: "kept_on_the_grid",
+    claim: "at every node and in every step of a full-field run the charge that flows away is missing, and no magnetic flux ends",
+    rows: &["E1", "E2"],
+    route: "the fluxes out of each cell added up before and after a step; currents from Ohm's law and the electrons' equation, not from the update",
+    bound: Bound::AtMost {
+        limit: 64.0,
+        unit: "ε",
+        why: "a dozen roundings of the terms, relative to the largest of them, at the worst of a million nodes",
+    },
+    measure: |bench| unkept(bench, 24..=36),
+    spoiled: |bench| unkept(bench, 8..=36),
+    slip: "the current of the source is not counted",
+};
+
+/// The largest failure of continuity in rows of a plane with glass, a conductor and a metal, lit by a current in row 12.
+fn unkept(bench: &mut Bench, rows: std::ops::RangeInclusive<usize>) -> Measured {
+    const CELLS: [usize; 2] = [40, 60];
+    let cases = [Polarisation::Te, Polarisation::Tm].into_iter().flat_map(|polarisation| {
+        let mut shift = || uniform(&mut bench.stream, -4.0, 4.0);
+        let regions = vec![
+            Region::disc([12.0 + shift(), 30.0 + shift()], 6.0, Medium::dielectric(2.25)),
+            Region::disc([28.0 + shift(), 30.0 + shift()], 7.0, Medium::conductor(4.0, 5e-3)),
+            Region::disc([20.0 + shift(), 34.0 + shift()], 5.0, Medium::metal(0.4 * C, 0.01 * C)),
+        ];
+        let vacuum = Setup::vacuum(CELLS, 1.0, polarisation, Stepping::at(0.7));
+        let mut plane = Plane::new(Setup { regions, sides: Sides::Bloch(0.0), ..vacuum }).expect("within all limits");
+        plane.inject([20, 12], 1.0, Pulse::Gaussian { delay: 20.0 / C, width: 5.0 / C }).expect("a stepped place");
+        let rows = rows.clone();
+        (1..=200).map(move |step| {
+            let balance = plane.audited_step(rows.clone()).expect("rows between the walls");
+            (balance.divergence / f64::EPSILON, format!("{polarisation:?}, step {step}"))
+        })
+    });
+    Measured::worst(cases.collect::<Vec<_>>())
+}

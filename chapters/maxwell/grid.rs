@@ -1,0 +1,348 @@
+//! C2: the four laws on a grid: speed of waves, and the Courant limit.
+
+use crate::figure::{Axis, Chart, Hue, Map, Mark, Panel, Plot, Ramp, Shape};
+use crate::setting::{Kind, Parameter, Setting};
+use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
+use light::Complex64;
+use light::em::line::{Ends, Line, Setup};
+use light::em::theory::{growth_per_step, phase_per_step, phase_velocity};
+use light::em::{ETA_0, Stepping};
+use light::equation::derivation::Chain;
+use light::equation::expr::{exp, i, sin};
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::sampling::uniform;
+use std::f64::consts::{PI, TAU};
+
+const COURANT: Parameter = Parameter {
+    name: "courant",
+    symbol: "S",
+    says: "Courant number cΔt/Δ",
+    default: "0.5",
+    kind: Kind::Number { min: 0.01, max: 1.5, unit: "1" },
+};
+const CELLS: Parameter = Parameter {
+    name: "cells",
+    symbol: "λ/Δ",
+    says: "cells to a wavelength",
+    default: "20",
+    kind: Kind::Number { min: 2.0, max: 1e6, unit: "1" },
+};
+
+pub(super) const STEP: Step = Step {
+    id: "grid",
+    title: "The laws on a grid",
+    says: "Fields half a cell and half a step apart make every derivative a centred difference; waves then run a little late, and too long a step blows up.",
+    rows: &["C2"],
+    parameters: &[COURANT, CELLS],
+    statements: &[
+        Statement {
+            id: "leapfrog",
+            says: "the step of Faraday's and Ampère's laws along z, H taken out",
+            rows: &["C2"],
+            equation: || second_differences(|z, t| FIELD.at([z, t])),
+        },
+        Statement {
+            id: "dispersion",
+            says: "what it makes of frequency and wave number",
+            rows: &["C2"],
+            equation: || Equation::new(sin(OMEGA * DT / 2).pow(2), S.pow(2) * sin(K * DZ / 2).pow(2)),
+        },
+        Statement {
+            id: "courant",
+            says: "the Courant number; beyond 1 the shortest wave has no real frequency",
+            rows: &["C2"],
+            equation: || Equation::new(S, C * DT / DZ),
+        },
+    ],
+    derivations: &[Derivation {
+        id: "from_the_step",
+        says: "a harmonic wave put into the step",
+        rows: &["C2"],
+        chain: || dispersion(S.pow(2) * sin(K * DZ / 2).pow(2)),
+        spoiled: || dispersion(S.pow(2) * sin(K * DZ).pow(2)),
+        slip: "the fields a whole cell apart",
+    }],
+    readout: Some(readout),
+    checks: &[SPEED, STABLE, GROWTH],
+    stress: &[],
+    races: &[],
+    figures: &[
+        Figure {
+            id: "late_waves",
+            says: "Short waves run late, less so near the Courant limit; at the limit, in one dimension, not at all.",
+            rows: &["C2"],
+            plot: late,
+        },
+        Figure {
+            id: "courant_map",
+            says: "How fast the grid's waves grow: not at all below the limit, the shortest first above it.",
+            rows: &["C2"],
+            plot: courant_map,
+        },
+        Figure {
+            id: "blow_up",
+            says: "The largest field on the grid, step by step: a hair beyond the limit decides.",
+            rows: &["C2"],
+            plot: blow_up,
+        },
+    ],
+};
+
+const Z: Symbol = Symbol::scalar("z", Dimension::METRE).real(0.25, 1.25);
+const T: Symbol = Symbol::scalar("t", Dimension::SECOND).real(0.25, 1.25);
+const DZ: Symbol = Symbol::scalar("Delta", Dimension::METRE).real(0.25, 1.25);
+const DT: Symbol = Symbol::scalar("tau", Dimension::SECOND).real(0.25, 1.25);
+const S: Symbol = Symbol::scalar("S", Dimension::ONE).real(0.25, 1.0);
+const C: Symbol = Symbol::scalar("c", Dimension::METRE_PER_SECOND).real(0.5, 2.0);
+const K: Symbol = Symbol::scalar("k", Dimension::RADIAN_PER_METRE).real(0.5, 2.0);
+const OMEGA: Symbol = Symbol::scalar("omega", Dimension::HERTZ).real(0.5, 2.0);
+const FIELD: Symbol = Symbol::scalar("E", Dimension::VOLT_PER_METRE);
+
+/// E(t + τ) − 2E(t) + E(t − τ) = S²(E(z + Δ) − 2E(z) + E(z − Δ)), with `at` telling what E(z, t) is.
+fn second_differences(at: impl Fn(Expr, Expr) -> Expr) -> Equation {
+    let here = || at(Z.into(), T.into());
+    let in_time = at(Z.into(), T + DT) - 2 * here() + at(Z.into(), T - DT);
+    let in_space = at(Z + DZ, T.into()) - 2 * here() + at(Z - DZ, T.into());
+    Equation::new(in_time, S.pow(2) * in_space)
+}
+
+fn dispersion(last: Expr) -> Chain {
+    let wave = |z: Expr, t: Expr| exp(i() * (K * z - OMEGA * t));
+    let step = second_differences(wave);
+    let per_wave = |phase: Expr| exp(i() * &phase) - 2 + exp(-(i() * phase));
+    Chain::assume(step, "the step, E = e^(i(kz − ωt))")
+        .then(Equation::new(per_wave(OMEGA * DT), S.pow(2) * per_wave(K * DZ)), ["over E"])
+        .then(Equation::new(sin(OMEGA * DT / 2).pow(2), last), ["e^(iα) − 2 + e^(−iα) = −4 sin²(α/2)"])
+}
+
+/// A periodic line of vacuum, cells of 1 m, at this Courant number, above the limit too.
+fn ring(cells: usize, courant: f64) -> Line {
+    let stepping = Stepping { unstable: true, ..Stepping::at(courant) };
+    Line::new(Setup::vacuum(cells, 1.0, Ends::Periodic, stepping)).expect("a line within all limits")
+}
+
+/// The wave cos(kz − ωt) that runs on the ring, ωΔt as given.
+fn start(line: &mut Line, k: f64, phase: f64) {
+    line.set(|z| (k * z).cos(), |z| (k * z - 0.5 * phase).cos() / ETA_0);
+}
+
+fn run(line: &mut Line, steps: u64) {
+    line.run(steps).expect("at least one step");
+}
+
+const SPEED: Check = Check {
+    id: "speed",
+    claim: "a wave on the grid keeps its shape and runs at the speed that the dispersion relation says",
+    rows: &["C2"],
+    route: "the solver, a thousand steps on a ring, against the wave in closed form at every node",
+    bound: Bound::AtMost {
+        limit: 1e-11,
+        unit: "1",
+        why: "two roundings a step of fields that are at most 1, over a thousand steps",
+    },
+    measure: |_| speed(|k, courant| phase_per_step(&[k], courant).re),
+    spoiled: |_| speed(|k, courant| k * courant),
+    slip: "ω = ck, as if there were no grid",
+};
+
+fn speed(phase: fn(f64, f64) -> f64) -> Measured {
+    const CELLS: usize = 60;
+    const STEPS: u64 = 1000;
+    let cases = [0.1, 0.5, 0.9, 0.999].into_iter().flat_map(|s| [1, 3, 10, 20].map(|waves| (s, waves)));
+    Measured::worst(cases.map(|(courant, waves)| {
+        let k = TAU * f64::from(waves) / CELLS as f64;
+        let phase = phase(k, courant);
+        let mut line = ring(CELLS, courant);
+        start(&mut line, k, phase);
+        run(&mut line, STEPS);
+        let missed = line.e()[..CELLS]
+            .iter()
+            .enumerate()
+            .map(|(at, e)| (e - (k * at as f64 - phase * STEPS as f64).cos(), String::new()));
+        (Measured::worst(missed).value, format!("S = {courant}, {} cells to a wave", CELLS as f64 / f64::from(waves)))
+    }))
+}
+
+const STABLE: Check = Check {
+    id: "stable",
+    claim: "a hair below the Courant limit the energy on the grid is the same after 100 000 steps",
+    rows: &["C2"],
+    route: "Σ E² + Σ H₋H₊ over all cells, from random fields, every wave length among them",
+    bound: Bound::AtMost { limit: 1e-10, unit: "1", why: "100 000 steps of one rounding each, of either sign" },
+    measure: |bench| drift(bench, 1.0 - 1e-6),
+    spoiled: |bench| drift(bench, 1.0 + 1e-6),
+    slip: "a hair above",
+};
+
+/// Relative change of the energy on a ring.
+fn drift(bench: &mut Bench, courant: f64) -> Measured {
+    let mut line = ring(64, courant);
+    let noise: Vec<f64> = (0..128).map(|_| uniform(&mut bench.stream, -1.0, 1.0)).collect();
+    line.set(|z| noise[z as usize], |z| noise[64 + z as usize] / ETA_0);
+    let before = energy(&mut line);
+    run(&mut line, 100_000);
+    let after = energy(&mut line);
+    Measured::worst([((after - before) / before, format!("S = 1 {:+.0e}", courant - 1.0))])
+}
+
+/// The energy that leapfrog keeps [V² m⁻²], one step on.
+fn energy(line: &mut Line) -> f64 {
+    let before = line.h();
+    run(line, 1);
+    let magnetic: f64 = before.iter().zip(line.h()).map(|(a, b)| a * b).sum();
+    let cells = line.setup().cells;
+    let electric: f64 = line.e()[..cells].iter().map(|e| e * e).sum();
+    electric + ETA_0 * ETA_0 * magnetic
+}
+
+const GROWTH: Check = Check {
+    id: "growth",
+    claim: "beyond the limit the shortest wave grows by 2 arcosh S a step",
+    rows: &["C2"],
+    route: "the solver: how the logarithm of the field rises from step to step",
+    bound: Bound::AtMost {
+        limit: 1e-8,
+        unit: "1",
+        why: "the rate goes as √(S − 1), and S − 1 = 1e−6 has lost nine digits in rounding S",
+    },
+    measure: |_| growth(growth_per_step),
+    spoiled: |_| growth(|excess| 2.0 * (excess - 1.0)),
+    slip: "growth in proportion to the excess, as for the amplitude of one equation of first order",
+};
+
+fn growth(theory: fn(f64) -> f64) -> Measured {
+    Measured::worst([(1e-6, 20_000), (1e-4, 2000), (1e-2, 400), (0.1, 200), (0.5, 100)].map(|(excess, steps)| {
+        let courant = 1.0 + excess;
+        let found = grown(courant, steps);
+        let theory = theory(courant);
+        (found / theory - 1.0, format!("S = {courant}: {found:.6} a step"))
+    }))
+}
+
+/// ln of the growth per step of the shortest wave, in the second half of 2 × `steps` steps.
+fn grown(courant: f64, steps: u64) -> f64 {
+    let mut line = ring(16, courant);
+    line.set(|z| (PI * z).cos(), |_| 0.0);
+    run(&mut line, steps);
+    let before = line.e()[0].abs().ln();
+    run(&mut line, steps);
+    (line.e()[0].abs().ln() - before) / steps as f64
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let (courant, cells) = (setting.number("courant"), setting.number("cells"));
+    let k = TAU / cells;
+    let value = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
+    let growth = value("growth", "ln g", "growth of the shortest wave per step", growth_per_step(courant));
+    if courant * (0.5 * k).sin() > 1.0 {
+        return vec![growth];
+    }
+    vec![value("speed", "v/c", "speed of the wave on the grid", phase_velocity(&[k], courant)), growth]
+}
+
+/// Phase that the wave gains per step on a ring [rad], followed step by step.
+fn measured_phase(cells: usize, courant: f64) -> f64 {
+    const STEPS: u32 = 50;
+    let k = TAU / cells as f64;
+    let mut line = ring(cells, courant);
+    start(&mut line, k, phase_per_step(&[k], courant).re);
+    let component = |line: &Line| -> Complex64 {
+        line.e()[..cells].iter().enumerate().map(|(at, e)| e * Complex64::cis(-k * at as f64)).sum()
+    };
+    let mut before = component(&line);
+    let mut gained = 0.0;
+    for _ in 0..STEPS {
+        run(&mut line, 1);
+        let now = component(&line);
+        gained -= (now / before).arg();
+        before = now;
+    }
+    gained / f64::from(STEPS)
+}
+
+fn late(setting: &Setting) -> Plot {
+    let own = setting.number("courant").min(0.999);
+    let chart = Chart::new(
+        "",
+        Axis::log("cells to a wavelength λ/Δ", "").range(3.0, 100.0),
+        Axis::log("lag of the wave 1 − v/c", "").range(1e-7, 1.0),
+    );
+    let numbers = [own, 0.9, 0.99];
+    let chart = numbers.iter().enumerate().fold(chart, |chart, (at, &courant)| {
+        let line = (0..=160).map(|step| 3.0 * (100.0f64 / 3.0).powf(f64::from(step) / 160.0));
+        let curve = line.map(|cells| [cells, 1.0 - phase_velocity(&[TAU / cells], courant)]).collect();
+        let points = [3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96].map(|cells| {
+            let k = TAU / cells as f64;
+            [cells as f64, 1.0 - measured_phase(cells, courant) / (courant * k)]
+        });
+        let hue = Hue::Nth(at as u8);
+        chart.line(hue, format!("S = {courant}"), curve).with(Mark::Points {
+            label: String::new(),
+            hue,
+            shape: Shape::Disc,
+            joined: false,
+            points: points.into(),
+        })
+    });
+    Plot::of("Waves on the grid: theory (lines) and solver (points)", chart)
+}
+
+fn courant_map(_: &Setting) -> Plot {
+    const COLUMNS: usize = 120;
+    const ROWS: usize = 120;
+    let values = (0..COLUMNS * ROWS).map(|cell| {
+        let k = PI * ((cell % COLUMNS) as f64 + 0.5) / COLUMNS as f64;
+        let courant = 1.5 * ((cell / COLUMNS) as f64 + 0.5) / ROWS as f64;
+        phase_per_step(&[k], courant).im
+    });
+    let limit = (0..=100).map(|at| 0.46 + 0.54 * f64::from(at) / 100.0).map(|k| [k, (0.5 * PI * k).sin().recip()]);
+    let map = Panel::Map(Map {
+        title: "one dimension: which waves grow".into(),
+        x: Axis::linear("wave number kΔ/π", "").range(0.0, 1.0),
+        y: Axis::linear("Courant number S", "").range(0.0, 1.5),
+        colour: Axis::linear("growth per step, ln g", "").range(0.0, 2.0),
+        ramp: Ramp::Sequential,
+        columns: COLUMNS,
+        values: values.collect(),
+        marks: vec![Mark::Line {
+            label: String::new(),
+            hue: Hue::Reference,
+            dash: crate::figure::Dash::Dashed,
+            points: limit.collect(),
+        }],
+    });
+    let excess = |at: i32| 10f64.powf(f64::from(at) / 20.0);
+    let theory = (-120..=0).map(|at| [excess(at), growth_per_step(1.0 + excess(at))]).collect();
+    let measured = [(-120, 20_000), (-100, 6000), (-80, 2000), (-60, 700), (-40, 300), (-20, 150), (0, 80)]
+        .map(|(at, steps)| [excess(at), grown(1.0 + excess(at), steps)]);
+    let chart = Chart::new("beyond the limit", Axis::log("excess S − 1", ""), Axis::log("growth per step, ln g", ""))
+        .line(Hue::Natural, "2 arcosh S", theory)
+        .with(Mark::Points {
+            label: "solver".into(),
+            hue: Hue::Ours,
+            shape: Shape::Disc,
+            joined: false,
+            points: measured.into(),
+        });
+    Plot::grid("The Courant limit", 2, vec![map, chart.into()])
+}
+
+fn blow_up(_: &Setting) -> Plot {
+    const STEPS: usize = 400;
+    let chart = Chart::new(
+        "",
+        Axis::linear("step", "").range(0.0, STEPS as f64),
+        Axis::log("largest |E| on the grid", "V/m").range(1e-1, 1e12),
+    );
+    let chart = [0.5, 0.999, 1.001, 1.01, 1.1].into_iter().enumerate().fold(chart, |chart, (at, courant)| {
+        let mut line = ring(200, courant);
+        let pulse = |z: f64| (-((z - 100.0) / 8.0).powi(2)).exp();
+        line.set(pulse, |z| pulse(z - 0.5 * courant) / ETA_0);
+        let heights = (1..=STEPS).map(|step| {
+            run(&mut line, 1);
+            [step as f64, line.e().iter().fold(0.0f64, |most, e| most.max(e.abs()))]
+        });
+        chart.line(Hue::Nth(at as u8), format!("S = {courant}"), heights.collect())
+    });
+    Plot::of("A pulse, below and beyond the Courant limit", chart)
+}

@@ -1,0 +1,401 @@
+//! E4: what the four laws demand where one medium ends and another begins.
+
+use super::symbols::{B_1, B_2, D_1, D_2, E_1, E_2, H_1, H_2, NORMAL};
+use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::fresnel::fields::{Wave, waves};
+use crate::fresnel::{INTERFACE, interface, sample_inputs};
+use crate::setting::Setting;
+use crate::vocabulary::{
+    Bench, Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress,
+};
+use light::Complex64;
+use light::equation::derivation::Chain;
+use light::equation::expr::{cross, dot, vector};
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::evidence::fresnel::Input;
+use light::fields::surface::{Side, free_charge};
+use light::optics::Incidence;
+use light::optics::film::Polarisation;
+use light::optics::fresnel::amplitudes;
+use light::optics::incidence::{normal_squared, outgoing_root};
+use light::precise::{self, Real};
+use light::waves::constants::EPSILON_0;
+use std::f64::consts::TAU;
+
+pub(super) const STEP: Step = Step {
+    id: "interface",
+    title: "Where two media meet",
+    says: "Across a bare interface the normal parts of D and B go on, and so do the tangential parts of E and H.",
+    rows: &["E4"],
+    parameters: INTERFACE,
+    statements: &[
+        Statement {
+            id: "b_normal",
+            says: "as much magnetic flux leaves as arrives",
+            rows: &["E4"],
+            equation: || normal_meets(B_1, B_2),
+        },
+        Statement {
+            id: "d_normal",
+            says: "and as much electric flux, where no charge lies between",
+            rows: &["E4"],
+            equation: || normal_meets(D_1, D_2),
+        },
+        Statement {
+            id: "e_tangential",
+            says: "the electric fields along the interface agree",
+            rows: &["E4"],
+            equation: || tangential_meets(E_1, E_2),
+        },
+        Statement {
+            id: "h_tangential",
+            says: "and the magnetic ones, where no current runs between",
+            rows: &["E4"],
+            equation: || tangential_meets(H_1, H_2),
+        },
+    ],
+    derivations: &[
+        Derivation {
+            id: "pill_box",
+            says: "Gauss's theorem on a box of height h whose lids lie on either side: all but the lids comes with an h",
+            rows: &["E4"],
+            chain: || pill_box(step_across(D_1, D_2, WALL_D, INSIDE.into())),
+            spoiled: || pill_box(Equation::new(dot(NORMAL, D_1 + D_2), HEIGHT * (GIRTH * WALL_D / AREA - INSIDE))),
+            slip: "both lids take n for their way out",
+        },
+        Derivation {
+            id: "flat_pill_box",
+            says: "the same box made flat: no volume is left for charge, no wall for flux",
+            rows: &["E4"],
+            chain: || flat_box().then(normal_meets(B_1, B_2), ["h → 0"]).then(normal_meets(D_1, D_2), ["h → 0"]),
+            spoiled: || flat_box().then(normal_meets(E_1, E_2), ["h → 0"]),
+            slip: "E for D",
+        },
+        Derivation {
+            id: "loop",
+            says: "Stokes's theorem on a loop of height h whose long sides lie on either side, along t = b×n",
+            rows: &["E4"],
+            chain: || around(turn_across(&B_WAY.into(), [E_1, E_2], SHORT_E, THROUGH_E)),
+            spoiled: || around(turn_across(&B_WAY.into(), [E_2, E_1], SHORT_E, THROUGH_E)),
+            slip: "the sides exchanged",
+        },
+        Derivation {
+            id: "narrow_loops",
+            says: "two such loops, one along each direction of the interface, made narrow",
+            rows: &["E4"],
+            chain: || {
+                let loops = narrow_loops().then(tangential_meets(E_1, E_2), ["h → 0"]);
+                loops.then(tangential_meets(H_1, H_2), ["h → 0"])
+            },
+            spoiled: || narrow_loops().then(Equation::new(E_1, E_2), ["h → 0"]),
+            slip: "the normal part is taken to be continuous too",
+        },
+    ],
+    readout: Some(readout),
+    checks: &[NORMAL_PARTS, TANGENTIAL_PARTS],
+    stress: &[Stress {
+        id: "free_charge",
+        claim: "the charge that conduction leaves on an interface keeps its digits from distilled water to a perfect conductor",
+        rows: &["E4"],
+        textbook: "the step of the normal D, ε₂E₂ − ε₁E₁, with E₂ from the continuity of the total current",
+        reference: "the same step in 256 bits",
+        cases: |_| charges(),
+    }],
+    races: &[],
+    figures: &[Figure {
+        id: "through_the_interface",
+        says: "p light across the interface: the tangential E runs on, the normal E jumps so that the normal D runs on.",
+        rows: &["E4"],
+        plot: through,
+    }],
+};
+
+fn normal_meets(near: Symbol, far: Symbol) -> Equation {
+    Equation::new(dot(NORMAL, near - far), 0)
+}
+
+fn tangential_meets(near: Symbol, far: Symbol) -> Equation {
+    Equation::new(cross(NORMAL, near - far), 0)
+}
+
+/// Area of a lid.
+const AREA: Symbol = Symbol::scalar("A", Dimension::SQUARE_METRE).real(0.5, 2.0);
+/// Circumference of the box.
+const GIRTH: Symbol = Symbol::scalar("p", Dimension::METRE).real(0.5, 2.0);
+/// Height of box and loop.
+pub(super) const HEIGHT: Symbol = Symbol::scalar("h", Dimension::METRE).real(0.1, 1.0);
+/// Length of the loop.
+const LENGTH: Symbol = Symbol::scalar("l", Dimension::METRE).real(0.5, 2.0);
+/// Way of the normal of the loop, in the interface.
+const B_WAY: Symbol = Symbol::vector("b", Dimension::ONE);
+/// Mean of a field out of the box's wall.
+const WALL_B: Symbol = Symbol::scalar("B_w", Dimension::TESLA);
+const WALL_D: Symbol = Symbol::scalar("D_w", Dimension::COULOMB_PER_SQUARE_METRE);
+/// Mean of the magnetic charge in the box, of which there is none.
+const MONOPOLES: Symbol = Symbol::scalar("rho_m", Dimension::TESLA.per(Dimension::METRE));
+/// Mean of the charge in the box.
+const INSIDE: Symbol = Symbol::scalar("rho", Dimension::COULOMB_PER_CUBIC_METRE);
+/// Means of a field along the two short sides of a loop, and of what flows through it.
+const SHORT_E: Symbol = Symbol::scalar("E_s", Dimension::VOLT_PER_METRE);
+const SHORT_H: Symbol = Symbol::scalar("H_s", Dimension::AMPERE_PER_METRE);
+const THROUGH_E: Symbol = Symbol::scalar("w", Dimension::TESLA.per(Dimension::SECOND));
+const THROUGH_H: Symbol = Symbol::scalar("j", Dimension::AMPERE_PER_SQUARE_METRE);
+
+/// Gauss's theorem on the box: n points out of the far lid and into the near one.
+fn box_of(near: Symbol, far: Symbol, wall: Symbol, inside: Expr) -> Equation {
+    let lids = AREA * dot(NORMAL, far) - AREA * dot(NORMAL, near);
+    Equation::new(lids + GIRTH * HEIGHT * wall, AREA * HEIGHT * inside)
+}
+
+/// The same solved for the step of the normal part: everything else comes with an h.
+fn step_across(near: Symbol, far: Symbol, wall: Symbol, inside: Expr) -> Equation {
+    Equation::new(dot(NORMAL, near - far), HEIGHT * (GIRTH * wall / AREA - inside))
+}
+
+/// The magnetic charge inside.
+fn no_charge() -> Expr {
+    0 * Expr::from(MONOPOLES)
+}
+
+fn pill_box(last: Equation) -> Chain {
+    Chain::assume(box_of(B_1, B_2, WALL_B, no_charge()), "∇·B = 0, Gauss's theorem")
+        .and(box_of(D_1, D_2, WALL_D, INSIDE.into()), "∇·D = ρ, Gauss's theorem")
+        .solve_for([WALL_B, WALL_D])
+        .then(step_across(B_1, B_2, WALL_B, no_charge()), ["over A"])
+        .then(last, ["over A"])
+}
+
+fn flat_box() -> Chain {
+    Chain::assume(step_across(B_1, B_2, WALL_B, no_charge()), "the box, for B")
+        .and(step_across(D_1, D_2, WALL_D, INSIDE.into()), "the box, for D")
+        .given(HEIGHT, 0, "h → 0")
+}
+
+/// Stokes's theorem on the loop: along t = b×n on the far side, back on the near one, and the short sides; `through` is
+/// what flows through it, per area.
+fn loop_of(way: &Expr, [near, far]: [Symbol; 2], short: Symbol, through: Symbol) -> Equation {
+    let along = |field: Symbol| LENGTH * dot(cross(way, NORMAL), field);
+    Equation::new(along(far) - along(near) + HEIGHT * short, LENGTH * HEIGHT * through)
+}
+
+/// The same solved for the step of the tangential part along b: everything else comes with an h.
+pub(super) fn turn_across(way: &Expr, [near, far]: [Symbol; 2], short: Symbol, through: Symbol) -> Equation {
+    Equation::new(dot(way, cross(NORMAL, near - far)), HEIGHT * (short / LENGTH - through))
+}
+
+fn around(last: Equation) -> Chain {
+    Chain::assume(loop_of(&B_WAY.into(), [E_1, E_2], SHORT_E, THROUGH_E), "∇×E = −∂B/∂t, Stokes's theorem")
+        .then(last, ["(b×n)·a = b·(n×a)", "over l"])
+}
+
+/// Loops along x and y for E and for H, with h = 0.
+fn narrow_loops() -> Chain {
+    let ways = || [vector(1, 0, 0), vector(0, 1, 0)];
+    let [x, y] = ways().map(|way| turn_across(&way, [E_1, E_2], SHORT_E, THROUGH_E));
+    let [p, q] = ways().map(|way| turn_across(&way, [H_1, H_2], SHORT_H, THROUGH_H));
+    Chain::assume(x, "the loop for E, b along x")
+        .and(y, "b along y")
+        .and(p, "the loop for H, b along x")
+        .and(q, "b along y")
+        .given(NORMAL, vector(0, 0, 1), "n along z")
+        .given(HEIGHT, 0, "h → 0")
+}
+
+/// The three waves of an input.
+fn solved(input: &Input, polarisation: Polarisation) -> [Wave; 3] {
+    let incidence = Incidence::from(input.direction);
+    waves(polarisation, incidence, input.n_i, input.n_t, &amplitudes(incidence, input.n_i, input.n_t))
+}
+
+/// (near, far) values of the tangential E_x, E_y, H_x, H_y and the normal D_z and B_z, E in units of the incident
+/// amplitude, H times Z₀, D over ε₀; and how large each of the fields is.
+fn sides(input: &Input, [incident, reflected, transmitted]: &[Wave; 3]) -> [(Complex64, Complex64, f64); 6] {
+    let near_eps = Complex64::from(input.n_i * input.n_i);
+    let far_eps = input.n_t * input.n_t;
+    let e = |axis: usize| (incident.e[axis] + reflected.e[axis], transmitted.e[axis]);
+    let h = |axis: usize| (incident.h[axis] + reflected.h[axis], transmitted.h[axis]);
+    let magnetic = 1.0 + input.n_i.max(input.n_t.norm());
+    let electric = 1.0 + (near_eps * e(2).0).norm() + (far_eps * e(2).1).norm();
+    let with = |(near, far): (Complex64, Complex64), scale: f64| (near, far, scale);
+    [
+        with(e(0), 1.0),
+        with(e(1), 1.0),
+        with(h(0), magnetic),
+        with(h(1), magnetic),
+        with((near_eps * e(2).0, far_eps * e(2).1), electric),
+        with(h(2), magnetic),
+    ]
+}
+
+const NAMES: [&str; 6] = ["E_x", "E_y", "H_x", "H_y", "D_z", "B_z"];
+
+/// Largest step, over the field's size and in ε, of the chosen components across the setting's interface and others.
+fn steps(bench: &mut Bench, chosen: std::ops::Range<usize>, amend: fn(&Input) -> Input) -> Measured {
+    Measured::worst(sample_inputs(bench.setting).iter().flat_map(|input| {
+        [Polarisation::S, Polarisation::P].into_iter().flat_map({
+            let chosen = chosen.clone();
+            move |polarisation| {
+                let sides = sides(&amend(input), &solved(input, polarisation));
+                let place = format!("{polarisation:?}, {:?}, n {} → {}", input.direction, input.n_i, input.n_t);
+                chosen.clone().map(move |at| {
+                    let (near, far, scale) = sides[at];
+                    ((near - far).norm() / scale / f64::EPSILON, format!("{} of {place}", NAMES[at]))
+                })
+            }
+        })
+    }))
+}
+
+const NORMAL_PARTS: Check = Check {
+    id: "normal_parts",
+    claim: "Fresnel's waves, made from the tangential conditions alone, carry D and B straight through as well",
+    rows: &["E4"],
+    route: "field vectors of the three waves of chapter fresnel, clear and absorbing, from the normal to grazing and beyond total reflection",
+    bound: Bound::AtMost { limit: 32.0, unit: "ε", why: "a dozen roundings in the amplitudes and in each product" },
+    measure: |bench| steps(bench, 4..6, |input| *input),
+    spoiled: |bench| steps(bench, 4..6, |input| Input { n_i: 1.0, n_t: 1.0.into(), ..*input }),
+    slip: "E for D: the normal E is taken to be continuous",
+};
+
+const TANGENTIAL_PARTS: Check = Check {
+    id: "tangential_parts",
+    claim: "and E and H along the interface, of course",
+    rows: &["E4"],
+    route: "the same vectors, H = n k×E",
+    bound: Bound::AtMost { limit: 32.0, unit: "ε", why: "as for the normal parts" },
+    measure: |bench| steps(bench, 0..4, |input| *input),
+    spoiled: |bench| {
+        Measured::worst(sample_inputs(bench.setting).iter().map(|input| {
+            let [incident, reflected, transmitted] = solved(input, Polarisation::P);
+            // The incident wave alone against the transmitted one.
+            let step = incident.e[0] - transmitted.e[0];
+            (step.norm() / f64::EPSILON, format!("{:?}, reflected {:.2e}", input.direction, reflected.e[0].norm()))
+        }))
+    },
+    slip: "the reflected wave is forgotten",
+};
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let input = interface(setting);
+    let all = sides(&input, &solved(&input, Polarisation::P));
+    let value = |key, symbol, says, value: f64| Quantity { key, symbol, says, value, unit: "1" };
+    let normal = |at: usize, eps: Complex64, far: bool| {
+        let (near, beyond, _) = all[at];
+        (if far { beyond } else { near } / eps).norm()
+    };
+    vec![
+        value("e_tangential", "|E_x|", "tangential E on both sides, p light of amplitude 1", all[0].0.norm()),
+        value("d_normal", "|D_z|/ε_0", "normal D on both sides", all[4].0.norm()),
+        value("e_normal_near", "|E_z|", "normal E on the near side", normal(4, (input.n_i * input.n_i).into(), false)),
+        value("e_normal_far", "|E_z|", "normal E on the far side", normal(4, input.n_t * input.n_t, true)),
+    ]
+}
+
+/// Pairs of media, and the frequency [Hz], from insulators to the best conductors.
+const MEDIA: [(&str, [f64; 2], [f64; 2], f64); 9] = [
+    ("air to distilled water, 1 GHz", [1.0, 0.0], [80.0, 5.5e-6], 1e9),
+    ("air to sea water, 1 GHz", [1.0, 0.0], [74.0, 4.0], 1e9),
+    ("air to fused silica, 545 THz", [1.0, 0.0], [2.13, 1e-18], 5.45e14),
+    ("air to fused silica, 50 Hz", [1.0, 0.0], [3.8, 1e-18], 50.0),
+    ("air to copper, 50 Hz", [1.0, 0.0], [1.0, 5.8e7], 50.0),
+    ("air to copper, 1 mHz", [1.0, 0.0], [1.0, 5.8e7], 1e-3),
+    ("two oils that relax nearly alike, 50 Hz", [2.0, 1e-12], [2.2, 1.1e-12 * (1.0 + 1e-9)], 50.0),
+    ("copper to silver, 10 GHz", [1.0, 5.8e7], [1.0, 6.2e7], 1e10),
+    ("damp to dry ground, 1 THz", [15.0, 1e-2], [4.0, 1e-4], 1e12),
+];
+
+fn charges() -> Vec<Extreme> {
+    MEDIA
+        .iter()
+        .flat_map(|&(name, near, far, frequency)| {
+            let omega = TAU * frequency;
+            let side = |[eps_r, sigma]: [f64; 2]| Side { epsilon: eps_r * EPSILON_0, sigma };
+            let (near, far) = (side(near), side(far));
+            let ours = free_charge(near, far, omega);
+            let book = step_of_d(near, far, omega);
+            let (exact, condition) = exact_charge([near.epsilon, near.sigma, far.epsilon, far.sigma, omega]);
+            let [re, im] = exact;
+            let extreme = |quantity, reference, textbook, ours, condition| Extreme {
+                input: name.to_owned(),
+                quantity,
+                reference,
+                textbook,
+                ours,
+                condition,
+                worst_of: 1,
+            };
+            [
+                extreme("Re ρ_s/E_1", re, book.re, ours.re, condition[0]),
+                extreme("Im ρ_s/E_1", im, book.im, ours.im, condition[1]),
+            ]
+        })
+        .collect()
+}
+
+/// The textbook's way: the field beyond, then the difference.
+fn step_of_d(near: Side, far: Side, omega: f64) -> Complex64 {
+    let total = |side: Side| Complex64::new(side.sigma, -omega * side.epsilon);
+    let e_far = total(near) / total(far);
+    far.epsilon * e_far - near.epsilon
+}
+
+/// Real and imaginary part of ρ_s/E₁, and the condition numbers with respect to ε₁, σ₁, ε₂, σ₂ and ω.
+fn exact_charge(inputs: [f64; 5]) -> ([Real; 2], [f64; 2]) {
+    const STEP: f64 = 1e-30;
+    let value = |[eps_1, sigma_1, eps_2, sigma_2, omega]: &[Real; 5]| {
+        let surplus = eps_2 * sigma_1 - eps_1 * sigma_2;
+        let displaced = omega * eps_2;
+        let norm = sigma_2 * sigma_2 + &displaced * &displaced;
+        [&surplus * sigma_2 / &norm, &surplus * &displaced / &norm]
+    };
+    let exact = inputs.map(precise::real);
+    let here = value(&exact);
+    let mut condition = [0.0; 2];
+    for at in 0..5 {
+        let mut moved = exact.clone();
+        moved[at] = &moved[at] + &moved[at] * precise::real(STEP);
+        for ((sum, there), here) in condition.iter_mut().zip(value(&moved)).zip(&here) {
+            *sum += precise::to_f64(&((there - here) / here)).abs() / STEP;
+        }
+    }
+    (here, condition)
+}
+
+/// p light along the normal through the interface at one moment.
+fn through(setting: &Setting) -> Plot {
+    let input = interface(setting);
+    let incidence = Incidence::from(input.direction);
+    let [incident, reflected, transmitted] = solved(&input, Polarisation::P);
+    let q = [input.n_i.into(), input.n_t].map(|n| outgoing_root(normal_squared(incidence, input.n_i, n)));
+    let wave = |at: Complex64, z: f64| (Complex64::i() * TAU * at * z).exp();
+    let field = |axis: usize, z: f64| {
+        if z < 0.0 {
+            incident.e[axis] * wave(q[0], z) + reflected.e[axis] * wave(-q[0], z)
+        } else {
+            transmitted.e[axis] * wave(q[1], z)
+        }
+    };
+    let eps = |z: f64| if z < 0.0 { (input.n_i * input.n_i).into() } else { input.n_t * input.n_t };
+    // Both sides of the interface itself are drawn, so that a jump is upright.
+    let places = (-200..=200).filter(|&at| at != 0).map(|at| f64::from(at) / 200.0);
+    let places: Vec<f64> = places.flat_map(|z| if z == 0.005 { vec![-1e-9, 1e-9, z] } else { vec![z] }).collect();
+    let curve = |of: &dyn Fn(f64) -> f64| places.iter().map(|&z| [z, of(z)]).collect::<Vec<_>>();
+    let chart = |title: &str, y: &str| {
+        Chart::new(title, Axis::linear("distance from the interface z/λ", "").range(-1.0, 1.0), Axis::linear(y, ""))
+            .at_x(0.0, "")
+    };
+    let heading = crate::fresnel::media(input.n_i, input.n_t);
+    Plot::grid(
+        format!("Across the interface, {heading}"),
+        2,
+        vec![
+            chart("along the interface", "field over the incident amplitude")
+                .line(Hue::Nth(0), "E_x", curve(&|z| field(0, z).re))
+                .into(),
+            chart("across it", "field over the incident amplitude")
+                .line(Hue::Nth(1), "E_z", curve(&|z| field(2, z).re))
+                .dashed(Hue::Nth(2), "D_z/ε_0", curve(&|z| (eps(z) * field(2, z)).re))
+                .into(),
+        ],
+    )
+}

@@ -1,0 +1,165 @@
+//! C2: what a scene does not need is not there, and costs nothing.
+
+use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
+use crate::setting::{Kind, Parameter, Setting};
+use crate::vocabulary::{Bound, Check, Expects, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step};
+use light::em::line::{Ends, Line, Setup};
+use light::em::{C, ETA_0, Medium, Pulse, Stepping};
+use light::equation::{Dimension, Equation, Symbol};
+use std::f64::consts::TAU;
+
+const CELLS: Parameter = Parameter {
+    name: "cells",
+    symbol: "N",
+    says: "cells of the line",
+    default: "10000",
+    kind: Kind::Count { min: 100, max: 1_000_000 },
+};
+
+pub(super) const STEP: Step = Step {
+    id: "left_out",
+    title: "What is not needed",
+    says: "A lossless cell carries no conduction, a closed end no absorber, a line no second dimension: the fields are the same, bit by bit.",
+    rows: &["C2"],
+    parameters: &[CELLS],
+    statements: &[Statement {
+        id: "memory",
+        says: "the time of a step of a grid that does not fit into the cache: what it moves over how fast memory moves it",
+        rows: &["C2"],
+        equation: || Equation::new(STEP_TIME, BYTES / BANDWIDTH),
+    }],
+    derivations: &[],
+    readout: Some(readout),
+    checks: &[SAME],
+    stress: &[],
+    races: &[Race {
+        id: "vacuum",
+        claim: "the same wave on a line that has all machinery and on one that has what vacuum needs",
+        rows: &["C2"],
+        work: "cell-steps",
+        error: "|ΔE| of a plane wave",
+        reference: "the wave at the speed that the grid gives it, at one node",
+        lanes: &[
+            lane("full", "everything in every cell", |_, n| ring(false, n)),
+            lane("pruned", "what is needed", |_, n| ring(true, n)),
+        ],
+    }],
+    figures: &[Figure {
+        id: "savings",
+        says: "What four scenes left out, per cell and step.",
+        rows: &["C2"],
+        plot: savings,
+    }],
+};
+
+const STEP_TIME: Symbol = Symbol::scalar("t", Dimension::SECOND);
+const BYTES: Symbol = Symbol::scalar("M", Dimension::ONE);
+const BANDWIDTH: Symbol = Symbol::scalar("beta", Dimension::HERTZ);
+
+const fn lane(id: &'static str, label: &'static str, prepare: fn(&mut crate::vocabulary::Bench, u64) -> Heat) -> Lane {
+    const ROUNDED: Expects = Expects::Within { limit: 1e-11, why: "two roundings a step" };
+    Lane { id, label, works: &[1_000_000, 4_000_000, 16_000_000], expects: ROUNDED, repeats: 1, prepare }
+}
+
+fn stepping(pruned: bool) -> Stepping {
+    Stepping { pruned, ..Stepping::at(0.5) }
+}
+
+/// A wave of twenty cells on a ring of 10⁴, so many cell-steps further at each run.
+fn ring(pruned: bool, cell_steps: u64) -> Heat {
+    const CELLS: usize = 10_000;
+    let k = TAU / 20.0;
+    let phase = light::em::theory::phase_per_step(&[k], 0.5).re;
+    let mut line = Line::new(Setup::vacuum(CELLS, 1.0, Ends::Periodic, stepping(pruned))).expect("within all limits");
+    line.set(|z| (k * z).cos(), |z| (k * z - 0.5 * phase).cos() / ETA_0);
+    Heat {
+        run: Box::new(move || {
+            line.run(cell_steps / CELLS as u64).expect("some steps");
+            vec![line.e()[0], line.steps() as f64]
+        }),
+        error: Box::new(move |found| (found[0] - (phase * found[1]).cos()).abs()),
+    }
+}
+
+/// Scenes that need more and more.
+const SCENES: [(&str, &str); 4] = [("vacuum", "vacuum"), ("glass", "glass"), ("sea", "salt water"), ("metal", "metal")];
+
+/// A line whose second half is filled, between absorbers.
+fn scene(key: &str, cells: usize, pruned: bool) -> Line {
+    let medium = match key {
+        "glass" => Medium::dielectric(2.25),
+        "sea" => Medium::conductor(74.0, 4.0),
+        "metal" => Medium::metal(100.0 * C, C),
+        _ => Medium::VACUUM,
+    };
+    let setup = Setup {
+        layers: vec![(cells / 2..cells - 20, medium)],
+        ..Setup::vacuum(cells, 0.01, Ends::open(20), stepping(pruned))
+    };
+    Line::new(setup).expect("within all limits")
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let cells = setting.number("cells") as usize;
+    let each = SCENES.map(|(key, says)| {
+        let explanation = scene(key, cells, true).explain();
+        Quantity { key, symbol: "B", says, value: explanation.bytes_saved_per_cell(), unit: "B" }
+    });
+    each.into()
+}
+
+const SAME: Check = Check {
+    id: "same_fields",
+    claim: "what was left out is not missed: both kinds of line give the same fields",
+    rows: &["C2"],
+    route: "the same scenes with every coefficient and current in every cell",
+    bound: Bound::AtMost {
+        limit: 0.0,
+        unit: "ε",
+        why: "the same operations on the same numbers, and others that change nothing",
+    },
+    measure: |_| difference(0.0),
+    spoiled: |_| difference(1e-6),
+    slip: "a faint conduction taken for none",
+};
+
+/// Largest difference of fields [ε V/m] between pruned and full lines, the full one with vacuum that conducts by `sigma`.
+fn difference(sigma: f64) -> Measured {
+    Measured::worst(SCENES.into_iter().flat_map(|(key, name)| {
+        let mut lines = [true, false].map(|pruned| {
+            let line = scene(key, 400, pruned);
+            let mut setup = line.setup().clone();
+            if !pruned {
+                setup.background = Medium { sigma, ..setup.background };
+            }
+            let mut line = Line::new(setup).expect("within all limits");
+            let pulse = Pulse::Modulated { frequency: 1.5e9, delay: 1e-9, width: 0.3e-9 };
+            line.inject(60, 1.0, pulse).expect("a node of the line");
+            line
+        });
+        for line in &mut lines {
+            line.run(600).expect("some steps");
+        }
+        let [pruned, full] = lines;
+        let pairs: Vec<_> = pruned.e().iter().zip(full.e()).map(|(a, b)| (a - b) / f64::EPSILON).collect();
+        pairs.into_iter().map(move |difference| (difference, name.to_owned()))
+    }))
+}
+
+fn savings(setting: &Setting) -> Plot {
+    let cells = setting.number("cells") as usize;
+    let points = |of: fn(&light::em::pruning::Explanation) -> f64| -> Vec<[f64; 2]> {
+        let each = SCENES.iter().enumerate();
+        each.map(|(at, (key, _))| [at as f64 + 1.0, of(&scene(key, cells, true).explain())]).collect()
+    };
+    let names = SCENES.iter().enumerate().map(|(at, (_, name))| format!("{} {name}", at + 1));
+    let mark = |label: &str, hue, shape, points| Mark::Points { label: label.into(), hue, shape, joined: true, points };
+    let chart = Chart::new(
+        "",
+        Axis::linear(names.collect::<Vec<_>>().join(", "), "").range(0.5, 4.5).tick(1.0),
+        Axis::linear("saved per cell", "").range(0.0, 100.0),
+    )
+    .with(mark("bytes", Hue::Ours, Shape::Disc, points(|explanation| explanation.bytes_saved_per_cell())))
+    .with(mark("operations a step", Hue::Nth(1), Shape::Square, points(|e| e.operations_saved_per_cell())));
+    Plot::of("What scenes left out", chart)
+}

@@ -1,0 +1,269 @@
+//! E3: what matter adds, as numbers or as tensors.
+
+use super::symbols::{B, D, E, EPSILON, H, J, MU, SIGMA};
+use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::setting::{Kind, Parameter, Setting};
+use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
+use light::equation::derivation::Chain;
+use light::equation::expr::vector;
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::fields::tensor::{Tensor, hall_conductivity};
+use light::fields::{Vector, cross, dot};
+use light::sampling::uniform;
+
+const ORDINARY: Parameter = Parameter {
+    name: "n_o",
+    symbol: "n_o",
+    says: "index across the crystal's axis (calcite, 589 nm)",
+    default: "1.6584",
+    kind: Kind::Number { min: 1.0, max: 5.0, unit: "1" },
+};
+const EXTRAORDINARY: Parameter =
+    Parameter { name: "n_e", symbol: "n_e", says: "index along the crystal's axis", default: "1.4864", ..ORDINARY };
+
+pub(super) const STEP: Step = Step {
+    id: "media",
+    title: "What matter adds",
+    says: "Three numbers, ε, μ and σ, tie the fields together; they are tensors that symmetry makes numbers.",
+    rows: &["E3"],
+    parameters: &[ORDINARY, EXTRAORDINARY],
+    statements: &[
+        Statement {
+            id: "electric",
+            says: "charges held in place give way to the field",
+            rows: &["E3"],
+            equation: || Equation::new(D, EPSILON * E),
+        },
+        Statement {
+            id: "magnetic",
+            says: "so do the little currents in the atoms",
+            rows: &["E3"],
+            equation: || Equation::new(B, MU * H),
+        },
+        Statement { id: "ohm", says: "free charges drift", rows: &["E3"], equation: || Equation::new(J, SIGMA * E) },
+        Statement {
+            id: "tensor",
+            says: "where directions differ, the first of the three in full",
+            rows: &["E3"],
+            equation: || Equation::new(D, of([E_X, E_Y, E_Z].map(Expr::from))),
+        },
+    ],
+    derivations: &[Derivation {
+        id: "isotropy",
+        says: "a medium that looks the same after quarter turns about two axes has one number for a tensor",
+        rows: &["E3"],
+        chain: || isotropy((&ENTRIES[0]).into()),
+        spoiled: || isotropy(&ENTRIES[0] + &ENTRIES[4] + &ENTRIES[8]),
+        slip: "the trace for a third of it",
+    }],
+    readout: Some(readout),
+    checks: &[POWDER, HALL],
+    stress: &[],
+    races: &[],
+    figures: &[Figure {
+        id: "walk_off",
+        says: "In a crystal D leans away from E, except along its axes.",
+        rows: &["E3"],
+        plot: walk_off,
+    }],
+};
+
+const fn entry(name: &'static str) -> Symbol {
+    Symbol::scalar(name, Dimension::FARAD_PER_METRE)
+}
+
+/// ε as a tensor, row by row.
+const ENTRIES: [Symbol; 9] = [
+    entry("epsilon_xx"),
+    entry("epsilon_xy"),
+    entry("epsilon_xz"),
+    entry("epsilon_yx"),
+    entry("epsilon_yy"),
+    entry("epsilon_yz"),
+    entry("epsilon_zx"),
+    entry("epsilon_zy"),
+    entry("epsilon_zz"),
+];
+const E_X: Symbol = Symbol::scalar("E_x", Dimension::VOLT_PER_METRE);
+const E_Y: Symbol = Symbol::scalar("E_y", Dimension::VOLT_PER_METRE);
+const E_Z: Symbol = Symbol::scalar("E_z", Dimension::VOLT_PER_METRE);
+
+/// What the tensor makes of a vector, component by component.
+fn components(v: [Expr; 3]) -> [Expr; 3] {
+    [0, 3, 6].map(|row| &ENTRIES[row] * &v[0] + &ENTRIES[row + 1] * &v[1] + &ENTRIES[row + 2] * &v[2])
+}
+
+fn of(v: [Expr; 3]) -> Expr {
+    let [x, y, z] = components(v);
+    vector(x, y, z)
+}
+
+/// Turning the field by a quarter turn turns D with it; three such statements leave one of nine numbers.
+fn isotropy(number: Expr) -> Chain {
+    let column = |at: usize| [0, 3, 6].map(|row| Expr::from(&ENTRIES[row + at]));
+    let [x, y, z] = [0, 1, 2].map(column);
+    let alike = |turned: [Expr; 3], own: &[Expr; 3]| {
+        let [a, b, c] = turned;
+        let [p, q, r] = own.clone();
+        Equation::new(vector(a, b, c), vector(p, q, r))
+    };
+    let about_z = [-&x[1], x[0].clone(), x[2].clone()];
+    let about_x = [y[0].clone(), -&y[2], y[1].clone()];
+    Chain::assume(alike(about_z, &y), "turned about z, x becomes y")
+        .and(alike(about_x, &z), "turned about x, y becomes z")
+        .and(Equation::new(-&z[1], &z[0]), "turned about z, z stays")
+        .and(Equation::new(&z[0], &z[1]), "turned about z, z stays")
+        .then(Equation::new(of([E_X, E_Y, E_Z].map(Expr::from)), number * vector(E_X, E_Y, E_Z)), ["linear solve"])
+        .because("the powder, the glass and the cubic crystal: D = εE with a number ε")
+}
+
+/// ε/ε₀ of the setting's crystal, its axis along z.
+fn crystal(setting: &Setting) -> Tensor {
+    let [across, along] = ["n_o", "n_e"].map(|name| setting.number(name).powi(2));
+    Tensor::diagonal([across, across, along])
+}
+
+/// The angle [rad] between two vectors.
+fn between(a: Vector, b: Vector) -> f64 {
+    let across = cross(a, b);
+    dot(across, across).sqrt().atan2(dot(a, b))
+}
+
+/// D leans by this angle [rad] if E stands at `angle` [rad] to the crystal's axis.
+fn leaning(crystal: &Tensor, angle: f64) -> f64 {
+    let e = [angle.sin(), 0.0, angle.cos()];
+    between(e, crystal.of(e))
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let crystal = crystal(setting);
+    let angles = (0..=900).map(|tenth| (f64::from(tenth) / 10.0).to_radians());
+    let most = angles.map(|angle| leaning(&crystal, angle)).max_by(f64::total_cmp).expect("some angles");
+    let quantity = |key, symbol, says, value, unit| Quantity { key, symbol, says, value, unit };
+    vec![
+        quantity("epsilon_across", "ε_xx/ε_0", "relative permittivity across the axis", crystal.0[0][0], "1"),
+        quantity("epsilon_along", "ε_zz/ε_0", "relative permittivity along the axis", crystal.0[2][2], "1"),
+        quantity("epsilon_mean", "ε/ε_0", "of a powder without air", crystal.isotropic_part(), "1"),
+        quantity("lean", "∠(D, E)", "largest angle between D and E", most, "rad"),
+    ]
+}
+
+const POWDER: Check = Check {
+    id: "powder",
+    claim: "the mean of a tensor over the turns of a cube is a third of its trace, the same in all directions",
+    rows: &["E3"],
+    route: "random tensors turned by all 24 rotations that map a cube to itself, added up",
+    bound: Bound::AtMost {
+        limit: 16.0,
+        unit: "ε",
+        why: "products with 0 and ±1 are exact; what rounds are the 24 additions",
+    },
+    measure: |bench| powder(bench, &turns_of_a_cube()),
+    spoiled: |bench| {
+        let keeps_z = |turn: &Tensor| turn.0[2] == [0.0, 0.0, 1.0];
+        powder(bench, &turns_of_a_cube().into_iter().filter(keeps_z).collect::<Vec<_>>())
+    },
+    slip: "turns about one axis only",
+};
+
+const HALL: Check = Check {
+    id: "drifting_electrons",
+    claim: "the conductivity tensor in a magnetic field, and J = σE without one, are where driven electrons settle",
+    rows: &["E3"],
+    route: "Newton's law with friction for one electron, stepped by Runge and Kutta's method until it drifts steadily",
+    bound: Bound::AtMost {
+        limit: 1e-12,
+        unit: "1",
+        why: "a fixed point of the equations is one of the steps too: what remains is e^(−40) of the start, and rounding",
+    },
+    measure: |bench| drift(bench, 1.0),
+    spoiled: |bench| drift(bench, -1.0),
+    slip: "the electron turns the wrong way round the magnetic field",
+};
+
+/// The drift of u′ = e − u + `sense` u×b (time in units of τ, velocity so that J = σ₀u) against the tensor.
+fn drift(bench: &mut Bench, sense: f64) -> Measured {
+    let strengths = [0.0, 0.1, 1.0, 3.0];
+    Measured::worst(strengths.map(|strength| {
+        let mut random = |scale: f64| [0; 3].map(|_| scale * uniform(&mut bench.stream, -1.0, 1.0));
+        let (e, b) = (random(1.0), random(strength));
+        let rate = |u: Vector| {
+            let turned = cross(u, b);
+            [0, 1, 2].map(|axis| e[axis] - u[axis] + sense * turned[axis])
+        };
+        let mut u = [0.0; 3];
+        for _ in 0..2000 {
+            u = runge_kutta(rate, u, 0.02);
+        }
+        let steady = hall_conductivity(1.0, b).of(e);
+        let missed = [0, 1, 2].map(|axis| u[axis] - steady[axis]);
+        ((dot(missed, missed) / dot(e, e)).sqrt(), format!("b = {b:.2?}"))
+    }))
+}
+
+/// One step of the classic method of fourth order.
+fn runge_kutta(rate: impl Fn(Vector) -> Vector, u: Vector, step: f64) -> Vector {
+    let moved = |by: Vector, share: f64| [0, 1, 2].map(|axis| u[axis] + share * step * by[axis]);
+    let first = rate(u);
+    let second = rate(moved(first, 0.5));
+    let third = rate(moved(second, 0.5));
+    let fourth = rate(moved(third, 1.0));
+    [0, 1, 2].map(|axis| u[axis] + step / 6.0 * (first[axis] + 2.0 * (second[axis] + third[axis]) + fourth[axis]))
+}
+
+/// The rotations that map a cube to itself: permutations of the axes with signs whose product keeps the sense.
+fn turns_of_a_cube() -> Vec<Tensor> {
+    let orders = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
+    let all = orders.into_iter().enumerate().flat_map(|(at, order)| {
+        let parity = if at < 3 { 1.0 } else { -1.0 };
+        [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[a, b]| {
+            let mut rows = [[0.0; 3]; 3];
+            for (row, sign) in [a, b, a * b * parity].into_iter().enumerate() {
+                rows[row][order[row]] = sign;
+            }
+            Tensor(rows)
+        })
+    });
+    all.collect()
+}
+
+/// Largest entry, over the tensor's largest, of mean − `isotropic_part`.
+fn powder(bench: &mut Bench, turns: &[Tensor]) -> Measured {
+    Measured::worst((0..20).map(|case| {
+        let tensor = Tensor([[0; 3]; 3].map(|row| row.map(|_| uniform(&mut bench.stream, -1.0, 1.0))));
+        let mut mean = [[0.0; 3]; 3];
+        for turn in turns {
+            let turned = tensor.turned(turn);
+            for (sum, entry) in mean.iter_mut().flatten().zip(turned.0.iter().flatten()) {
+                *sum += entry / turns.len() as f64;
+            }
+        }
+        let number = Tensor::diagonal([tensor.isotropic_part(); 3]);
+        let missed =
+            mean.iter().flatten().zip(number.0.iter().flatten()).map(|(a, b)| ((a - b) / f64::EPSILON, String::new()));
+        (Measured::worst(missed).value, format!("tensor {case}"))
+    }))
+}
+
+fn walk_off(setting: &Setting) -> Plot {
+    let crystal = crystal(setting);
+    let curve = |of: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
+        (0..=180).map(|half| f64::from(half) / 2.0).map(|angle| [angle, of(angle.to_radians()).to_degrees()]).collect()
+    };
+    let turned = [0.5, 1.0, 2.0].map(|b: f64| {
+        let conduct = hall_conductivity(1.0, [0.0, 0.0, b]);
+        (b, curve(&move |angle| between([angle.sin(), 0.0, angle.cos()], conduct.of([angle.sin(), 0.0, angle.cos()]))))
+    });
+    let x = |what: &str| Axis::linear(format!("angle of E to the {what}"), "°").range(0.0, 90.0).tick(15.0);
+    let dielectric = Chart::new("crystal: D = εE", x("crystal's axis"), Axis::linear("angle between D and E", "°"))
+        .line(Hue::Ours, "the setting's crystal", curve(&|angle| leaning(&crystal, angle)));
+    let hall = turned.into_iter().enumerate().fold(
+        Chart::new(
+            "electrons in a magnetic field: J = σE",
+            x("magnetic field"),
+            Axis::linear("angle between J and E", "°").range(0.0, 90.0).tick(15.0),
+        ),
+        |chart, (at, (b, curve))| chart.line(Hue::Nth(at as u8), format!("ω_cτ = {b}"), curve),
+    );
+    Plot::grid("Where a tensor is no number", 2, vec![dielectric.into(), hall.into()])
+}

@@ -1,0 +1,264 @@
+//! C2: other ways to carry a wave along, and what each costs.
+
+use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::setting::{Kind, Parameter, Setting};
+use crate::vocabulary::{Bench, Expects, Figure, Heat, Lane, Quantity, Race, Statement, Step, rms};
+use light::em::Stepping;
+use light::em::line::{Ends, Line, Setup as LineSetup};
+use light::em::plane::{self, Plane};
+use light::em::wave::{Problem, Scheme};
+use light::equation::expr::partial;
+use light::equation::{Dimension, Equation, Symbol};
+use std::f64::consts::{PI, TAU};
+
+const CELLS: Parameter = Parameter {
+    name: "cells",
+    symbol: "N",
+    says: "cells of the line",
+    default: "128",
+    kind: Kind::Count { min: 8, max: 1 << 14 },
+};
+
+pub(super) const STEP: Step = Step {
+    id: "methods",
+    title: "What accuracy costs",
+    says: "For a smooth wave higher order and the spectrum buy digits cheaply; for a wave with edges nothing does but the exact solution.",
+    rows: &["C2"],
+    parameters: &[CELLS],
+    statements: &[Statement {
+        id: "wave_equation",
+        says: "what all of them solve, with one number for the medium",
+        rows: &["C2"],
+        equation: || {
+            let field = || FIELD.at([Z.into(), T.into()]);
+            Equation::new(partial(partial(field(), T), T), C.pow(2) * partial(partial(field(), Z), Z))
+        },
+    }],
+    derivations: &[],
+    readout: Some(readout),
+    checks: &[],
+    stress: &[],
+    races: &[
+        Race {
+            id: "smooth_pulse",
+            claim: "a smooth pulse: order two, four, four with far smaller errors, and the spectrum at once exact",
+            lanes: &SMOOTH,
+            ..RACE
+        },
+        Race {
+            id: "square_pulse",
+            claim: "a square pulse: every method that resolves edges by waves is slow, whatever its order",
+            lanes: &SQUARE,
+            ..RACE
+        },
+        THROUGHPUT,
+    ],
+    figures: &[Figure {
+        id: "after_a_while",
+        says: "Both pulses after they have run round the line once and a bit.",
+        rows: &["C2"],
+        plot: after_a_while,
+    }],
+};
+
+const FIELD: Symbol = Symbol::scalar("E", Dimension::VOLT_PER_METRE);
+const Z: Symbol = Symbol::scalar("z", Dimension::METRE);
+const T: Symbol = Symbol::scalar("t", Dimension::SECOND);
+const C: Symbol = Symbol::scalar("c", Dimension::METRE_PER_SECOND);
+
+/// How far the pulses run round a line of 1 m: no whole number of anything.
+const DISTANCE: f64 = 1.3;
+
+/// Entire in z, so that its spectrum falls faster than any power.
+fn smooth(z: f64) -> f64 {
+    (10.0 * ((TAU * (z - 0.5)).cos() - 1.0)).exp()
+}
+
+fn square(z: f64) -> f64 {
+    if (z - 0.5).abs() < 0.2 { 1.0 } else { 0.0 }
+}
+
+const RACE: Race = Race {
+    id: "",
+    claim: "",
+    rows: &["C2"],
+    work: "cells of the line (and steps in proportion)",
+    error: "RMS error of E over the peak",
+    reference: "d'Alembert's f(z − ct) at every node",
+    lanes: &[],
+};
+
+const COUNTS: &[u64] = &[32, 64, 128, 256, 512, 1024];
+const RESOLVED: &[u64] = &[64, 128, 256, 512, 1024];
+
+const fn order(order: f64, tolerance: f64) -> Expects {
+    Expects::Order { order, tolerance }
+}
+
+const EXACT: Expects = Expects::Within { limit: 1e-13, why: "nothing but rounding, of the transform or of f itself" };
+
+const SMOOTH: [Lane; 5] = [
+    lane("yee", "Yee, order 2", RESOLVED, order(2.0, 0.2), |_, n| carried(Scheme::Yee, smooth, n)),
+    lane("fourth_order", "order 4 in space and time", RESOLVED, order(4.0, 0.4), |_, n| {
+        carried(Scheme::FourthOrder, smooth, n)
+    }),
+    lane("pseudo_spectral", "pseudo-spectral, order 4 in time", RESOLVED, order(4.0, 0.4), |_, n| {
+        carried(Scheme::PseudoSpectral, smooth, n)
+    }),
+    lane("spectral", "every harmonic by itself", RESOLVED, EXACT, |_, n| carried(Scheme::Spectral, smooth, n)),
+    lane("dalembert", "d'Alembert", RESOLVED, EXACT, |_, n| carried(Scheme::DAlembert, smooth, n)),
+];
+
+const SQUARE: [Lane; 5] = [
+    lane("yee", "Yee, order 2", COUNTS, order(1.0 / 3.0, 0.15), |_, n| carried(Scheme::Yee, square, n)),
+    lane("fourth_order", "order 4 in space and time", COUNTS, order(0.4, 0.15), |_, n| {
+        carried(Scheme::FourthOrder, square, n)
+    }),
+    lane("pseudo_spectral", "pseudo-spectral, order 4 in time", COUNTS, order(0.45, 0.2), |_, n| {
+        carried(Scheme::PseudoSpectral, square, n)
+    }),
+    lane("spectral", "every harmonic by itself", COUNTS, order(0.5, 0.2), |_, n| carried(Scheme::Spectral, square, n)),
+    lane("dalembert", "d'Alembert", COUNTS, EXACT, |_, n| carried(Scheme::DAlembert, square, n)),
+];
+
+type Prepare = fn(&mut Bench, u64) -> Heat;
+
+const fn lane(
+    id: &'static str,
+    label: &'static str,
+    works: &'static [u64],
+    expects: Expects,
+    prepare: Prepare,
+) -> Lane {
+    Lane { id, label, works, expects, repeats: 1, prepare }
+}
+
+/// 80 % of what is stable, 0.5 for Yee's, which is exact at its limit and would tell nothing.
+fn courant(scheme: Scheme) -> f64 {
+    if scheme == Scheme::Yee { 0.5 } else { (0.8 * scheme.courant_limit()).min(0.5) }
+}
+
+fn carry(scheme: Scheme, profile: fn(f64) -> f64, cells: usize) -> Vec<f64> {
+    let problem = Problem { profile: &profile, length: 1.0, distance: DISTANCE };
+    scheme.carry(&problem, cells, courant(scheme)).expect("a stable step").e
+}
+
+fn exact(profile: fn(f64) -> f64, cells: usize) -> Vec<f64> {
+    Problem { profile: &profile, length: 1.0, distance: DISTANCE }.exact(cells)
+}
+
+fn deviation(found: &[f64], exact: &[f64]) -> f64 {
+    rms(&found.iter().zip(exact).map(|(found, exact)| found - exact).collect::<Vec<_>>())
+}
+
+fn carried(scheme: Scheme, profile: fn(f64) -> f64, cells: u64) -> Heat {
+    let cells = cells as usize;
+    let exact = exact(profile, cells);
+    Heat {
+        run: Box::new(move || carry(scheme, profile, cells)),
+        error: Box::new(move |found| deviation(found, &exact)),
+    }
+}
+
+const THROUGHPUT: Race = Race {
+    id: "throughput",
+    claim: "steps of the grid, one after another, in and out of the cache",
+    rows: &["C2"],
+    work: "cell-steps",
+    error: "|ΔE| of a plane wave",
+    reference: "the wave at the speed that the grid gives it, at one node",
+    lanes: &[
+        lane("line_small", "line of 10⁴ cells", &[10_000_000, 100_000_000], ROUNDED, |_, n| on_line(10_000, n)),
+        lane("line_large", "line of 10⁶ cells", &[64_000_000, 128_000_000], ROUNDED, |_, n| on_line(1_000_000, n)),
+        lane("plane_small", "plane of 300²", &[9_000_000, 90_000_000], ROUNDED, |_, n| on_plane(300, n)),
+        lane("plane_middle", "plane of 1000²", &[16_000_000, 64_000_000], ROUNDED, |_, n| on_plane(1000, n)),
+        lane("plane_large", "plane of 3000²", &[36_000_000, 144_000_000], ROUNDED, |_, n| on_plane(3000, n)),
+    ],
+};
+
+const ROUNDED: Expects = Expects::Within { limit: 1e-11, why: "two roundings a step" };
+
+/// A wave of twenty cells on a ring, so many cell-steps further at each run.
+fn on_line(cells: usize, cell_steps: u64) -> Heat {
+    let stepping = Stepping::at(0.5);
+    let k = TAU / 20.0;
+    let phase = light::em::theory::phase_per_step(&[k], 0.5).re;
+    let mut line = Line::new(LineSetup::vacuum(cells, 1.0, Ends::Periodic, stepping)).expect("within all limits");
+    line.set(|z| (k * z).cos(), |z| (k * z - 0.5 * phase).cos() / light::em::ETA_0);
+    let steps = cell_steps / cells as u64;
+    Heat {
+        run: Box::new(move || {
+            line.run(steps).expect("some steps");
+            vec![line.e()[cells / 2], line.steps() as f64]
+        }),
+        error: Box::new(move |found| (found[0] - (k * (cells / 2) as f64 - phase * found[1]).cos()).abs()),
+    }
+}
+
+/// The lowest mode of a square of vacuum between conductors, TM, so many cell-steps further at each run.
+fn on_plane(side: usize, cell_steps: u64) -> Heat {
+    let stepping = Stepping::at(0.7);
+    let k = PI / side as f64;
+    let phase = light::em::theory::phase_per_step(&[k, k], 0.7).re;
+    let setup = plane::Setup::vacuum([side, side], 1.0, plane::Polarisation::Tm, stepping);
+    let mut plane = Plane::new(setup).expect("within all limits");
+    // H, half a step later, starts at zero: there the standing wave has its crest.
+    plane.set_z(|x, y| ((k * x).sin() * (k * y).sin()).into());
+    let middle = plane.probe([side / 2; 2]).expect("on the grid");
+    let steps = cell_steps / (side * side) as u64;
+    Heat {
+        run: Box::new(move || {
+            plane.run(steps).expect("some steps");
+            vec![plane.record(middle).last().map_or(f64::NAN, |e| e.re), plane.steps() as f64]
+        }),
+        error: Box::new(move |found| {
+            let height = (k * (side / 2) as f64).sin().powi(2) / (0.5 * phase).cos();
+            (found[0] - height * (phase * (found[1] - 0.5)).cos()).abs()
+        }),
+    }
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let cells = setting.number("cells") as usize;
+    let keys = [
+        (Scheme::Yee, ["yee_smooth", "yee_square"], "Yee"),
+        (Scheme::FourthOrder, ["fourth_smooth", "fourth_square"], "fourth order"),
+        (Scheme::PseudoSpectral, ["pseudo_smooth", "pseudo_square"], "pseudo-spectral"),
+        (Scheme::Spectral, ["spectral_smooth", "spectral_square"], "spectral"),
+    ];
+    let profiles: [fn(f64) -> f64; 2] = [smooth, square];
+    let each = keys.into_iter().flat_map(|(scheme, keys, name)| {
+        profiles.into_iter().zip(keys).map(move |(profile, key)| Quantity {
+            key,
+            symbol: "ΔE",
+            says: name,
+            value: deviation(&carry(scheme, profile, cells), &exact(profile, cells)),
+            unit: "1",
+        })
+    });
+    each.collect()
+}
+
+fn after_a_while(setting: &Setting) -> Plot {
+    let cells = setting.number("cells") as usize;
+    let panel = |profile: fn(f64) -> f64, title: &str| {
+        let chart = Chart::new(
+            title,
+            Axis::linear("z", "m").range(0.0, 1.0),
+            Axis::linear("E over the peak", "").range(-0.4, 1.4),
+        );
+        let place = |at: usize| at as f64 / cells as f64;
+        let curve = |e: Vec<f64>| e.into_iter().enumerate().map(|(at, e)| [place(at), e]).collect::<Vec<_>>();
+        [(Scheme::Yee, "Yee"), (Scheme::FourthOrder, "order 4"), (Scheme::Spectral, "spectral")]
+            .into_iter()
+            .enumerate()
+            .fold(chart.dashed(Hue::Natural, "exact", curve(exact(profile, cells))), |chart, (at, (scheme, name))| {
+                chart.line(Hue::Nth(at as u8), name, curve(carry(scheme, profile, cells)))
+            })
+    };
+    Plot::grid(
+        format!("Once and a bit round {cells} cells"),
+        2,
+        vec![panel(smooth, "smooth").into(), panel(square, "square").into()],
+    )
+}

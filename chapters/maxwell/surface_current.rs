@@ -1,0 +1,226 @@
+//! C1: charge and current on the interface itself.
+
+use super::interface::{HEIGHT, turn_across};
+use super::symbols::{D_1, D_2, H_1, H_2, K_S, NORMAL, RHO_S, Z_0};
+use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::setting::{Kind, Parameter, Setting};
+use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, fitted_order};
+use light::Complex64;
+use light::equation::derivation::Chain;
+use light::equation::expr::{cross, dot, vector};
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::fields::surface::Sheet;
+use light::optics::Incidence;
+use light::optics::film::{Layer, Polarisation, Stack};
+use light::waves::constants;
+use std::f64::consts::{PI, TAU};
+
+const SHEET: Parameter = Parameter {
+    name: "sheet",
+    symbol: "1/G",
+    says: "resistance of a square of the sheet [Ω]",
+    default: "188.365156706",
+    kind: Kind::Number { min: 1e-6, max: 1e12, unit: "1" },
+};
+
+pub(super) const STEP: Step = Step {
+    id: "surface_current",
+    title: "Charge and current between",
+    says: "Where the interface itself holds charge or carries current, the normal D and the tangential H jump by just that much.",
+    rows: &["C1"],
+    parameters: &[SHEET],
+    statements: &[
+        Statement {
+            id: "charged",
+            says: "charge on the interface is where electric flux begins",
+            rows: &["C1"],
+            equation: || Equation::new(dot(NORMAL, D_2 - D_1), RHO_S),
+        },
+        Statement {
+            id: "carrying",
+            says: "current in the interface turns the magnetic field",
+            rows: &["C1"],
+            equation: || Equation::new(cross(NORMAL, H_2 - H_1), K_S),
+        },
+        Statement {
+            id: "reflection",
+            says: "what a sheet with K = GE throws back at normal incidence",
+            rows: &["C1"],
+            equation: || Equation::new(R, reflected(1)),
+        },
+    ],
+    derivations: &[
+        Derivation {
+            id: "loops_with_current",
+            says: "the loops of E4 made narrow around a current that stays in them, however narrow they are",
+            rows: &["C1"],
+            chain: || loops().then(Equation::new(cross(NORMAL, H_2 - H_1), K_S), ["h → 0"]),
+            spoiled: || loops().then(Equation::new(cross(NORMAL, H_2 - H_1), 0), ["h → 0"]),
+            slip: "E4 as written: no current",
+        },
+        Derivation {
+            id: "sheet_from_jump",
+            says: "E runs on, H jumps by the current GE: two equations for two waves",
+            rows: &["C1"],
+            chain: || sheet(reflected(1)),
+            spoiled: || sheet(reflected(-1)),
+            slip: "the current gives energy instead of taking it",
+        },
+    ],
+    readout: Some(readout),
+    checks: &[THIN_FILM, JUMP],
+    stress: &[],
+    races: &[],
+    figures: &[Figure {
+        id: "sheet",
+        says: "A sheet takes most, one half, where its resistance is half that of the vacuum; graphene takes πα.",
+        rows: &["C1"],
+        plot: powers,
+    }],
+};
+
+const SHORT_H: Symbol = Symbol::scalar("H_s", Dimension::AMPERE_PER_METRE);
+const THROUGH: Symbol = Symbol::scalar("j", Dimension::AMPERE_PER_SQUARE_METRE);
+const G: Symbol = Symbol::scalar("G", Dimension::SIEMENS).real(0.5, 2.0);
+const N_1: Symbol = Symbol::scalar("n_1", Dimension::ONE).within(1.0, 2.0);
+const N_2: Symbol = Symbol::scalar("n_2", Dimension::ONE).within(1.0, 2.5);
+const INCIDENT: Symbol = Symbol::scalar("E_1", Dimension::VOLT_PER_METRE).within(1.0, 2.0);
+const REFLECTED: Symbol = Symbol::scalar("E_1'", Dimension::VOLT_PER_METRE);
+const TRANSMITTED: Symbol = Symbol::scalar("E_2", Dimension::VOLT_PER_METRE);
+const R: Symbol = Symbol::scalar("r", Dimension::ONE);
+
+/// Loops along x and y, through which the current K in the interface flows besides what comes with their area.
+fn loops() -> Chain {
+    let [x, y] = [vector(1, 0, 0), vector(0, 1, 0)].map(|way| {
+        let bare = turn_across(&way, [H_1, H_2], SHORT_H, THROUGH);
+        Equation::new(bare.lhs, bare.rhs - dot(way, K_S))
+    });
+    Chain::assume(x, "the loop for H, b along x")
+        .and(y, "b along y")
+        .given(NORMAL, vector(0, 0, 1), "n along z")
+        .given(Symbol::scalar("K_z", Dimension::AMPERE_PER_METRE), 0, "K stays in the interface")
+        .given(HEIGHT, 0, "h → 0")
+}
+
+fn reflected(sign: i32) -> Expr {
+    (N_1 - N_2 - sign * (Z_0 * G)) / (N_1 + N_2 + sign * (Z_0 * G))
+}
+
+fn sheet(last: Expr) -> Chain {
+    let current = Equation::new(N_1 / Z_0 * (INCIDENT - REFLECTED) - N_2 / Z_0 * TRANSMITTED, G * TRANSMITTED);
+    Chain::assume(Equation::new(INCIDENT + REFLECTED, TRANSMITTED), "n×(E₁−E₂) = 0")
+        .and(current, "n×(H₂−H₁) = K, K = GE, H = nE/Z₀")
+        .solve_for([REFLECTED, TRANSMITTED])
+        .then(Equation::new(TRANSMITTED, 2 * N_1 * INCIDENT / (N_1 + N_2 + Z_0 * G)), ["linear solve"])
+        .then(Equation::new(REFLECTED / INCIDENT, last), ["linear solve"])
+}
+
+fn at_normal_incidence(conductance: f64) -> Sheet {
+    Sheet::new(Incidence::NORMAL, Polarisation::S, 1.0, 1.0.into(), conductance)
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let resistance = setting.number("sheet");
+    let sheet = at_normal_incidence(resistance.recip());
+    let value = |key, symbol, says, value: f64, unit| Quantity { key, symbol, says, value, unit };
+    vec![
+        value("z0_g", "Z_0G", "conductance in units of the vacuum's", constants::Z_0 / resistance, "1"),
+        value("reflectance", "R", "reflected, in vacuum at normal incidence", sheet.reflectance, "1"),
+        value("transmittance", "T", "transmitted", sheet.transmittance, "1"),
+        value("absorptance", "A", "turned into heat", sheet.absorptance, "1"),
+    ]
+}
+
+/// A film of the given thickness [m] whose conductivity makes the conductance [S], at a wavelength [m].
+fn film(thickness: f64, conductance: f64, wavelength: f64) -> Layer {
+    let omega = TAU * constants::C / wavelength;
+    let loss = conductance / (thickness * constants::EPSILON_0 * omega);
+    Layer { index: Complex64::new(1.0, loss).sqrt(), thickness }
+}
+
+const THIN_FILM: Check = Check {
+    id: "thin_film",
+    claim: "a film with E4 at both faces becomes a sheet with current as it gets thinner at the same conductance, with the first power of its thickness",
+    rows: &["C1"],
+    route: "the film solver of chapter fresnel, whose interfaces are bare, s and p at 0.6 rad between air and glass",
+    bound: Bound::Order {
+        order: 1.0,
+        tolerance: 0.05,
+        why: "what a film adds to its current is in proportion to its thickness",
+    },
+    measure: |_| thinner(1.0),
+    spoiled: |_| thinner(0.98),
+    slip: "a sheet of 2 % less conductance",
+};
+
+/// The order in the thickness with which a film approaches the sheet of `share` times its conductance, the worst case.
+fn thinner(share: f64) -> Measured {
+    let (incidence, n_t, wavelength) = (Incidence::from_angle(0.6), Complex64::new(1.5, 0.0), 1e-2);
+    let cases = [Polarisation::S, Polarisation::P].into_iter().flat_map(|p| [1e-4, 2e-3, 2e-2].map(|g| (p, g)));
+    let orders: Vec<(f64, String)> = cases
+        .map(|(polarisation, conductance)| {
+            let sheet = Sheet::new(incidence, polarisation, 1.0, n_t, share * conductance);
+            let points: Vec<_> = (0..6)
+                .map(|half| {
+                    let thickness = 1e-7 * 0.5f64.powi(half);
+                    let layers = [film(thickness, conductance, wavelength)];
+                    let stack = Stack { n_i: 1.0, layers: &layers, substrate: n_t };
+                    let film = stack.response(wavelength, incidence, polarisation);
+                    (thickness.recip(), (film.r - sheet.r).norm())
+                })
+                .collect();
+            (fitted_order(&points).unwrap_or(f64::NAN), format!("{polarisation:?}, G = {conductance} S"))
+        })
+        .collect();
+    let cases = orders.len();
+    let away = |(order, _): &&(f64, String)| (order - 1.0).abs();
+    let worst = orders.iter().max_by(|a, b| away(a).total_cmp(&away(b))).expect("some cases");
+    Measured { value: worst.0, at: worst.1.clone(), cases }
+}
+
+const JUMP: Check = Check {
+    id: "jump",
+    claim: "the step of H is the current, and what the current takes is what R and T leave",
+    rows: &["C1"],
+    route: "fields on both sides from r alone; energy from ½ Re(K E*)",
+    bound: Bound::AtMost { limit: 16.0, unit: "ε", why: "a handful of roundings, relative to the largest field" },
+    measure: |_| jump(1.0),
+    spoiled: |_| jump(0.0),
+    slip: "E4 as written: H runs on",
+};
+
+/// In ε: |H₁ − H₂ − share·K| over the largest of them, and R + T + A − 1, at normal incidence.
+fn jump(share: f64) -> Measured {
+    let media = [(1.0, Complex64::new(1.0, 0.0)), (1.0, Complex64::new(1.5, 0.0)), (1.5, Complex64::new(0.2, 3.4))];
+    let cases = media.into_iter().flat_map(|media| [1e-6, 6e-5, 2.65e-3, 1.0, 1e4].map(|g| (media, g)));
+    Measured::worst(cases.flat_map(|((n_i, n_t), conductance)| {
+        let sheet = Sheet::new(Incidence::NORMAL, Polarisation::S, n_i, n_t, conductance);
+        let (near, far) = (n_i * (1.0 - sheet.r), n_t * (1.0 + sheet.r));
+        let current = constants::Z_0 * conductance * sheet.tangential;
+        let step = (near - far - share * current).norm() / (near.norm() + far.norm() + current.norm());
+        let sum = sheet.reflectance + sheet.transmittance + sheet.absorptance - 1.0;
+        let place = format!("G = {conductance} S, n {n_i} → {n_t}");
+        [(step / f64::EPSILON, format!("H, {place}")), (sum / f64::EPSILON, format!("R + T + A, {place}"))]
+    }))
+}
+
+/// The fine-structure constant (CODATA 2022) [1]; graphene conducts πα/Z₀ (Nair et al., Science 320, 1308, 2008).
+const ALPHA: f64 = 7.297_352_564_3e-3;
+
+fn powers(setting: &Setting) -> Plot {
+    let curve = |of: fn(&Sheet) -> f64| -> Vec<[f64; 2]> {
+        let conductances = (-240..=240).map(|at| 10f64.powf(f64::from(at) / 80.0));
+        conductances.map(|y| [y, of(&at_normal_incidence(y / constants::Z_0))]).collect()
+    };
+    let chart = Chart::new(
+        "",
+        Axis::log("conductance of the sheet Z_0G", "").range(1e-3, 1e3),
+        Axis::linear("share of the power", "").range(0.0, 1.0),
+    )
+    .line(Hue::Natural, "reflected", curve(|sheet| sheet.reflectance))
+    .line(Hue::Transmitted, "transmitted", curve(|sheet| sheet.transmittance))
+    .line(Hue::Ours, "absorbed", curve(|sheet| sheet.absorptance))
+    .at_x(PI * ALPHA, "graphene")
+    .at_x(constants::Z_0 / setting.number("sheet"), "the setting");
+    Plot::of("A sheet that carries current", chart)
+}
