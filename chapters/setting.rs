@@ -144,7 +144,8 @@ impl Setting {
         Ok(self)
     }
 
-    /// Every medium must have an index at the wavelength, and be clear where it has to be.
+    /// Every medium must have an index at the wavelength, and be clear where it has to be; a time step that blows up
+    /// must be asked for.
     fn validate(&self) -> Result<(), Fault> {
         let wavelength = self.wavelength();
         for (parameter, text, value) in &self.entries {
@@ -157,7 +158,15 @@ impl Setting {
                 ));
             }
         }
-        Ok(())
+        match (self.find("courant"), self.find("unstable")) {
+            (Some(Value::Number(courant)), Some(Value::Number(0.0))) if courant > 1.0 => Err(Fault::new(
+                "courant",
+                format!(
+                    "{courant} is beyond the Courant limit of 1 and would blow up; `--unstable` takes it all the same"
+                ),
+            )),
+            _ => Ok(()),
+        }
     }
 
     /// The vacuum wavelength [m]: the parameter `wavelength`, or the default.

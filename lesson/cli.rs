@@ -220,6 +220,9 @@ struct LessonArgs {
     /// Change a parameter of the selected steps: n_t=2.4, n_t=gold, theta=56.3deg, wavelength=550nm.
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     set: Vec<(String, String)>,
+    /// Take a Courant number beyond the limit and show what happens: short for `--set unstable=1`.
+    #[arg(long)]
+    unstable: bool,
     /// Show the unit of every line of a derivation.
     #[arg(long)]
     units: bool,
@@ -233,7 +236,14 @@ struct LessonArgs {
 
 impl LessonArgs {
     fn is_bare(&self) -> bool {
-        let flags = self.check || self.stress || self.race || self.plot || self.units || self.unfold || self.json;
+        let flags = self.check
+            || self.stress
+            || self.race
+            || self.plot
+            || self.units
+            || self.unfold
+            || self.json
+            || self.unstable;
         !flags && self.set.is_empty() && self.out.is_none() && self.format.is_none()
     }
 
@@ -243,6 +253,7 @@ impl LessonArgs {
                 return Err(Stop::at(flag, "needs --plot"));
             }
         }
+        let unstable = self.unstable.then(|| ("unstable".to_owned(), "1".to_owned()));
         Ok(Request::Lesson(Lesson {
             words: self.chapter.into_iter().chain(self.step).collect(),
             parts: Parts { checks: self.check, stress: self.stress, races: self.race },
@@ -252,7 +263,7 @@ impl LessonArgs {
                 Some(FormatArg::Svg) => Format::Svg,
                 Some(FormatArg::Png) | None => Format::Png,
             },
-            changes: self.set,
+            changes: self.set.into_iter().chain(unstable).collect(),
             details: Details { units: self.units, unfold: self.unfold },
             json: self.json,
         }))

@@ -228,7 +228,7 @@ fn reflectance(setting: &Setting) -> Plot {
                 let powers = powers(Incidence::from_angle(degrees.min(89.99).to_radians()), 1.0, n.into());
                 [degrees, if polarisation == Polarisation::S { powers.r_s } else { powers.r_p }]
             });
-            let grid = [0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0]
+            let grid = [0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0]
                 .map(|degrees: f64| [degrees, glass(setting, degrees.to_radians(), polarisation).on_grid(24).0]);
             chart.line(hue, format!("{name}, formula"), formula.collect()).with(Mark::Points {
                 label: format!("{name}, grid of λ/24"),
@@ -268,7 +268,7 @@ fn conductor(setting: &Setting) -> Plot {
     let mut chart = Chart::new(
         format!("σ/(ωε) = {tau}"),
         Axis::linear("depth over skin depth", "").range(0.0, 5.0),
-        Axis::linear("E over its amplitude at the surface", "").range(-1.0, 1.0),
+        Axis::linear("E over its amplitude at the surface", "").range(-0.4, 1.0),
     );
     for (at, name) in [(0, "at a crest"), (1, "a quarter period later")] {
         let now = line.steps() as f64 * dt;

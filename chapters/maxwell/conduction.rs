@@ -1,7 +1,7 @@
 //! C2: conduction makes Ampère's law stiff in every cell.
 
 use super::symbols::{E, EPSILON, H, SIGMA, T};
-use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
+use crate::figure::{Axis, Chart, Dash, Hue, Mark, Plot, Shape};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::vocabulary::{Derivation, Expects, Extreme, Figure, Heat, Lane, Quantity, Race, Statement, Step, Stress};
 use light::equation::derivation::Chain;
@@ -67,15 +67,18 @@ pub(super) const STEP: Step = Step {
     }],
     races: &[
         Race {
-            id: "insulator", claim: "σ/(ωε) = 1e−3: nothing is stiff, and order wins", lanes: &INSULATOR, ..RACE
+            id: "insulator",
+            claim: "an insulator, σ/(ωε) = 1e−3: nothing is stiff, and order wins",
+            lanes: &INSULATOR,
+            ..RACE
         },
         Race {
             id: "conductor",
-            claim: "σ/(ωε) = 1e6: forward Euler explodes, the usual update rings, the exponential one is late",
+            claim: "a conductor, σ/(ωε) = 1e6: forward Euler explodes, the usual update rings, the exponential one is late",
             lanes: &CONDUCTOR,
             ..RACE
         },
-        Race { id: "metal", claim: "σ/(ωε) = 1e12: the same, only more so", lanes: &METAL, ..RACE },
+        Race { id: "metal", claim: "a metal, σ/(ωε) = 1e12: the same, only more so", lanes: &METAL, ..RACE },
     ],
     figures: &[Figure {
         id: "stiffness",
@@ -182,8 +185,6 @@ const SLOW: i32 = -3;
 const FAST: i32 = 6;
 const FASTEST: i32 = 12;
 
-const COUNTS: &[u64] = &[32, 64, 128, 256, 512, 1024];
-
 const fn order(order: f64) -> Expects {
     Expects::Order { order, tolerance: 0.15 }
 }
@@ -206,11 +207,11 @@ const METAL: [Lane; 5] = lanes::<FASTEST>([
 /// Every way to step a cell whose σ/(ωε) is 10^`EXPONENT`.
 const fn lanes<const EXPONENT: i32>([euler, semi, exponential, backward]: [Expects; 4]) -> [Lane; 5] {
     const fn lane(id: &'static str, label: &'static str, expects: Expects, prepare: Prepare) -> Lane {
-        Lane { id, label, works: COUNTS, expects, repeats: 1, prepare }
+        Lane { id, label, works: &[64, 128, 256, 512, 1024, 2048], expects, repeats: 1, prepare }
     }
     [
         lane("forward_euler", "forward Euler", euler, |_, n| march::<EXPONENT>(Scheme::ForwardEuler, n)),
-        lane("semi_implicit", "semi-implicit (the usual)", semi, |_, n| march::<EXPONENT>(Scheme::SemiImplicit, n)),
+        lane("semi_implicit", "semi-implicit", semi, |_, n| march::<EXPONENT>(Scheme::SemiImplicit, n)),
         lane("exponential", "exponential", exponential, |_, n| march::<EXPONENT>(Scheme::Exponential, n)),
         lane("backward_euler", "backward Euler", backward, |_, n| march::<EXPONENT>(Scheme::BackwardEuler, n)),
         lane("radau", "Radau IIA, adaptive", FOLLOWS, |_, n| adapt::<EXPONENT>(n)),
@@ -236,21 +237,23 @@ fn adapt<const EXPONENT: i32>(steps: u64) -> Heat {
 
 fn stiffness(setting: &Setting) -> Plot {
     let steps = setting.number("steps") as u64;
-    let shapes = [Shape::Triangle, Shape::Square, Shape::Disc, Shape::Diamond];
+    // Where two do alike, the dashes of the one let the other through.
+    let styles = [Dash::Solid, Dash::Solid, Dash::Dashed, Dash::Dashed];
     let errors = Chart::new(
         format!("error after {steps} steps"),
         Axis::log("conduction σ/(ωε)", "").range(1e-6, 1e12),
-        Axis::log("|ΔE| over the final amplitude", "").range(1e-17, 1e3),
+        Axis::log("|ΔE| over the final amplitude", "").range(1e-16, 1e4),
     );
-    let errors = NAMES.iter().zip(shapes).enumerate().fold(errors, |chart, (at, ((scheme, name), shape))| {
-        let points = (-12..=24).map(|half| {
-            let tau = 10f64.powf(f64::from(half) / 2.0);
+    let errors = NAMES.iter().zip(styles).enumerate().fold(errors, |chart, (at, ((scheme, name), dash))| {
+        let points = (-48..=96).map(|eighth| {
+            let tau = 10f64.powf(f64::from(eighth) / 8.0);
             [tau, error_after(*scheme, tau, steps)]
         });
-        let (kept, lost): (Vec<_>, Vec<_>) = points.partition(|point: &[f64; 2]| point[1] <= 1e3);
+        let (finite, lost): (Vec<_>, Vec<_>) = points.partition(|point: &[f64; 2]| point[1].is_finite());
         let hue = Hue::Nth(at as u8);
-        let chart = chart.with(Mark::Points { label: (*name).into(), hue, shape, joined: true, points: kept });
-        chart.with(Mark::Broken { hue, shape, at: lost.iter().map(|point| point[0]).collect() })
+        let chart = chart.with(Mark::Line { label: (*name).into(), hue, dash, points: finite });
+        let at = lost.iter().step_by(4).map(|point| point[0]).collect();
+        chart.with(Mark::Broken { hue, shape: Shape::Triangle, at })
     });
     let transient = Chart::new(
         "what a step keeps of E",
@@ -261,7 +264,8 @@ fn stiffness(setting: &Setting) -> Plot {
     let transient = NAMES.iter().enumerate().fold(transient, |chart, (at, (scheme, _))| {
         let ratios = (-120..=120).map(|at| 10f64.powf(f64::from(at) / 40.0));
         let curve = ratios.map(|x| [x, Update::new(*scheme, 1.0, x, 1.0).keep]).collect();
-        chart.line(Hue::Nth(at as u8), "", curve)
+        let dash = styles[at];
+        chart.with(Mark::Line { label: String::new(), hue: Hue::Nth(at as u8), dash, points: curve })
     });
     Plot::grid("A conducting cell, driven from rest", 2, vec![errors.into(), transient.into()])
 }

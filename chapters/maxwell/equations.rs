@@ -284,10 +284,10 @@ fn moving_charge(setting: &Setting) -> Plot {
 fn field_lines(beta: f64) -> Vec<Mark> {
     let flat = ((1.0 - beta) * (1.0 + beta)).sqrt();
     let line = |at: u32| {
-        let (sin, cos) = (PI * (f64::from(at) + 0.5) / 12.0).sin_cos();
+        let (sin, cos) = (PI * (f64::from(at) + 0.5) / 7.0).sin_cos();
         let length = (flat * cos).hypot(sin).recip();
         let end = |reach: f64| [reach * length * flat * cos, reach * length * sin];
         Mark::Line { label: String::new(), hue: Hue::Reference, dash: Dash::Solid, points: vec![end(0.08), end(0.95)] }
     };
-    (0..24).map(line).collect()
+    (0..14).map(line).collect()
 }

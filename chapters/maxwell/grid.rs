@@ -28,12 +28,20 @@ const CELLS: Parameter = Parameter {
     kind: Kind::Number { min: 2.0, max: 1e6, unit: "1" },
 };
 
+const UNSTABLE: Parameter = Parameter {
+    name: "unstable",
+    symbol: "",
+    says: "1 to take a Courant number beyond the limit",
+    default: "0",
+    kind: Kind::Count { min: 0, max: 1 },
+};
+
 pub(super) const STEP: Step = Step {
     id: "grid",
     title: "The laws on a grid",
     says: "Fields half a cell and half a step apart make every derivative a centred difference; waves then run a little late, and too long a step blows up.",
     rows: &["C2"],
-    parameters: &[COURANT, CELLS],
+    parameters: &[COURANT, CELLS, UNSTABLE],
     statements: &[
         Statement {
             id: "leapfrog",
@@ -265,7 +273,7 @@ fn late(setting: &Setting) -> Plot {
     let chart = Chart::new(
         "",
         Axis::log("cells to a wavelength λ/Δ", "").range(3.0, 100.0),
-        Axis::log("lag of the wave 1 − v/c", "").range(1e-7, 1.0),
+        Axis::log("lag of the wave 1 − v/c", "").range(1e-6, 1.0),
     );
     let numbers = [own, 0.9, 0.99];
     let chart = numbers.iter().enumerate().fold(chart, |chart, (at, &courant)| {
@@ -292,14 +300,14 @@ fn courant_map(_: &Setting) -> Plot {
     const ROWS: usize = 120;
     let values = (0..COLUMNS * ROWS).map(|cell| {
         let k = PI * ((cell % COLUMNS) as f64 + 0.5) / COLUMNS as f64;
-        let courant = 1.5 * ((cell / COLUMNS) as f64 + 0.5) / ROWS as f64;
+        let courant = 0.5 + ((cell / COLUMNS) as f64 + 0.5) / ROWS as f64;
         phase_per_step(&[k], courant).im
     });
     let limit = (0..=100).map(|at| 0.46 + 0.54 * f64::from(at) / 100.0).map(|k| [k, (0.5 * PI * k).sin().recip()]);
     let map = Panel::Map(Map {
         title: "one dimension: which waves grow".into(),
         x: Axis::linear("wave number kΔ/π", "").range(0.0, 1.0),
-        y: Axis::linear("Courant number S", "").range(0.0, 1.5),
+        y: Axis::linear("Courant number S", "").range(0.5, 1.5),
         colour: Axis::linear("growth per step, ln g", "").range(0.0, 2.0),
         ramp: Ramp::Sequential,
         columns: COLUMNS,
@@ -327,22 +335,25 @@ fn courant_map(_: &Setting) -> Plot {
     Plot::grid("The Courant limit", 2, vec![map, chart.into()])
 }
 
-fn blow_up(_: &Setting) -> Plot {
+fn blow_up(setting: &Setting) -> Plot {
     const STEPS: usize = 400;
     let chart = Chart::new(
         "",
         Axis::linear("step", "").range(0.0, STEPS as f64),
         Axis::log("largest |E| on the grid", "V/m").range(1e-1, 1e12),
     );
-    let chart = [0.5, 0.999, 1.001, 1.01, 1.1].into_iter().enumerate().fold(chart, |chart, (at, courant)| {
-        let mut line = ring(200, courant);
-        let pulse = |z: f64| (-((z - 100.0) / 8.0).powi(2)).exp();
-        line.set(pulse, |z| pulse(z - 0.5 * courant) / ETA_0);
-        let heights = (1..=STEPS).map(|step| {
-            run(&mut line, 1);
-            [step as f64, line.e().iter().fold(0.0f64, |most, e| most.max(e.abs()))]
-        });
-        chart.line(Hue::Nth(at as u8), format!("S = {courant}"), heights.collect())
-    });
+    let chart = [setting.number("courant"), 0.999, 1.003, 1.01, 1.1].into_iter().enumerate().fold(
+        chart,
+        |chart, (at, courant)| {
+            let mut line = ring(200, courant);
+            let pulse = |z: f64| (-((z - 100.0) / 8.0).powi(2)).exp();
+            line.set(pulse, |z| pulse(z - 0.5 * courant) / ETA_0);
+            let heights = (1..=STEPS).map(|step| {
+                run(&mut line, 1);
+                [step as f64, line.e().iter().fold(0.0f64, |most, e| most.max(e.abs()))]
+            });
+            chart.line(Hue::Nth(at as u8), format!("S = {courant}"), heights.collect())
+        },
+    );
     Plot::of("A pulse, below and beyond the Courant limit", chart)
 }

@@ -59,8 +59,8 @@ pub(super) const STEP: Step = Step {
             id: "pill_box",
             says: "Gauss's theorem on a box of height h whose lids lie on either side: all but the lids comes with an h",
             rows: &["E4"],
-            chain: || pill_box(step_across(D_1, D_2, WALL_D, INSIDE.into())),
-            spoiled: || pill_box(Equation::new(dot(NORMAL, D_1 + D_2), HEIGHT * (GIRTH * WALL_D / AREA - INSIDE))),
+            chain: || pill_box(step_across_d(D_1 - D_2)),
+            spoiled: || pill_box(step_across_d(D_1 + D_2)),
             slip: "both lids take n for their way out",
         },
         Derivation {
@@ -131,8 +131,6 @@ const B_WAY: Symbol = Symbol::vector("b", Dimension::ONE);
 /// Mean of a field out of the box's wall.
 const WALL_B: Symbol = Symbol::scalar("B_w", Dimension::TESLA);
 const WALL_D: Symbol = Symbol::scalar("D_w", Dimension::COULOMB_PER_SQUARE_METRE);
-/// Mean of the magnetic charge in the box, of which there is none.
-const MONOPOLES: Symbol = Symbol::scalar("rho_m", Dimension::TESLA.per(Dimension::METRE));
 /// Mean of the charge in the box.
 const INSIDE: Symbol = Symbol::scalar("rho", Dimension::COULOMB_PER_CUBIC_METRE);
 /// Means of a field along the two short sides of a loop, and of what flows through it.
@@ -141,33 +139,31 @@ const SHORT_H: Symbol = Symbol::scalar("H_s", Dimension::AMPERE_PER_METRE);
 const THROUGH_E: Symbol = Symbol::scalar("w", Dimension::TESLA.per(Dimension::SECOND));
 const THROUGH_H: Symbol = Symbol::scalar("j", Dimension::AMPERE_PER_SQUARE_METRE);
 
-/// Gauss's theorem on the box: n points out of the far lid and into the near one.
-fn box_of(near: Symbol, far: Symbol, wall: Symbol, inside: Expr) -> Equation {
-    let lids = AREA * dot(NORMAL, far) - AREA * dot(NORMAL, near);
-    Equation::new(lids + GIRTH * HEIGHT * wall, AREA * HEIGHT * inside)
+/// What flows out of the box: n points out of the far lid and into the near one.
+fn out_of_box(near: Symbol, far: Symbol, wall: Symbol) -> Expr {
+    AREA * dot(NORMAL, far) - AREA * dot(NORMAL, near) + GIRTH * HEIGHT * wall
 }
 
 /// The same solved for the step of the normal part: everything else comes with an h.
-fn step_across(near: Symbol, far: Symbol, wall: Symbol, inside: Expr) -> Equation {
-    Equation::new(dot(NORMAL, near - far), HEIGHT * (GIRTH * wall / AREA - inside))
+fn step_across_b() -> Equation {
+    Equation::new(dot(NORMAL, B_1 - B_2), HEIGHT * (GIRTH * WALL_B / AREA))
 }
 
-/// The magnetic charge inside.
-fn no_charge() -> Expr {
-    0 * Expr::from(MONOPOLES)
+fn step_across_d(step: Expr) -> Equation {
+    Equation::new(dot(NORMAL, step), HEIGHT * (GIRTH * WALL_D / AREA - INSIDE))
 }
 
 fn pill_box(last: Equation) -> Chain {
-    Chain::assume(box_of(B_1, B_2, WALL_B, no_charge()), "∇·B = 0, Gauss's theorem")
-        .and(box_of(D_1, D_2, WALL_D, INSIDE.into()), "∇·D = ρ, Gauss's theorem")
+    Chain::assume(Equation::new(out_of_box(B_1, B_2, WALL_B), 0), "∇·B = 0, Gauss's theorem")
+        .and(Equation::new(out_of_box(D_1, D_2, WALL_D), AREA * HEIGHT * INSIDE), "∇·D = ρ, Gauss's theorem")
         .solve_for([WALL_B, WALL_D])
-        .then(step_across(B_1, B_2, WALL_B, no_charge()), ["over A"])
+        .then(step_across_b(), ["over A"])
         .then(last, ["over A"])
 }
 
 fn flat_box() -> Chain {
-    Chain::assume(step_across(B_1, B_2, WALL_B, no_charge()), "the box, for B")
-        .and(step_across(D_1, D_2, WALL_D, INSIDE.into()), "the box, for D")
+    Chain::assume(step_across_b(), "the box, for B")
+        .and(step_across_d(D_1 - D_2), "the box, for D")
         .given(HEIGHT, 0, "h → 0")
 }
 

@@ -153,10 +153,11 @@ fn savings(setting: &Setting) -> Plot {
         each.map(|(at, (key, _))| [at as f64 + 1.0, of(&scene(key, cells, true).explain())]).collect()
     };
     let names = SCENES.iter().enumerate().map(|(at, (_, name))| format!("{} {name}", at + 1));
-    let mark = |label: &str, hue, shape, points| Mark::Points { label: label.into(), hue, shape, joined: true, points };
+    let mark =
+        |label: &str, hue, shape, points| Mark::Points { label: label.into(), hue, shape, joined: false, points };
     let chart = Chart::new(
         "",
-        Axis::linear(names.collect::<Vec<_>>().join(", "), "").range(0.5, 4.5).tick(1.0),
+        Axis::linear(format!("scene: {}", names.collect::<Vec<_>>().join(", ")), "").range(0.5, 4.5).tick(1.0),
         Axis::linear("saved per cell", "").range(0.0, 100.0),
     )
     .with(mark("bytes", Hue::Ours, Shape::Disc, points(|explanation| explanation.bytes_saved_per_cell())))

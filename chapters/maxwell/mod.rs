@@ -4,6 +4,7 @@ mod agreement;
 mod conduction;
 mod continuity;
 mod equations;
+mod functions;
 mod grid;
 mod interface;
 mod left_out;
@@ -34,5 +35,5 @@ pub const CHAPTER: Chapter = Chapter {
         conduction::STEP,
         left_out::STEP,
     ],
-    functions: &[],
+    functions: functions::FUNCTIONS,
 };

@@ -1,0 +1,87 @@
+//! What `lesson eval` offers from this chapter.
+
+use crate::function::{Arguments, Function, Input, Output};
+use crate::setting::Fault;
+use light::em::line::{Ends, Line, Setup};
+use light::em::theory::{growth_per_step, phase_per_step};
+use light::em::{C, ETA_0, Medium, Stepping};
+use std::f64::consts::TAU;
+
+/// The functions, each with its inputs' units and domains.
+pub(super) const FUNCTIONS: &[Function] = &[YEE];
+
+const YEE: Function = Function {
+    name: "yee",
+    says: "a ring of cells of one medium on the Yee grid, on which a wave of 1 V/m runs round; the solver itself refuses \
+           unphysical media, steps beyond the Courant limit (unless unstable = 1) and grids beyond its memory",
+    inputs: &[
+        input("eps_r", "relative permittivity", "1", Some(1.0)),
+        input("mu_r", "relative permeability", "1", Some(1.0)),
+        input("sigma", "conductivity", "S/m", Some(0.0)),
+        input("spacing", "size of a cell", "m", Some(1e-3)),
+        input("cells", "cells of the ring", "1", Some(100.0)),
+        input("waves", "whole waves round the ring", "1", Some(5.0)),
+        input("courant", "Courant number cΔt/Δ, with c of the vacuum", "1", Some(0.5)),
+        input("steps", "time steps", "1", Some(1000.0)),
+        input("unstable", "1 to take a Courant number beyond the limit", "1", Some(0.0)),
+    ],
+    outputs: &[
+        Output { name: "dt", says: "time step", unit: "s" },
+        Output { name: "bytes", says: "memory of fields and coefficients", unit: "B" },
+        Output {
+            name: "v_phase",
+            says: "speed of the wave on the grid without conduction; nan beyond the limit",
+            unit: "m/s",
+        },
+        Output { name: "growth", says: "ln of the growth of the shortest wave per step", unit: "1" },
+        Output { name: "E_max", says: "largest electric field after the last step", unit: "V/m" },
+    ],
+    call: |arguments| {
+        let number = |name| arguments.number(name);
+        let medium = Medium { eps_r: number("eps_r")?, mu_r: number("mu_r")?, sigma: number("sigma")?, drude: None };
+        let stepping = Stepping { unstable: whole(arguments, "unstable")? != 0, ..Stepping::at(number("courant")?) };
+        let (cells, steps) = (whole(arguments, "cells")?, whole(arguments, "steps")?);
+        if cells.saturating_mul(steps) > MOST_WORK {
+            return Err(Fault::new(
+                "steps",
+                format!("cells × steps is {:e}; valid: up to 1e11", cells as f64 * steps as f64),
+            ));
+        }
+        let refused = |refusal: light::em::Refusal| Fault::new("yee", refusal.to_string());
+        let setup =
+            Setup { background: medium, ..Setup::vacuum(cells as usize, number("spacing")?, Ends::Periodic, stepping) };
+        let mut line = Line::new(setup).map_err(refused)?;
+        let k = TAU * (whole(arguments, "waves")? % cells) as f64 / cells as f64;
+        let relative = stepping.courant / (medium.eps_r * medium.mu_r).sqrt();
+        let phase = phase_per_step(&[k], relative).re;
+        let spacing = line.setup().spacing;
+        let admittance = (medium.eps_r / medium.mu_r).sqrt() / ETA_0;
+        line.set(|z| (k * z / spacing).cos(), |z| admittance * (k * z / spacing - 0.5 * phase).cos());
+        line.run(steps).map_err(refused)?;
+        let is_stable = relative * (0.5 * k).sin().abs() <= 1.0;
+        let speed = phase / (stepping.courant * k) * C;
+        Ok(vec![
+            ("dt", line.dt()),
+            ("bytes", line.explain().bytes as f64),
+            ("v_phase", if is_stable { speed } else { f64::NAN }),
+            ("growth", growth_per_step(relative)),
+            ("E_max", line.e().iter().map(|e| e.abs()).max_by(f64::total_cmp).unwrap_or(f64::NAN)),
+        ])
+    },
+};
+
+/// Cells times steps that are run: some minutes.
+const MOST_WORK: u64 = 100_000_000_000;
+
+const fn input(name: &'static str, says: &'static str, unit: &'static str, default: Option<f64>) -> Input {
+    Input { name, says, unit, domain: None, default }
+}
+
+/// The input `name`, which counts something.
+fn whole(arguments: &Arguments, name: &str) -> Result<u64, Fault> {
+    let value = arguments.number(name)?;
+    if (0.0..=1e15).contains(&value) && value.fract() == 0.0 {
+        return Ok(value as u64);
+    }
+    Err(Fault::new(name, format!("{value} is not a whole number; valid: 0 to 1e15")))
+}
