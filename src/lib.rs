@@ -17,6 +17,8 @@
 //!
 //! | idea | formula | claimed in |
 //! |---|---|---|
+//! | charges in flight, tensors, sheets with current | [`fields`] | `maxwell`, to `surface_current` |
+//! | fields stepped on a grid | [`em`] | `maxwell`, from `grid` |
 //! | directions without loss at either end | [`optics::incidence`] | `fresnel/snell` |
 //! | interface: amplitudes, powers, Brewster, dip | [`optics::fresnel`] | `fresnel`, `r_s` to `metals` |
 //! | the same as the lecture writes it | [`optics::textbook`] | `fresnel/digits` |

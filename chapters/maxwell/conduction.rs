@@ -4,13 +4,14 @@ use super::symbols::{E, EPSILON, H, SIGMA, T};
 use crate::figure::{Axis, Chart, Dash, Hue, Mark, Plot, Shape};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::vocabulary::{Derivation, Expects, Extreme, Figure, Heat, Lane, Quantity, Race, Statement, Step, Stress};
+use light::em::Conduction;
+use light::em::medium::Relaxation;
 use light::equation::derivation::Chain;
 use light::equation::expr::{curl, exp, partial};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::waves as exact;
 use light::precise;
 use light::waves::conduction::{Cell, Scheme, Update};
-use light::waves::constants::EPSILON_0;
 
 const TANGENT: Parameter = Parameter {
     name: "tau",
@@ -59,7 +60,7 @@ pub(super) const STEP: Step = Step {
     checks: &[],
     stress: &[Stress {
         id: "coefficients",
-        claim: "what E is multiplied by in a step keeps its digits from the best insulator to the perfect conductor, and so does what it loses",
+        claim: "what the grid multiplies E by in a step keeps its digits from the best insulator to the perfect conductor, and so does what it loses",
         rows: &["C2"],
         textbook: "the coefficients as they are usually programmed, 1 − e^(−x) and all",
         reference: "the same in 256 bits",
@@ -137,20 +138,21 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
 }
 
 fn coefficients() -> Vec<Extreme> {
-    let dt = 1e-17;
     let ratios = [0.0, 1e-300, 1e-18, 1e-12, 1e-6, 1e-3, 1.0, 30.0, 1e6, 1e15];
-    let schemes = [(Scheme::SemiImplicit, "semi-implicit"), (Scheme::Exponential, "exponential")];
+    let schemes = [
+        (Conduction::SemiImplicit, Scheme::SemiImplicit, "semi-implicit"),
+        (Conduction::Exponential, Scheme::Exponential, "exponential"),
+    ];
     let cases = schemes.into_iter().flat_map(|scheme| ratios.map(|x| (scheme, x)));
     cases
-        .flat_map(|((scheme, name), x)| {
-            let sigma = x * EPSILON_0 / dt;
-            let (ours, book) =
-                (Update::new(scheme, EPSILON_0, sigma, dt), Update::as_written(scheme, EPSILON_0, sigma, dt));
-            let [keep, loss, gain] = exact::update(scheme, EPSILON_0, sigma, dt);
+        .flat_map(|((conduction, scheme, name), x)| {
+            // In units of ε and Δt.
+            let (ours, book) = (Relaxation::new(conduction, x), Update::as_written(scheme, 1.0, x, 1.0));
+            let [keep, loss, gain] = exact::update(scheme, 1.0, x, 1.0);
             let rows = [
                 ("C_a", keep, book.keep, ours.keep),
                 ("1 − C_a", loss, book.loss, ours.loss),
-                ("C_b", gain, book.gain, ours.gain),
+                ("C_b", gain, book.gain, ours.drive),
             ];
             // Of what lies below the range of f64 there are no digits to keep.
             let kept = rows

@@ -41,16 +41,16 @@ const YEE: Function = Function {
         let medium = Medium { eps_r: number("eps_r")?, mu_r: number("mu_r")?, sigma: number("sigma")?, drude: None };
         let stepping = Stepping { unstable: whole(arguments, "unstable")? != 0, ..Stepping::at(number("courant")?) };
         let (cells, steps) = (whole(arguments, "cells")?, whole(arguments, "steps")?);
+        let refused = |refusal: light::em::Refusal| Fault::new("yee", refusal.to_string());
+        let setup =
+            Setup { background: medium, ..Setup::vacuum(cells as usize, number("spacing")?, Ends::Periodic, stepping) };
+        let mut line = Line::new(setup).map_err(refused)?;
         if cells.saturating_mul(steps) > MOST_WORK {
             return Err(Fault::new(
                 "steps",
                 format!("cells × steps is {:e}; valid: up to 1e11", cells as f64 * steps as f64),
             ));
         }
-        let refused = |refusal: light::em::Refusal| Fault::new("yee", refusal.to_string());
-        let setup =
-            Setup { background: medium, ..Setup::vacuum(cells as usize, number("spacing")?, Ends::Periodic, stepping) };
-        let mut line = Line::new(setup).map_err(refused)?;
         let k = TAU * (whole(arguments, "waves")? % cells) as f64 / cells as f64;
         let relative = stepping.courant / (medium.eps_r * medium.mu_r).sqrt();
         let phase = phase_per_step(&[k], relative).re;

@@ -119,7 +119,9 @@ fn dispersion(last: Expr) -> Chain {
     let step = second_differences(wave);
     let per_wave = |phase: Expr| exp(i() * &phase) - 2 + exp(-(i() * phase));
     Chain::assume(step, "the step, E = e^(i(kz − ωt))")
-        .then(Equation::new(per_wave(OMEGA * DT), S.pow(2) * per_wave(K * DZ)), ["over E"])
+        .given(Z, 0, "any other place only multiplies both sides")
+        .given(T, 0, "and so does any other time")
+        .then(Equation::new(per_wave(OMEGA * DT), S.pow(2) * per_wave(K * DZ)), ["E at the neighbours"])
         .then(Equation::new(sin(OMEGA * DT / 2).pow(2), last), ["e^(iα) − 2 + e^(−iα) = −4 sin²(α/2)"])
 }
 
@@ -209,9 +211,9 @@ const GROWTH: Check = Check {
     rows: &["C2"],
     route: "the solver: how the logarithm of the field rises from step to step",
     bound: Bound::AtMost {
-        limit: 1e-8,
+        limit: 1e-11,
         unit: "1",
-        why: "the rate goes as √(S − 1), and S − 1 = 1e−6 has lost nine digits in rounding S",
+        why: "rounding of up to 40 000 steps, against a rate that is three thousandths where it is least",
     },
     measure: |_| growth(growth_per_step),
     spoiled: |_| growth(|excess| 2.0 * (excess - 1.0)),
