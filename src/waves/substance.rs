@@ -210,7 +210,7 @@ pub const SUBSTANCES: &[Substance] = &[
     Substance {
         name: "water",
         aliases: &["H2O", "pure-water"],
-        says: "pure water, 25 °C; above the band its dipoles lose more than its ions",
+        says: "pure water, 25 °C; above the band its dipoles lose more than 1 % of what its ions do",
         source: "Malmberg & Maryott 1956, J. Res. NBS 56, 1; Light et al. 2005, Electrochem. Solid-State Lett. 8, E16",
         epsilon_r: 78.3,
         mu_r: 1.0,
@@ -222,7 +222,7 @@ pub const SUBSTANCES: &[Substance] = &[
     Substance {
         name: "sea-water",
         aliases: &["sea"],
-        says: "sea water, 20 °C, salinity 35",
+        says: "sea water, 20 °C, salinity 35; the loss of its dipoles, at 1 GHz 4.5 % of its ions', is left out",
         source: "Klein & Swift 1977, IEEE Trans. Antennas Propag. 25, 104",
         epsilon_r: 72.5,
         mu_r: 1.0,
