@@ -241,10 +241,12 @@ pub const SUBSTANCES: &[Substance] = &[
     metal("gold", &["Au"], "gold, 22.14 nΩ m", 4.517e7, 5e11),
     metal("aluminium", &["Al", "aluminum"], "aluminium, 26.50 nΩ m", 3.774e7, 2e12),
     Substance {
-        source: "σ: CRC Handbook, 96.1 nΩ m at 293 K; μ_r: Bozorth 1951, Ferromagnetism, initial, 99.8 % Fe",
+        source: "σ: CRC Handbook, 96.1 nΩ m at 293 K; μ_r: round, between Hyperm 0 iron, 123, and AISI 1008 steel, 200, \
+                 Modelica Standard Library, FluxTubes.Material.SoftMagnetic; band: Bowler, Frequency-dependence of \
+                 relative permeability in steel, relaxation near 5 kHz",
         mu_r: 150.0,
         optical: None,
-        ..metal("iron", &["Fe"], "iron in weak fields, μ_r = 150 (up to 5000 in stronger ones)", 1.041e7, 1e5)
+        ..metal("iron", &["Fe"], "iron in weak fields, μ_r = 150 (thousands in stronger ones)", 1.041e7, 1e3)
     },
     Substance {
         source: "Toyo Tanso data sheet, isotropic graphite IG-110, 11 µΩ m",
