@@ -16,7 +16,7 @@ const MARGIN: f64 = 0.05;
 /// Error against time: of a whole run [µs] where an order is asserted, otherwise of one unit of work [ns].
 pub fn plot(race: &RaceReport) -> Plot {
     let whole = race.lanes.iter().any(|lane| matches!(lane.asserted, Expects::Order { .. }));
-    let (label, unit) = if whole { ("time of a run", "µs") } else { ("time of one evaluation", "ns") };
+    let (label, unit) = if whole { ("time of a run", "µs") } else { ("time per unit of work", "ns") };
     let mut chart = Chart::new("", Axis::log(label, unit), errors(race));
     for (lane, at) in race.lanes.iter().zip(0..) {
         let points = curve(lane, whole);

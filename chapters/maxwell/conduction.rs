@@ -69,17 +69,17 @@ pub(super) const STEP: Step = Step {
     races: &[
         Race {
             id: "insulator",
-            claim: "an insulator, σ/(ωε) = 1e−3: nothing is stiff, and order wins",
+            claim: "an insulator, σ/(ωε) = 10⁻³: nothing is stiff, and order wins",
             lanes: &INSULATOR,
             ..RACE
         },
         Race {
             id: "conductor",
-            claim: "a conductor, σ/(ωε) = 1e6: forward Euler explodes, the usual update rings, the exponential one is late",
+            claim: "a conductor, σ/(ωε) = 10⁶: forward Euler explodes, the usual update rings, the exponential one is late",
             lanes: &CONDUCTOR,
             ..RACE
         },
-        Race { id: "metal", claim: "a metal, σ/(ωε) = 1e12: the same, only more so", lanes: &METAL, ..RACE },
+        Race { id: "metal", claim: "a metal, σ/(ωε) = 10¹²: the same, only more so", lanes: &METAL, ..RACE },
     ],
     figures: &[Figure {
         id: "stiffness",
