@@ -56,7 +56,9 @@ fn plane(bencher: Bencher, setup: plane::Setup) {
     let steps = (10_000_000 / cells).max(16);
     let middle = 0.5 * setup.spacing * columns as f64;
     let mut plane = Plane::new(setup).expect("a valid plane");
-    plane.set_z(|x, y| Complex64::from((-((x - middle).powi(2) + (y - middle).powi(2)) / (0.01 * middle * middle)).exp()));
+    plane.set_z(|x, y| {
+        Complex64::from((-((x - middle).powi(2) + (y - middle).powi(2)) / (0.01 * middle * middle)).exp())
+    });
     bencher.counter(ItemsCount::new(cells * steps)).bench_local(|| {
         plane.run_serial(black_box(steps)).expect("at least one step");
         black_box(&plane);

@@ -22,10 +22,8 @@ const AMPLITUDE: Symbol = Symbol::scalar("A", U::VOLT_PER_METRE).real(0.5, 2.0);
 
 const E: Symbol = Symbol::vector("E", U::VOLT_PER_METRE).field();
 const B: Symbol = Symbol::vector("B", U::TESLA).field();
-const D: Symbol = Symbol::vector("D", U::COULOMB_PER_SQUARE_METRE).field();
 const H: Symbol = Symbol::vector("H", U::AMPERE_PER_METRE).field();
 const J: Symbol = Symbol::vector("J", U::AMPERE_PER_SQUARE_METRE).field();
-const RHO: Symbol = Symbol::scalar("rho", U::COULOMB_PER_CUBIC_METRE).field();
 /// The flow of energy.
 const S: Symbol = Symbol::vector("S", U::WATT_PER_SQUARE_METRE);
 /// The density of energy.
@@ -54,20 +52,6 @@ fn equal(left: impl Into<Expr>, right: impl Into<Expr>) -> Equation {
 /// ∂²f/∂x²
 fn twice(f: impl Into<Expr>, x: Symbol) -> Expr {
     partial(partial(f, &x), x)
-}
-
-#[test]
-fn continuity_follows_from_maxwell() {
-    let chain = |last| {
-        Chain::new(-partial(RHO, T))
-            .given(RHO, divergence(D), "∇·D = ρ")
-            .given(partial(D, T), curl(H) - J, "∇×H = J + ∂D/∂t")
-            .then(-partial(divergence(D), T), ["∇·D = ρ"])
-            .then(-divergence(partial(D, T)), ["derivatives commute"])
-            .then(-divergence(curl(H) - J), ["∇×H = J + ∂D/∂t"])
-            .then(last, ["∇·(∇×H) = 0"])
-    };
-    only_this(chain, divergence(J), -divergence(J));
 }
 
 /// A uniform medium without charges, currents and losses.
