@@ -5,13 +5,14 @@ pub mod figure;
 pub mod fresnel;
 pub mod function;
 pub mod lecture;
+pub mod plane_wave;
 pub mod setting;
 pub mod vocabulary;
 
 pub use vocabulary::{Chapter, Step};
 
 /// The chapters in teaching order: the only list of them.
-pub const CURRICULUM: &[&Chapter] = &[&fresnel::CHAPTER];
+pub const CURRICULUM: &[&Chapter] = &[&plane_wave::CHAPTER, &fresnel::CHAPTER];
 
 /// How many checks of the curriculum rest on random numbers: what their significance is shared among.
 pub fn statistical_checks() -> usize {

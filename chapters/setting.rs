@@ -2,6 +2,7 @@
 
 use light::Complex64;
 use light::optics::material::{self, Medium};
+use light::waves::{self, media};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt;
 
@@ -97,6 +98,8 @@ pub enum Kind {
     Medium,
     /// A medium that does not absorb.
     ClearMedium,
+    /// A medium that may conduct, at any frequency: `ε_r/μ_r/σ` with σ in S/m (`80/1/4`), or one by name.
+    Conductor,
 }
 
 /// A value in force.
@@ -106,6 +109,8 @@ pub enum Value {
     Number(f64),
     /// A medium.
     Medium(Medium),
+    /// A medium that may conduct.
+    Conductor(waves::Medium),
 }
 
 /// The vacuum wavelength [m] used where a step names none: the middle of the visible.
@@ -190,6 +195,26 @@ impl Setting {
         }
     }
 
+    /// The medium named `name`, which may conduct.
+    ///
+    /// # Panics
+    /// As [`Setting::number`].
+    pub fn conductor(&self, name: &str) -> waves::Medium {
+        match self.find(name) {
+            Some(Value::Conductor(medium)) => medium,
+            _ => panic!("the step declares no conductor `{name}`"),
+        }
+    }
+
+    /// The text in force of the parameter `name`.
+    ///
+    /// # Panics
+    /// As [`Setting::number`].
+    pub fn text(&self, name: &str) -> &str {
+        let entry = self.entries.iter().find(|entry| entry.0.name == name);
+        &entry.unwrap_or_else(|| panic!("the step declares no `{name}`")).1
+    }
+
     /// The complex index [1] of the medium named `name` at the setting's wavelength.
     ///
     /// # Panics
@@ -226,6 +251,7 @@ impl Parameter {
                 _ => Err(fault(format!("`{}` is not a whole number in range; {}", excerpt(text), self.domain()))),
             },
             Kind::Medium | Kind::ClearMedium => parse_medium(self.name, text).map(Value::Medium),
+            Kind::Conductor => parse_conductor(self.name, text).map(Value::Conductor),
         }
     }
 
@@ -251,6 +277,7 @@ impl Parameter {
             Kind::Count { min, max } => format!("valid: {min} to {max}"),
             Kind::Medium => "valid: an index such as 1.5 or 0.2+3.4i, or a material by name".into(),
             Kind::ClearMedium => "valid: a real index such as 1.5, or a clear material by name".into(),
+            Kind::Conductor => CONDUCTOR_DOMAIN.into(),
         }
     }
 }
@@ -274,6 +301,24 @@ pub const WAVELENGTH: Parameter = Parameter {
     says: "vacuum wavelength",
     default: "550nm",
     kind: Kind::Number { min: 1e-9, max: 1e-3, unit: "m" },
+};
+
+/// The medium of a wave of any frequency.
+pub const MEDIUM: Parameter = Parameter {
+    name: "medium",
+    symbol: "ε_r/μ_r/σ",
+    says: "the medium, by name or as ε_r/μ_r/σ with σ in S/m",
+    default: "copper",
+    kind: Kind::Conductor,
+};
+
+/// The frequency of a wave.
+pub const FREQUENCY: Parameter = Parameter {
+    name: "freq",
+    symbol: "f",
+    says: "frequency",
+    default: "1GHz",
+    kind: Kind::Number { min: 1e-3, max: 1e16, unit: "Hz" },
 };
 
 /// The angle of incidence, measured from the normal.
@@ -313,7 +358,15 @@ fn suffixes(unit: &str) -> &'static [(&'static str, f64)] {
     match unit {
         "rad" => &[("deg", DEGREE), ("°", DEGREE), ("rad", 1.0)],
         "m" => &[("nm", 1e-9), ("um", 1e-6), ("µm", 1e-6), ("μm", 1e-6), ("mm", 1e-3), ("km", 1e3), ("m", 1.0)],
-        "Hz" => &[("THz", 1e12), ("GHz", 1e9), ("MHz", 1e6), ("kHz", 1e3), ("Hz", 1.0)],
+        "Hz" => &[
+            ("PHz", 1e15),
+            ("THz", 1e12),
+            ("GHz", 1e9),
+            ("MHz", 1e6),
+            ("kHz", 1e3),
+            ("mHz", 1e-3),
+            ("Hz", 1.0),
+        ],
         "s" => &[("fs", 1e-15), ("ps", 1e-12), ("ns", 1e-9), ("us", 1e-6), ("ms", 1e-3), ("s", 1.0)],
         _ => &[],
     }
@@ -341,6 +394,36 @@ pub fn parse_medium(place: &str, text: &str) -> Result<Medium, Fault> {
     }
     Ok(Medium::Constant(index))
 }
+
+/// Reads `ε_r/μ_r/σ` (σ in S/m) or a medium's name.
+///
+/// # Errors
+/// A fault at `place`, which says what would be valid.
+pub fn parse_conductor(place: &str, text: &str) -> Result<waves::Medium, Fault> {
+    let text = text.trim();
+    if let Some(found) = media::named(text) {
+        return Ok(found.medium);
+    }
+    let parts: Vec<&str> = text.split('/').collect();
+    let numbers: Option<Vec<f64>> = parts.iter().map(|part| part.trim().parse().ok()).collect();
+    let Some(&[epsilon_r, mu_r, sigma]) = numbers.as_deref() else {
+        let names = media::MEDIA.iter().map(|found| found.name).collect();
+        let message = format!("`{}` is neither ε_r/μ_r/σ (80/1/4) nor a medium", excerpt(text));
+        return Err(Fault::unknown(place, text, message, names));
+    };
+    let held = |value: f64, (min, max): (f64, f64)| (min..=max).contains(&value);
+    if !(held(epsilon_r, RELATIVE) && held(mu_r, RELATIVE) && held(sigma, CONDUCTIVITY)) {
+        return Err(Fault::new(place, format!("{} is out of range; {CONDUCTOR_DOMAIN}", excerpt(text))));
+    }
+    waves::Medium::relative(epsilon_r, mu_r, sigma).map_err(|unphysical| Fault::new(place, unphysical.to_string()))
+}
+
+/// Relative permittivities and permeabilities taken [1].
+pub const RELATIVE: (f64, f64) = (1e-9, 1e9);
+/// Conductivities taken [S/m].
+pub const CONDUCTIVITY: (f64, f64) = (0.0, 1e30);
+const CONDUCTOR_DOMAIN: &str =
+    "valid: ε_r/μ_r/σ such as 80/1/4, with ε_r and μ_r from 1e-9 to 1e9 and σ from 0 to 1e30 S/m, or a medium by name";
 
 /// Smallest real part of an index taken [1].
 pub const INDEX_MIN: f64 = 1e-9;
@@ -413,6 +496,27 @@ mod tests {
         for bad in ["", "i", "+i", "1.5x", "1e-3i", "1+i+2"] {
             assert_eq!(parse_index(bad), None, "{bad}");
         }
+    }
+
+    #[test]
+    fn conductors_are_numbers_or_names() {
+        let sea = parse_conductor("medium", "80 / 1/4").unwrap();
+        assert_eq!((sea.mu(), sea.sigma()), (waves::constants::MU_0, 4.0));
+        assert!(parse_conductor("medium", "Copper").unwrap().sigma() > 5e7);
+        let bad = ["", "80/1", "0/1/1", "-1/1/1", "1/0/1", "1/1/-1", "1/1/nan", "nan/1/0", "1/1/inf", "1/1/1/1", "cooper"];
+        for bad in bad {
+            let fault = parse_conductor("medium", bad).unwrap_err();
+            assert!(fault.place == "medium" && !fault.message.is_empty(), "{bad}");
+        }
+        assert!(parse_conductor("medium", "1/1/-1").unwrap_err().message.contains("σ from 0"));
+    }
+
+    #[test]
+    fn frequencies_take_their_units() {
+        assert_eq!(parse_quantity("1GHz", "Hz"), Ok(1e9));
+        assert_eq!(parse_quantity("50 Hz", "Hz"), Ok(50.0));
+        assert_eq!(parse_quantity("2mHz", "Hz"), Ok(2e-3));
+        assert_eq!(FREQUENCY.parse("0GHz").unwrap_err().message, "0GHz is out of range; valid: 1e-12GHz to 1e7GHz");
     }
 
     #[test]

@@ -1,0 +1,50 @@
+//! Waves: rows E5–E19. One module a step, in teaching order.
+
+mod conductor;
+mod cosine;
+mod dalembert;
+mod fields;
+mod functions;
+mod grid;
+mod one_way;
+mod perspective;
+mod source_free;
+mod speed;
+pub(crate) mod symbols;
+pub(crate) mod transverse;
+mod wave_equation;
+
+use crate::setting::Setting;
+use crate::vocabulary::Chapter;
+use light::waves::Wave;
+use std::f64::consts::TAU;
+
+/// The chapter.
+pub const CHAPTER: Chapter = Chapter {
+    id: "plane-wave",
+    title: "Waves",
+    says: "From Maxwell's equations to a wave of one frequency in any medium: its speed, its shape, its decay.",
+    builds_on: &["maxwell"],
+    prose: include_str!("prose.md"),
+    steps: &[
+        source_free::STEP,
+        wave_equation::STEP,
+        dalembert::STEP,
+        speed::STEP,
+        one_way::STEP,
+        cosine::STEP,
+        transverse::STEP,
+        conductor::STEP,
+    ],
+    functions: functions::FUNCTIONS,
+};
+
+/// The wave of the setting's frequency in its medium.
+pub(crate) fn wave(setting: &Setting) -> Wave {
+    Wave::new(&setting.conductor("medium"), TAU * setting.number("freq")).expect("validated when it was set")
+}
+
+/// `copper at 1GHz`: the setting as a heading.
+pub(crate) fn described(setting: &Setting) -> String {
+    format!("{} at {}", setting.text("medium"), setting.text("freq"))
+}
