@@ -31,6 +31,7 @@ pub mod evidence;
 pub mod optics;
 pub mod precise;
 pub mod sampling;
+pub mod waves;
 mod wide;
 
 pub use num_complex::Complex64;
