@@ -415,7 +415,7 @@ pub fn parse_conductor(place: &str, text: &str) -> Result<waves::Medium, Fault> 
     if !(held(epsilon_r, RELATIVE) && held(mu_r, RELATIVE) && held(sigma, CONDUCTIVITY)) {
         return Err(Fault::new(place, format!("{} is out of range; {CONDUCTOR_DOMAIN}", excerpt(text))));
     }
-    waves::Medium::relative(epsilon_r, mu_r, sigma).map_err(|unphysical| Fault::new(place, unphysical.to_string()))
+    waves::Medium::relative(epsilon_r, mu_r, sigma).map_err(|invalid| Fault::new(place, invalid.to_string()))
 }
 
 /// Relative permittivities and permeabilities taken [1].

@@ -78,8 +78,8 @@ pub(super) const STEP: Step = Step {
             says: "Faraday's law ties H to E",
             rows: &["E18"],
             chain: || ohms(OMEGA * MU / K_C),
-            spoiled: || ohms(K_C / (OMEGA * MU) * Z_C.pow(2)),
-            slip: "the admittance for the impedance",
+            spoiled: || ohms(-(OMEGA * MU / K_C)),
+            slip: "H on the other side of E: that wave runs back",
         },
         Derivation {
             id: "good_conductor",
@@ -160,25 +160,21 @@ fn wave_along_z() -> Expr {
 }
 
 fn dispersion(sign: i32) -> Chain {
-    let telegraph = Equation::new(laplacian(E), MU * SIGMA * partial(E, T) + EPSILON * MU * twice(E, T));
-    Chain::assume(telegraph, "the wave equation with a current")
+    let square = EPSILON * MU * OMEGA.pow(2) + sign * i() * MU * SIGMA * OMEGA;
+    Chain::new(laplacian(E) - MU * SIGMA * partial(E, T) - EPSILON * MU * twice(E, T))
+        .because("nought, by the wave equation with a current")
         .given(E, vector(wave_along_z(), 0, 0), "E = A e^{i(kz − ωt)} along x")
-        .then(
-            Equation::new(-K_C.pow(2), -(i() * OMEGA * MU * SIGMA) - EPSILON * MU * OMEGA.pow(2)),
-            ["∂/∂z = ik, ∂/∂t = −iω", "divide by E"],
-        )
-        .then(
-            Equation::new(K_C.pow(2), EPSILON * MU * OMEGA.pow(2) + sign * i() * MU * SIGMA * OMEGA),
-            ["times −1"],
-        )
+        .then((square - K_C.pow(2)) * E, ["∂/∂z = ik, ∂/∂t = −iω"])
+        .because("so the factor in front of E vanishes")
 }
 
-fn ohms(last: Expr) -> Chain {
-    Chain::assume(Equation::new(curl(E), -(MU * partial(H, T))), "∇×E = −∂B/∂t")
+fn ohms(impedance: Expr) -> Chain {
+    Chain::new(Equation::new(curl(E), -(MU * partial(H, T))))
+        .because("Faraday's law")
         .given(E, vector(wave_along_z(), 0, 0), "E = A e^{i(kz − ωt)} along x")
         .given(H, vector(0, wave_along_z() / Z_C, 0), "H = E/Z along y")
-        .then(Equation::new(i() * K_C, i() * OMEGA * MU / Z_C), ["∂/∂z = ik, ∂/∂t = −iω", "divide by E"])
-        .then(Equation::new(Z_C, last), ["times Z/(ik)"])
+        .given(Z_C, impedance, "Z = ωμ/k")
+        .then(Equation::new(Z_C, OMEGA * MU / K_C), ["∂/∂z = ik, ∂/∂t = −iω", "divide by E"])
 }
 
 fn good_conductor(depth: Expr) -> Chain {

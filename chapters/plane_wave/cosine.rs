@@ -182,7 +182,7 @@ fn fringes(wave_number: fn(&Wave) -> f64) -> Measured {
         let lambda = 550e-9;
         let medium = Medium::relative(n * n, 1.0, 0.0).expect("a clear medium");
         let wave = Wave::new(&medium, TAU * C / lambda).expect("a positive frequency");
-        let reflectance = |thickness: f64| {
+        let reflectance = move |thickness: f64| {
             let layers = [Layer { index: Complex64::from(n), thickness }];
             let stack = Stack { n_i: 1.0, layers: &layers, substrate: 1.52.into() };
             stack.response(lambda, Incidence::NORMAL, Polarisation::S).reflectance

@@ -66,9 +66,9 @@ fn wave(arguments: &Arguments) -> Result<Wave, Fault> {
         Either::First(relative) => relative * unit,
         Either::Second(absolute) => absolute,
     };
-    let unphysical = |found: light::waves::Unphysical| Fault::new(found.place, found.to_string());
-    let medium = Medium::new(absolute(epsilon, EPSILON_0), absolute(mu, MU_0), sigma).map_err(unphysical)?;
-    Wave::new(&medium, absolute(frequency, TAU)).map_err(unphysical)
+    let invalid = |found: light::waves::Invalid| Fault::new(found.place, found.to_string());
+    let medium = Medium::new(absolute(epsilon, EPSILON_0), absolute(mu, MU_0), sigma).map_err(invalid)?;
+    Wave::new(&medium, absolute(frequency, TAU)).map_err(invalid)
 }
 
 /// Which of two names a number was given under.

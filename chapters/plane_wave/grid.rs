@@ -59,12 +59,22 @@ impl Ring {
         Self { before, now, next, courant, stencil }
     }
 
+    /// At rest in the shape `now`: what it was a step before it will be a step later.
+    pub fn at_rest(now: Vec<f64>, courant: f64, stencil: Stencil) -> Self {
+        let mut ring = Self::new(now.clone(), now.clone(), courant, stencil);
+        // From u⁻ = u one step gives u + change; at rest it is u + ½ change.
+        ring.step();
+        ring.before = ring.now.iter().zip(&now).map(|(next, now)| 0.5 * (next + now)).collect();
+        ring.now = now;
+        ring
+    }
+
     /// One step.
     pub fn step(&mut self) {
         let square = self.courant * self.courant;
         let fourth = (square * square - square) / 12.0;
         let (now, count) = (&self.now, self.now.len());
-        let at = |i: usize, reach: &[f64; 5]| {
+        let at = |i: usize, reach: &[f64]| {
             let second = reach[1] - 2.0 * reach[2] + reach[3];
             let change = match self.stencil {
                 Stencil::Three => square * second,
@@ -75,7 +85,7 @@ impl Ring {
             };
             2.0 * reach[2] - self.before[i] + change
         };
-        for (i, reach) in now.array_windows::<5>().enumerate() {
+        for (i, reach) in now.windows(5).enumerate() {
             self.next[i + 2] = at(i + 2, reach);
         }
         for i in [0, 1, count - 2, count - 1] {

@@ -3,11 +3,13 @@
 mod conductor;
 mod cosine;
 mod dalembert;
-mod fields;
+pub(crate) mod fields;
 mod functions;
 mod grid;
+mod harmonics;
 mod one_way;
 mod perspective;
+mod relaxation;
 mod source_free;
 mod speed;
 pub(crate) mod symbols;
@@ -32,9 +34,11 @@ pub const CHAPTER: Chapter = Chapter {
         dalembert::STEP,
         speed::STEP,
         one_way::STEP,
+        harmonics::STEP,
         cosine::STEP,
         transverse::STEP,
         conductor::STEP,
+        relaxation::STEP,
     ],
     functions: functions::FUNCTIONS,
 };

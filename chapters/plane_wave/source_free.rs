@@ -70,20 +70,24 @@ pub(super) const STEP: Step = Step {
 };
 
 fn gauss(permittivity: Symbol) -> Chain {
-    Chain::assume(Equation::new(divergence(D), RHO), "∇·D = ρ")
-        .given(D, &permittivity * E, "D = εE")
+    Chain::new(divergence(E))
+        .given(E, D / &permittivity, "D = εE")
+        .given(divergence(D), RHO, "∇·D = ρ")
         .given(RHO, 0, "no charges")
-        .then(Equation::new(permittivity * divergence(E), 0), ["D = εE", "no charges"])
-        .then(Equation::new(divergence(E), 0), ["divide by ε"])
+        .then(divergence(D) / &permittivity, ["D = εE", "ε is the same everywhere"])
+        .then(RHO / permittivity, ["∇·D = ρ"])
+        .then(Equation::new(divergence(E), 0), ["no charges"])
 }
 
 fn displacement(sign: i32) -> Chain {
-    Chain::assume(Equation::new(curl(H), J + partial(D, T)), "∇×H = J + ∂D/∂t")
-        .given(D, EPSILON * E, "D = εE")
-        .given(H, B / MU, "B = μH")
+    Chain::new(curl(B))
+        .given(B, MU * H, "B = μH")
+        .given(E, D / EPSILON, "D = εE")
+        .given(partial(D, T), curl(H) - J, "∇×H = J + ∂D/∂t")
         .given(J, 0, "no currents")
-        .then(Equation::new(curl(B) / MU, EPSILON * partial(E, T)), ["D = εE", "B = μH", "no currents"])
-        .then(Equation::new(curl(B), sign * EPSILON * MU * partial(E, T)), ["times μ"])
+        .then(MU * curl(H), ["B = μH"])
+        .then(MU * (J + partial(D, T)), ["∇×H = J + ∂D/∂t"])
+        .then(sign * EPSILON * MU * partial(E, T), ["D = εE", "no currents"])
 }
 
 /// No derivative is taken: what winds round the edge of a patch is what changes inside.

@@ -69,3 +69,8 @@ pub const A_VECTOR: Symbol = Symbol::vector("A", Dimension::VOLT_PER_METRE);
 pub const Z_C: Symbol = Symbol::scalar("Z_c", Dimension::OHM);
 /// Skin depth.
 pub const DELTA: Symbol = Symbol::scalar("delta", Dimension::METRE).real(0.5, 2.0);
+
+/// Flow of energy.
+pub const S: Symbol = Symbol::vector("S", Dimension::WATT_PER_SQUARE_METRE);
+/// Density of energy.
+pub const U_DENSITY: Symbol = Symbol::scalar("u", Dimension::JOULE_PER_CUBIC_METRE);

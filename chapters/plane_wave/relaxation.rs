@@ -1,0 +1,246 @@
+//! E18 in time: Ampère's law with a current is stiff.
+
+use super::symbols::{E, EPSILON, H, SIGMA, T};
+use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::setting::{Kind, Parameter, Setting};
+use crate::vocabulary::{Expects, Extreme, Figure, Heat, Lane, Quantity, Race, Statement, Step, Stress};
+use light::equation::expr::{curl, partial};
+use light::equation::Equation;
+use light::evidence::waves::{cell, update};
+use light::precise;
+use light::waves::conduction::{Cell, Scheme, Update};
+
+pub(super) const STEP: Step = Step {
+    id: "relaxation",
+    title: "Stiff in time",
+    says: "A good conductor forgets its charges in 1e−19 s, and a method that has to follow that never gets anywhere.",
+    rows: &["E18"],
+    parameters: &[TANGENT],
+    statements: &[Statement {
+        id: "ampere",
+        says: "what a cell of a grid has to solve, with J = σE",
+        rows: &["E18"],
+        equation: || Equation::new(EPSILON * partial(E, T), curl(H) - SIGMA * E),
+    }],
+    derivations: &[],
+    readout: Some(readout),
+    checks: &[],
+    stress: &[Stress {
+        id: "coefficients",
+        claim: "the update coefficients of a conducting cell keep their digits from σΔt/ε = 1e−18 to 1e18",
+        rows: &["E18"],
+        textbook: "Ca and Cb as usually programmed, 1 − Ca formed from Ca",
+        reference: "the same coefficients in 256 bits; κ from difference quotients",
+        cases: |_| coefficients(),
+    }],
+    races: &[LOOSE, STIFF],
+    figures: &[
+        Figure {
+            id: "ringing",
+            says: "E of a cell, from a start that is not its own, by four methods at four steps a radian.",
+            rows: &["E18"],
+            plot: ringing,
+        },
+        Figure {
+            id: "stiffness",
+            says: "Error after one period, sixty-four steps, against σ/(ωε) over eighteen decades.",
+            rows: &["E18"],
+            plot: stiffness,
+        },
+    ],
+};
+
+const TANGENT: Parameter = Parameter {
+    name: "loss_tangent",
+    symbol: "σ/(ωε)",
+    says: "conduction over displacement current",
+    default: "20",
+    kind: Kind::Number { min: 1e-6, max: 1e12, unit: "1" },
+};
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let tangent = setting.number("loss_tangent");
+    let steps = (tangent * std::f64::consts::PI).ceil().max(1.0);
+    let quantity = |key, symbol, says, value, unit| Quantity { key, symbol, says, value, unit };
+    vec![
+        quantity("relaxation", "ωε/σ", "in how many radians a charge is forgotten", 1.0 / tangent, "rad"),
+        quantity("explicit_steps", "N", "steps a period that forward Euler needs so as not to blow up", steps, "1"),
+    ]
+}
+
+fn coefficients() -> Vec<Extreme> {
+    // ε of the vacuum, so that x = σΔt/ε comes from quantities of the sizes that a grid has.
+    let (epsilon, dt) = (light::waves::constants::EPSILON_0, 1e-17);
+    let stiffness = [1e-18, 1e-12, 1e-9, 1e-6, 1e-3, 1.0, 30.0, 1e6, 1e18];
+    let each = Scheme::ALL.into_iter().flat_map(|scheme| stiffness.map(|x| (scheme, x)));
+    each.flat_map(|(scheme, x)| {
+        let sigma = x * epsilon / dt;
+        let (ours, written) = (Update::new(scheme, epsilon, sigma, dt), Update::as_written(scheme, epsilon, sigma, dt));
+        let of = |update: Update| [("Ca", update.keep), ("1 − Ca", update.loss), ("Cb", update.gain)];
+        let exact = update(scheme, epsilon, sigma, dt);
+        let cases = of(ours).into_iter().zip(of(written)).zip(exact);
+        cases
+            .map(|(((quantity, ours), (_, textbook)), (reference, condition))| Extreme {
+                input: format!("{scheme:?}, σΔt/ε = {x:e}"),
+                quantity,
+                reference,
+                textbook,
+                ours,
+                condition,
+                worst_of: 1,
+            })
+            .collect::<Vec<_>>()
+    })
+    .filter(|case| precise::to_f64(&case.reference).abs() > f64::MIN_POSITIVE)
+    .collect()
+}
+
+/// Half a period and a little, so that neither sine nor cosine vanishes at the end.
+const END: f64 = 3.5;
+
+const LOOSE: Race = Race {
+    id: "loose",
+    claim: "where charges relax as fast as the field turns every method has its order, and the adaptive one its price",
+    rows: &["E18"],
+    work: "steps (for Radau: 1/tolerance)",
+    error: "error of E over its amplitude",
+    reference: "the closed form of the cell in 256 bits, σ/(ωε) = 1, from E = 0, after 3.5 radians",
+    lanes: &[
+        lane("forward_euler", "forward Euler", order(1.0), |_, work| marched(1.0, Scheme::ForwardEuler, work)),
+        lane("backward_euler", "backward Euler", order(1.0), |_, work| marched(1.0, Scheme::BackwardEuler, work)),
+        lane("semi_implicit", "semi-implicit", order(2.0), |_, work| marched(1.0, Scheme::SemiImplicit, work)),
+        lane("exponential", "exponential", order(2.0), |_, work| marched(1.0, Scheme::Exponential, work)),
+        radau(|_, work| adaptive(1.0, work)),
+    ],
+};
+
+const STIFF: Race = Race {
+    id: "stiff",
+    claim: "where charges relax a million times faster only methods that may skip it are of use",
+    reference: "the closed form of the cell in 256 bits, σ/(ωε) = 1e6, from E = 0, after 3.5 radians",
+    lanes: &[
+        lane(
+            "forward_euler",
+            "forward Euler",
+            Expects::Breaks { limit: 1e3, why: "it needs two million steps to be stable" },
+            |_, work| marched(1e6, Scheme::ForwardEuler, work),
+        ),
+        lane(
+            "semi_implicit",
+            "semi-implicit",
+            Expects::Breaks { limit: 0.5, why: "the start is never forgotten: it rings with (−1)ⁿ" },
+            |_, work| marched(1e6, Scheme::SemiImplicit, work),
+        ),
+        lane("exponential", "exponential", order(1.0), |_, work| marched(1e6, Scheme::Exponential, work)),
+        lane(
+            "backward_euler",
+            "backward Euler",
+            Expects::Within { limit: 1e-5, why: "with ∇×H at the new time the fast part is simply in balance" },
+            |_, work| marched(1e6, Scheme::BackwardEuler, work),
+        ),
+        radau(|_, work| adaptive(1e6, work)),
+    ],
+    ..LOOSE
+};
+
+const fn order(order: f64) -> Expects {
+    Expects::Order { order, tolerance: 0.2 }
+}
+
+type Prepare = fn(&mut crate::vocabulary::Bench, u64) -> Heat;
+
+const fn lane(id: &'static str, label: &'static str, expects: Expects, prepare: Prepare) -> Lane {
+    Lane { id, label, works: &[32, 128, 512, 2048], expects, repeats: 1, prepare }
+}
+
+const fn radau(prepare: Prepare) -> Lane {
+    Lane {
+        id: "radau",
+        label: "Radau IIA, own steps",
+        works: &[100, 10_000, 1_000_000, 100_000_000],
+        expects: Expects::Within { limit: 0.05, why: "a few times the loosest tolerance asked for, 1e−2" },
+        repeats: 1,
+        prepare,
+    }
+}
+
+fn marched(tangent: f64, scheme: Scheme, work: u64) -> Heat {
+    let of = Cell::new(tangent).expect("a loss tangent");
+    judged(tangent, move || of.march(scheme, 0.0, END, work))
+}
+
+fn adaptive(tangent: f64, work: u64) -> Heat {
+    let of = Cell::new(tangent).expect("a loss tangent");
+    judged(tangent, move || of.adaptive(0.0, END, 1.0 / work as f64).map_or(f64::NAN, |found| found.field))
+}
+
+fn judged(tangent: f64, mut run: impl FnMut() -> f64 + 'static) -> Heat {
+    Heat {
+        run: Box::new(move || vec![run()]),
+        // Over the amplitude, which is 1.
+        error: Box::new(move |found| {
+            let exact = cell(tangent, 0.0, END);
+            if found[0].is_finite() { precise::to_f64(&(precise::real(found[0]) - exact)).abs() } else { f64::INFINITY }
+        }),
+    }
+}
+
+fn ringing(setting: &Setting) -> Plot {
+    let tangent = setting.number("loss_tangent");
+    let of = Cell::new(tangent).expect("within the parameter's domain");
+    let (start, step) = (1.5, 0.25);
+    let fine = (0..=600).map(|at| f64::from(at) / 100.0).map(|theta| [theta, of.exact(start, theta)]);
+    let mut chart = Chart::new(
+        format!("σ/(ωε) = {}", crate::setting::number(tangent)),
+        Axis::linear("ωt", "rad").range(0.0, 6.0),
+        Axis::linear("E over its final amplitude", "").range(-2.0, 2.0),
+    )
+    .line(Hue::Natural, "exact", fine.collect());
+    for (at, scheme) in Scheme::ALL.into_iter().enumerate() {
+        let points = (0..=24u64).map(|steps| {
+            let theta = step * steps as f64;
+            [theta, if steps == 0 { start } else { of.march(scheme, start, theta, steps) }]
+        });
+        chart = chart.with(crate::figure::Mark::Points {
+            label: name(scheme).into(),
+            hue: Hue::Nth(at as u8),
+            shape: SHAPES[at],
+            joined: true,
+            points: points.collect(),
+        });
+    }
+    Plot::of("A conducting cell, stepped", chart)
+}
+
+const SHAPES: [crate::figure::Shape; 4] = {
+    use crate::figure::Shape::{Diamond, Disc, Square, Triangle};
+    [Triangle, Square, Disc, Diamond]
+};
+
+fn name(scheme: Scheme) -> &'static str {
+    match scheme {
+        Scheme::ForwardEuler => "forward Euler",
+        Scheme::SemiImplicit => "semi-implicit",
+        Scheme::Exponential => "exponential",
+        Scheme::BackwardEuler => "backward Euler",
+    }
+}
+
+fn stiffness(setting: &Setting) -> Plot {
+    let tangents = || (0..=180).map(|at| 10f64.powf(f64::from(at) / 10.0 - 6.0));
+    let chart = Chart::new(
+        "64 steps a period, from the steady oscillation",
+        Axis::log("σ/(ωε)", "").range(1e-6, 1e12),
+        Axis::log("error of E over its amplitude", "").range(1e-16, 1e4),
+    );
+    let chart = Scheme::ALL.into_iter().enumerate().fold(chart, |chart, (at, scheme)| {
+        let error = |tangent: f64| {
+            let of = Cell::new(tangent).expect("within the domain");
+            let (start, end) = (of.settled(0.0), std::f64::consts::TAU);
+            let error = (of.march(scheme, start, end, 64) - of.settled(end)).abs();
+            [tangent, if error.is_finite() { error.max(1e-16) } else { f64::NAN }]
+        };
+        chart.line(Hue::Nth(at as u8), name(scheme), tangents().map(error).collect())
+    });
+    Plot::of("Where each method is of use", chart.at_x(setting.number("loss_tangent"), "the setting"))
+}
