@@ -86,7 +86,8 @@ pub(super) fn factor(term: &Term, _: &Scene, found: &mut Found) {
     for (base, _) in terms.iter().flat_map(|term| positive(term.factors().1)) {
         let has = |term: &Term| term.factors().1.iter().any(|(known, e)| *known == base && !e.is_negative());
         let members: Vec<bool> = terms.iter().map(has).collect();
-        let group: Vec<&Term> = terms.iter().zip(&members).filter(|(_, member)| **member).map(|(term, _)| term).collect();
+        let group: Vec<&Term> =
+            terms.iter().zip(&members).filter(|(_, member)| **member).map(|(term, _)| term).collect();
         if group.len() < 2 || seen.contains(&members) {
             continue;
         }
@@ -145,8 +146,13 @@ pub(super) fn divide(term: &Term, _: &Scene, found: &mut Found) {
     for (above, _) in sums(false) {
         for (below, _) in sums(true) {
             if let Some(quotient) = quotient(above, below) {
-                let rest = factors.iter().map(|(base, e)| (base.clone(), if base == above { less_one(*e) } else { *e }));
-                let via = rest.chain([(quotient, Rational::ONE), (below.clone(), Rational::ONE), (Term::number(*c), Rational::ONE)]);
+                let rest =
+                    factors.iter().map(|(base, e)| (base.clone(), if base == above { less_one(*e) } else { *e }));
+                let via = rest.chain([
+                    (quotient, Rational::ONE),
+                    (below.clone(), Rational::ONE),
+                    (Term::number(*c), Rational::ONE),
+                ]);
                 let via: Vec<Power> = via.filter(|(_, e)| !e.is_zero()).collect();
                 found.push(Rewrite { to: Term::product(via.clone()), about: Some(below.clone()), via });
             }
@@ -242,9 +248,10 @@ pub(super) fn expand_square(term: &Term, _: &Scene, found: &mut Found) {
         if absolute(e) != Rational::integer(2) || parts.len() > 3 {
             continue;
         }
-        let cross = parts.iter().enumerate().flat_map(|(at, a)| {
-            parts[at + 1..].iter().map(move |b| a.times(b).scaled(Rational::integer(2)))
-        });
+        let cross = parts
+            .iter()
+            .enumerate()
+            .flat_map(|(at, a)| parts[at + 1..].iter().map(move |b| a.times(b).scaled(Rational::integer(2))));
         let square = Term::sum(parts.iter().map(Term::squared).chain(cross));
         let half = if e.is_negative() { Rational::integer(-1) } else { Rational::ONE };
         found.push(Term::product([(term.over(&base.power(e)), Rational::ONE), (square, half)]).into());
@@ -337,7 +344,9 @@ pub(super) fn join_exponentials(term: &Term, _: &Scene, found: &mut Found) {
     }
     if count > 1 {
         let joined = Term::function(Function::Exp, Term::sum(exponent));
-        found.push(Term::product(rest.into_iter().chain([(joined, Rational::ONE), (Term::number(c), Rational::ONE)])).into());
+        found.push(
+            Term::product(rest.into_iter().chain([(joined, Rational::ONE), (Term::number(c), Rational::ONE)])).into(),
+        );
     }
 }
 

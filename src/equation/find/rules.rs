@@ -62,9 +62,7 @@ const fn identity(
 
 /// Every rule but the hypotheses. An identity that is used in both directions stands here once for each.
 pub static RULES: &[Rule] = &[
-    algebra(["cancel", "extend"], 8, field::cancel, || {
-        ((A * B + A * C) / (A * D + A * X), (B + C) / (D + X))
-    }),
+    algebra(["cancel", "extend"], 8, field::cancel, || ((A * B + A * C) / (A * D + A * X), (B + C) / (D + X))),
     algebra(["cancel", "extend"], 10, field::divide, || ((A.pow(2) - 3 * A + 2) / (A - 1), A - 2)),
     algebra(["factor", "expand"], 10, field::factor, || (A * B + A * C, A * (B + C))),
     algebra(["common denominator", "split the fraction"], 10, field::common_denominator, || {
@@ -72,12 +70,8 @@ pub static RULES: &[Rule] = &[
     }),
     algebra(["split the fraction", "common denominator"], 12, field::split, || ((A + B) / C, A / C + B / C)),
     algebra(["expand", "factor"], 11, field::expand, || ((A + B) * (C + D), A * C + A * D + B * C + B * D)),
-    algebra(["square of a sum"; 2], 10, field::expand_square, || {
-        ((A + B).pow(2), A.pow(2) + 2 * A * B + B.pow(2))
-    }),
-    algebra(["square of a sum"; 2], 9, field::complete_square, || {
-        (A.pow(2) - 2 * A * B + B.pow(2), (A - B).pow(2))
-    }),
+    algebra(["square of a sum"; 2], 10, field::expand_square, || ((A + B).pow(2), A.pow(2) + 2 * A * B + B.pow(2))),
+    algebra(["square of a sum"; 2], 9, field::complete_square, || (A.pow(2) - 2 * A * B + B.pow(2), (A - B).pow(2))),
     algebra(["difference of squares"; 2], 10, field::split_squares, || (A.pow(2) - B.pow(2), (A + B) * (A - B))),
     algebra(["difference of squares"; 2], 9, field::join_squares, || ((A + B) * (A - B), A.pow(2) - B.pow(2))),
     identity("product of exponentials", 9, 1, field::join_exponentials, || (exp(A) * exp(B), exp(A + B))),
@@ -85,25 +79,17 @@ pub static RULES: &[Rule] = &[
     identity("tangent", 9, 1, waves::tangent, || (tan(X), sin(X) / cos(X))),
     identity("tangent", 8, 1, waves::ratio_to_tangent, || (sin(X) / cos(X), tan(X))),
     identity("sine of a sum", 10, 1, waves::sine_of_sum, || (sin(A + B), sin(A) * cos(B) + cos(A) * sin(B))),
-    identity("sine of a sum", 8, 1, waves::to_sine_of_sum, || {
-        (sin(A) * cos(B) - cos(A) * sin(B), sin(A - B))
-    }),
+    identity("sine of a sum", 8, 1, waves::to_sine_of_sum, || (sin(A) * cos(B) - cos(A) * sin(B), sin(A - B))),
     identity("cosine of a sum", 10, 1, waves::cosine_of_sum, || (cos(A + B), cos(A) * cos(B) - sin(A) * sin(B))),
-    identity("cosine of a sum", 8, 1, waves::to_cosine_of_sum, || {
-        (cos(A) * cos(B) + sin(A) * sin(B), cos(A - B))
-    }),
+    identity("cosine of a sum", 8, 1, waves::to_cosine_of_sum, || (cos(A) * cos(B) + sin(A) * sin(B), cos(A - B))),
     identity("double angle", 10, 3, waves::double_angle, || (cos(2 * X), cos(X).pow(2) - sin(X).pow(2))),
     identity("double angle", 9, 1, waves::to_sine_of_double, || (sin(X) * cos(X), sin(2 * X) / 2)),
     identity("double angle", 9, 1, waves::to_cosine_of_double, || (1 - 2 * sin(X).pow(2), cos(2 * X))),
     identity("Pythagoras", 10, 1, waves::pythagoras, || (sin(X).pow(2), 1 - cos(X).pow(2))),
     identity("Pythagoras", 8, 1, waves::to_pythagoras, || (sin(X).pow(2) + cos(X).pow(2), 1.into())),
     identity("half angle", 11, 1, waves::half_angle, || (sin(X).pow(2), (1 - cos(2 * X)) / 2)),
-    identity("product to sum", 12, 1, waves::product_to_sum, || {
-        (sin(A) * cos(B), (sin(A + B) + sin(A - B)) / 2)
-    }),
-    identity("sum to product", 10, 1, waves::sum_to_product, || {
-        (sin(2 * A) - sin(2 * B), 2 * cos(A + B) * sin(A - B))
-    }),
+    identity("product to sum", 12, 1, waves::product_to_sum, || (sin(A) * cos(B), (sin(A + B) + sin(A - B)) / 2)),
+    identity("sum to product", 10, 1, waves::sum_to_product, || (sin(2 * A) - sin(2 * B), 2 * cos(A + B) * sin(A - B))),
     identity("special value", 8, 1, waves::special_value, || (sin(pi() / 6), ratio(1, 2))),
     identity("quarter turn", 9, 1, waves::quarter_turns, || (sin(pi() / 2 - X), cos(X))),
     identity("Euler", 12, 1, waves::euler, || (exp(i() * X), cos(X) + i() * sin(X))),
@@ -169,7 +155,9 @@ impl<'a> Moves<'a> {
     /// Every term that one displayed line leads to.
     pub fn of(&mut self, term: &Term) -> Vec<Move> {
         let mut moves = self.hypotheses(term);
-        for (rule, variant) in RULES.iter().enumerate().flat_map(|(at, rule)| (0..rule.everywhere).map(move |v| (at, v))) {
+        for (rule, variant) in
+            RULES.iter().enumerate().flat_map(|(at, rule)| (0..rule.everywhere).map(move |v| (at, v)))
+        {
             let (to, places) = self.everywhere(term, rule, variant);
             if places > 1 {
                 moves.push(Move { to, reason: Reason::Rule(rule), about: None, places, via: vec![] });
@@ -223,7 +211,11 @@ impl<'a> Moves<'a> {
         }
         for (at, child) in children(term).into_iter().enumerate() {
             let inner = self.once(&child);
-            moves.extend(inner.iter().map(|step| Move { to: with_child(term, at, &step.to), via: vec![], ..step.clone() }));
+            moves.extend(inner.iter().map(|step| Move {
+                to: with_child(term, at, &step.to),
+                via: vec![],
+                ..step.clone()
+            }));
         }
         moves.retain(|step| !step.to.is_undefined() && step.to != *term);
         let moves = Rc::new(moves);

@@ -135,10 +135,12 @@ impl Scene {
         bindings: &mut Bindings<Complex64>,
         solved: &[&Symbol],
     ) -> Result<&'a Symbol, NotFound> {
-        let gap = |bindings: &Bindings<Complex64>| (&given.what - &given.value).evaluate(bindings).map_err(not_algebraic);
+        let gap =
+            |bindings: &Bindings<Complex64>| (&given.what - &given.value).evaluate(bindings).map_err(not_algebraic);
         let unsolvable = || NotFound::NotAlgebraic(format!("{} := {}", given.what, given.value));
         let start = gap(bindings)?;
-        let free = given.what.symbols().into_iter().rev().filter(|symbol| solved.iter().all(|s| s.name() != symbol.name()));
+        let free =
+            given.what.symbols().into_iter().rev().filter(|symbol| solved.iter().all(|s| s.name() != symbol.name()));
         for symbol in free {
             let mut last = (point(symbol, 0) + 0.125, Complex64::ZERO);
             bindings.bind(symbol.name(), last.0);

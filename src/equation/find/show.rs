@@ -157,9 +157,8 @@ impl<'a> Writer<'a> {
         };
         let total = |model: &&Vec<Term>| terms.iter().map(|term| place(term, model).0).sum::<usize>();
         let model = self.sums.iter().rev().max_by_key(total).filter(|model| total(model) > 0);
-        let has_function = terms.iter().any(|term| {
-            term.factors().1.iter().any(|(base, _)| matches!(base.form(), Form::Function(..)))
-        });
+        let has_function =
+            terms.iter().any(|term| term.factors().1.iter().any(|(base, _)| matches!(base.form(), Form::Function(..))));
         let mut ordered = terms.to_vec();
         ordered.sort_by_key(|term| {
             let at = model.map_or((0, 0), |model| place(term, model));

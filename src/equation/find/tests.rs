@@ -30,15 +30,9 @@ fn snell() -> Vec<Given> {
 fn fresnel() -> Vec<(Expr, Expr)> {
     let (c_1, c_2) = (|| cos(THETA_1), || cos(THETA_2));
     vec![
-        (
-            (N_1 * c_1() - N_2 * c_2()) / (N_1 * c_1() + N_2 * c_2()),
-            -sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2),
-        ),
+        ((N_1 * c_1() - N_2 * c_2()) / (N_1 * c_1() + N_2 * c_2()), -sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2)),
         (2 * N_1 * c_1() / (N_1 * c_1() + N_2 * c_2()), 2 * sin(THETA_2) * c_1() / sin(THETA_1 + THETA_2)),
-        (
-            (N_2 * c_1() - N_1 * c_2()) / (N_2 * c_1() + N_1 * c_2()),
-            tan(THETA_1 - THETA_2) / tan(THETA_1 + THETA_2),
-        ),
+        ((N_2 * c_1() - N_1 * c_2()) / (N_2 * c_1() + N_1 * c_2()), tan(THETA_1 - THETA_2) / tan(THETA_1 + THETA_2)),
         (
             2 * N_1 * c_1() / (N_2 * c_1() + N_1 * c_2()),
             2 * sin(THETA_2) * c_1() / (sin(THETA_1 + THETA_2) * cos(THETA_1 - THETA_2)),

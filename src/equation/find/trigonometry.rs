@@ -69,7 +69,8 @@ pub(super) fn ratio_to_tangent(term: &Term, _: &Scene, found: &mut Found) {
     for (base, e) in factors {
         let Some((Function::Sin, of)) = wave(base) else { continue };
         let below = cos(of);
-        let Some((_, f)) = factors.iter().find(|(known, f)| *known == below && f.is_negative() != e.is_negative()) else {
+        let Some((_, f)) = factors.iter().find(|(known, f)| *known == below && f.is_negative() != e.is_negative())
+        else {
             continue;
         };
         let size = |n: Rational| if n.is_negative() { n.negated() } else { n };
@@ -162,7 +163,8 @@ pub(super) fn to_sine_of_double(term: &Term, _: &Scene, found: &mut Found) {
     for (base, e) in factors {
         let Some((Function::Sin, x)) = wave(base) else { continue };
         let other = cos(x);
-        let Some((_, f)) = factors.iter().find(|(known, f)| *known == other && f.is_negative() == e.is_negative()) else {
+        let Some((_, f)) = factors.iter().find(|(known, f)| *known == other && f.is_negative() == e.is_negative())
+        else {
             continue;
         };
         let nearest = if (compare(*e, *f) == Ordering::Less) == e.is_negative() { *f } else { *e };
@@ -248,7 +250,8 @@ pub(super) fn to_pythagoras(term: &Term, _: &Scene, found: &mut Found) {
 /// sin a cos b → ½(sin(a + b) + sin(a − b)) and its kin.
 pub(super) fn product_to_sum(term: &Term, _: &Scene, found: &mut Found) {
     let Form::Product(_, factors) = term.form() else { return };
-    let waves: Vec<&Term> = factors.iter().filter(|(base, e)| *e == ONE && wave(base).is_some()).map(|(b, _)| b).collect();
+    let waves: Vec<&Term> =
+        factors.iter().filter(|(base, e)| *e == ONE && wave(base).is_some()).map(|(b, _)| b).collect();
     for (at, first) in waves.iter().enumerate() {
         for second in &waves[at + 1..] {
             let product = first.times(second);
