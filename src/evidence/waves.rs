@@ -3,7 +3,9 @@
 
 use super::fresnel::Pair;
 use crate::precise::{self, Real};
+use crate::waves::conduction::Scheme;
 use crate::waves::{Medium, Wave};
+use std::sync::LazyLock;
 
 /// The outputs of a plane wave, real and imaginary parts apart, in the order of [`NAMES`]; `None` where infinite.
 pub type Outputs = [Option<Real>; NAMES.len()];
@@ -31,17 +33,25 @@ impl PlaneWave {
     /// In a medium of finite conductivity, at `omega` [rad s⁻¹].
     pub fn new(medium: &Medium, omega: f64) -> Self {
         let inputs = [medium.epsilon(), medium.mu(), medium.sigma(), omega].map(precise::real);
-        Self { outputs: outputs(&inputs), inputs }
+        let k = wave_number(&inputs);
+        let lag = (&k.1 / &k.0).atan();
+        Self { outputs: outputs(&inputs, &k, lag), inputs }
     }
 
     /// The condition number of each output [1]: Σ |∂ ln y/∂ ln x| over ε, μ, σ and ω; 0 where nothing moves it.
     pub fn conditions(&self) -> [f64; NAMES.len()] {
         let step = precise::real(STEP);
+        let (k, lag) = (wave_number(&self.inputs), self.outputs[5].as_ref().expect("always finite"));
+        let norm = &k.0 * &k.0 + &k.1 * &k.1;
         let mut conditions = [0.0; NAMES.len()];
         for moved in 0..self.inputs.len() {
             let mut inputs = self.inputs.clone();
             inputs[moved] = &inputs[moved] + &inputs[moved] * &step;
-            for ((sum, there), here) in conditions.iter_mut().zip(outputs(&inputs)).zip(&self.outputs) {
+            let turned = wave_number(&inputs);
+            // For so small a step the angle between the two is their cross product: no second arctangent.
+            let lag = lag + (&k.0 * &turned.1 - &k.1 * &turned.0) / &norm;
+            let there = outputs(&inputs, &turned, lag);
+            for ((sum, there), here) in conditions.iter_mut().zip(there).zip(&self.outputs) {
                 if let (Some(there), Some(here)) = (there, here) {
                     *sum += quotient(&there, here);
                 }
@@ -64,19 +74,21 @@ fn is_zero(x: &Real) -> bool {
     x.repr().significand().is_zero()
 }
 
-fn outputs([epsilon, mu, sigma, omega]: &[Real; 4]) -> Outputs {
+fn wave_number([epsilon, mu, sigma, omega]: &[Real; 4]) -> Pair {
+    Pair(omega * omega * mu * epsilon, omega * mu * sigma).root()
+}
+
+/// 2π.
+static CIRCLE: LazyLock<Real> = LazyLock::new(|| precise::pi(precise::BITS) * precise::real(2.0));
+
+fn outputs([_, mu, _, omega]: &[Real; 4], k: &Pair, lag: Real) -> Outputs {
     let [zero, one, half] = [0.0, 1.0, 0.5].map(precise::real);
-    let square = Pair(omega * omega * mu * epsilon, omega * mu * sigma);
-    let k = square.root();
-    let z = Pair(omega * mu, zero).over(&k);
-    let skin_depth = (!is_zero(&k.1)).then(|| &one / &k.1);
-    let lag = (&k.1 / &k.0).atan();
-    let wavelength = precise::pi(precise::BITS) / &half / &k.0;
+    let z = Pair(omega * mu, zero).over(k);
+    let skin_depth = (!is_zero(&k.1)).then(|| one / &k.1);
+    let (wavelength, speed) = (&*CIRCLE / &k.0, omega / &k.0);
     let flux = half * &k.0 / (omega * mu);
-    let speed = omega / &k.0;
-    let finite = [k.0, k.1, z.0, z.1, lag, wavelength, speed, flux].map(Some);
-    let [k_re, k_im, z_re, z_im, lag, wavelength, speed, flux] = finite;
-    [k_re, k_im, z_re, z_im, skin_depth, lag, wavelength, speed, flux]
+    let [k_re, k_im] = [&k.0, &k.1].map(|part| Some(part.clone()));
+    [k_re, k_im, Some(z.0), Some(z.1), skin_depth, Some(lag), Some(wavelength), Some(speed), Some(flux)]
 }
 
 /// A phase after many periods.
@@ -95,6 +107,52 @@ pub fn phase(frequency: f64, time: f64) -> Phase {
     // A product of two f64 has 106 bits, so nothing is rounded but the functions.
     let product = precise::real(frequency) * precise::real(time);
     let cycles = &product - product.round();
-    let (sin, cos) = (&cycles * precise::pi(precise::BITS) * precise::real(2.0)).sin_cos();
+    let (sin, cos) = (&cycles * &*CIRCLE).sin_cos();
     Phase { cycles, cos, sin }
+}
+
+/// Ca, 1 − Ca and Cb of [`Update`](crate::waves::conduction::Update), and the condition number of each [1] over ε, σ
+/// and Δt.
+pub fn update(scheme: Scheme, epsilon: f64, sigma: f64, dt: f64) -> [(Real, f64); 3] {
+    let (inputs, step) = ([epsilon, sigma, dt].map(precise::real), precise::real(STEP));
+    let mut found = coefficients(scheme, &inputs).map(|here| (here, 0.0));
+    for moved in 0..inputs.len() {
+        let mut inputs = inputs.clone();
+        inputs[moved] = &inputs[moved] + &inputs[moved] * &step;
+        for ((here, sum), there) in found.iter_mut().zip(coefficients(scheme, &inputs)) {
+            *sum += quotient(&there, here);
+        }
+    }
+    found
+}
+
+fn coefficients(scheme: Scheme, [epsilon, sigma, dt]: &[Real; 3]) -> [Real; 3] {
+    let [one, half] = [1.0, 0.5].map(precise::real);
+    let x = sigma * dt / epsilon;
+    let free = dt / epsilon;
+    match scheme {
+        Scheme::ForwardEuler => [one - &x, x, free],
+        Scheme::SemiImplicit => {
+            let all = &one + &half * &x;
+            [(one - half * &x) / &all, x / &all, free / all]
+        }
+        Scheme::BackwardEuler => {
+            let all = &one + &x;
+            [one / &all, x / &all, free / all]
+        }
+        Scheme::Exponential => {
+            let lost = -(-x.clone()).exp_m1();
+            let gain = if is_zero(sigma) { free } else { &lost / sigma };
+            [(-x).exp(), lost, gain]
+        }
+    }
+}
+
+/// E of a [`Cell`](crate::waves::conduction::Cell) of loss tangent `tau` at θ, from `start` at 0.
+pub fn cell(tau: f64, start: f64, theta: f64) -> Real {
+    let [tau, start, theta] = [tau, start, theta].map(precise::real);
+    let (sin, cos) = theta.sin_cos();
+    let size = (precise::real(1.0) + &tau * &tau).sqrt();
+    let decay = (-(&tau * &theta)).exp();
+    (&tau * cos + sin) / &size + (start - tau / size) * decay
 }

@@ -109,7 +109,11 @@ pub struct Cell {
 impl Cell {
     /// Of loss tangent τ [1], 0 … 1e150.
     pub fn new(tau: f64) -> Result<Self, Invalid> {
-        if (0.0..=1e150).contains(&tau) { Ok(Self { tau }) } else { Err(Invalid { place: "tau", value: tau, valid: "0 to 1e150" }) }
+        if (0.0..=1e150).contains(&tau) {
+            Ok(Self { tau })
+        } else {
+            Err(Invalid { place: "tau", value: tau, valid: "0 to 1e150" })
+        }
     }
 
     fn drive(&self, theta: f64) -> f64 {
@@ -165,4 +169,126 @@ pub struct Adaptive {
     pub evaluations: u64,
     /// Steps tried.
     pub steps: u64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evidence::{order, waves as exact};
+    use crate::precise;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn coefficients_keep_their_digits_at_both_ends(epsilon in -12.0..0.0_f64, x in -320.0..4.0_f64, dt in -20.0..3.0_f64) {
+            let (epsilon, dt) = (10f64.powf(epsilon), 10f64.powf(dt));
+            let sigma = 10f64.powf(x) * (epsilon / dt);
+            prop_assume!(sigma == 0.0 || sigma * dt > 1e-290);
+            for scheme in Scheme::ALL {
+                let ours = Update::new(scheme, epsilon, sigma, dt);
+                for (found, (exact, condition)) in
+                    [ours.keep, ours.loss, ours.gain].into_iter().zip(exact::update(scheme, epsilon, sigma, dt))
+                {
+                    let vanishes = found == 0.0 && precise::to_f64(&exact).abs() < f64::MIN_POSITIVE;
+                    let error = precise::relative_error(found, &exact);
+                    prop_assert!(vanishes || error <= 16.0 * f64::EPSILON * (1.0 + condition), "{scheme:?} {x} {ours:?} {error}");
+                }
+            }
+        }
+
+        #[test]
+        fn the_closed_form_is_exact(tau in -12.0..14.0_f64, start in -2.0..2.0, theta in -9.0..1.5_f64) {
+            let (tau, theta) = (10f64.powf(tau), 10f64.powf(theta));
+            let cell = Cell::new(tau).unwrap();
+            let error = precise::to_f64(&(exact::cell(tau, start, theta) - precise::real(cell.exact(start, theta)))).abs();
+            prop_assert!(error <= 8.0 * f64::EPSILON, "{tau} {theta} {error}");
+            // From rest, early: to all digits.
+            let error = precise::relative_error(cell.exact(0.0, 1e-3 * theta.min(1.0)), &exact::cell(tau, 0.0, 1e-3 * theta.min(1.0)));
+            prop_assert!(error <= 16.0 * f64::EPSILON, "{tau} {theta} {error}");
+        }
+    }
+
+    #[test]
+    fn the_ends_are_limits() {
+        for scheme in Scheme::ALL {
+            let free = Update::new(scheme, 2.0, 0.0, 0.5);
+            assert_eq!(free, Update { keep: 1.0, loss: 0.0, gain: 0.25 }, "{scheme:?}");
+        }
+        let keeps = [Scheme::SemiImplicit, Scheme::Exponential, Scheme::BackwardEuler].map(|scheme| {
+            let perfect = Update::new(scheme, 1.0, f64::INFINITY, 1.0);
+            assert_eq!(perfect.gain, 0.0);
+            perfect.keep
+        });
+        assert_eq!(keeps, [-1.0, 0.0, 0.0]);
+        assert!(Update::as_written(Scheme::Exponential, 1.0, 0.0, 1.0).gain.is_nan());
+        assert!(Update::as_written(Scheme::SemiImplicit, 1.0, f64::INFINITY, 1.0).keep.is_nan());
+    }
+
+    fn errors(scheme: Scheme, tau: f64, settled: bool, steps: &[u64]) -> Vec<(f64, f64)> {
+        let cell = Cell::new(tau).unwrap();
+        let start = if settled { cell.settled(0.0) } else { 0.0 };
+        let error = |n: u64| (cell.march(scheme, start, 5.0, n) - cell.exact(start, 5.0)).abs();
+        steps.iter().map(|&n| (n as f64, error(n))).collect()
+    }
+
+    #[test]
+    fn orders_are_as_stated() {
+        let steps = [64, 128, 256, 512, 1024];
+        let slow = [
+            (Scheme::ForwardEuler, 1.0),
+            (Scheme::SemiImplicit, 2.0),
+            (Scheme::Exponential, 2.0),
+            (Scheme::BackwardEuler, 1.0),
+        ];
+        for tau in [1e-6, 1e-2, 1.0] {
+            for (scheme, order) in slow {
+                let found = -order::slope(&errors(scheme, tau, false, &steps)).unwrap();
+                assert!((found - order).abs() < 0.1, "{scheme:?} τ = {tau}: {found}");
+            }
+        }
+        let stiff = [(Scheme::SemiImplicit, 2.0), (Scheme::Exponential, 1.0), (Scheme::BackwardEuler, 1.0)];
+        for tau in [1e9, 1e12] {
+            for (scheme, order) in stiff {
+                if scheme == Scheme::BackwardEuler && tau > 1e11 {
+                    continue; // its error is below rounding there
+                }
+                let points = errors(scheme, tau, true, &steps);
+                let found = -order::slope(&points).unwrap();
+                assert!((found - order).abs() < 0.1, "{scheme:?} τ = {tau}: {found} {points:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn stability_is_as_stated() {
+        for (steps, grows) in [(100, false), (98, true)] {
+            // 200/100 is the limit; 200/98 is beyond it, by 1.04 a step.
+            let cell = Cell::new(200.0).unwrap();
+            let far = cell.march(Scheme::ForwardEuler, 1.0, 40.0, 40 * steps);
+            assert_eq!(far.abs() > 1e6, grows, "{steps} {far}");
+        }
+        for tau in [1e6, 1e12] {
+            let ringing = errors(Scheme::SemiImplicit, tau, false, &[64])[0].1;
+            assert!(ringing > 0.1, "{ringing}");
+            for scheme in [Scheme::Exponential, Scheme::BackwardEuler] {
+                assert!(errors(scheme, tau, false, &[64])[0].1 < 0.06);
+            }
+        }
+    }
+
+    #[test]
+    fn the_adaptive_solver_needs_few_steps_however_stiff() {
+        for tau in [1e-6, 1.0, 1e3, 1e6, 1e9, 1e12] {
+            let cell = Cell::new(tau).unwrap();
+            let found = cell.adaptive(0.0, 5.0, 1e-8).unwrap();
+            let error = (found.field - cell.exact(0.0, 5.0)).abs();
+            println!("τ = {tau:e}: {found:?} error {error:e}");
+            assert!(error < 1e-6 && found.steps < 500, "τ = {tau}: {found:?} {error}");
+        }
+    }
+
+    #[test]
+    fn bad_input_is_named() {
+        assert!([-1.0, f64::NAN, f64::INFINITY].iter().all(|tau| Cell::new(*tau).unwrap_err().place == "tau"));
+    }
 }

@@ -2,7 +2,7 @@
 //! heat, at every instant, ∂u/∂t + ∂S/∂z = −σE² with u = ½εE² + ½μH² (Jackson (3rd ed.), §6.7).
 
 use super::phase::cis_of_product;
-use super::plane::{Medium, Unphysical, Wave};
+use super::plane::{Invalid, Medium, Wave};
 use num_complex::Complex64;
 
 /// The real fields E [V m⁻¹] and H [A m⁻¹] at a place and time.
@@ -24,9 +24,9 @@ pub struct Running {
 
 impl Running {
     /// At `omega` [rad s⁻¹], with `amplitude` A [V m⁻¹] at z = 0, in a medium of finite conductivity.
-    pub fn new(medium: Medium, omega: f64, amplitude: f64) -> Result<Self, Unphysical> {
+    pub fn new(medium: Medium, omega: f64, amplitude: f64) -> Result<Self, Invalid> {
         if medium.sigma().is_infinite() {
-            return Err(Unphysical { place: "sigma", value: medium.sigma(), valid: "finite, where fields are asked for" });
+            return Err(Invalid { place: "sigma", value: medium.sigma(), valid: "finite, where fields are asked for" });
         }
         Ok(Self { medium, wave: Wave::new(&medium, omega)?, amplitude })
     }
@@ -108,7 +108,8 @@ impl Running {
         let decay = 2.0 * k.im;
         let steady = if decay * depth == 0.0 { depth } else { -(-decay * depth).exp_m1() / decay };
         let start = self.propagator(near);
-        let swinging = start * start * exp_m1(Complex64::new(-decay, 2.0 * k.re) * depth) / Complex64::new(-decay, 2.0 * k.re);
+        let swinging =
+            start * start * exp_m1(Complex64::new(-decay, 2.0 * k.re) * depth) / Complex64::new(-decay, 2.0 * k.re);
         (power * (-decay * near).exp() * steady, power * swinging)
     }
 }

@@ -157,7 +157,11 @@ fn count(place: &'static str, n: usize) -> Result<usize, Invalid> {
 
 fn share(place: &'static str, width: f64, period: f64) -> Result<f64, Invalid> {
     let share = width / Invalid::unless_positive("period", period)?;
-    if share > 0.0 && share < 1.0 { Ok(share) } else { Err(Invalid { place, value: width, valid: "between 0 and the period" }) }
+    if share > 0.0 && share < 1.0 {
+        Ok(share)
+    } else {
+        Err(Invalid { place, value: width, valid: "between 0 and the period" })
+    }
 }
 
 #[cfg(test)]

@@ -24,16 +24,16 @@ impl Medium {
     pub const VACUUM: Self = Self { epsilon: EPSILON_0, mu: MU_0, sigma: 0.0 };
 
     /// From ε [F m⁻¹], μ [H m⁻¹], both positive and finite, and σ [S m⁻¹] ≥ 0; σ = ∞ is the perfect conductor.
-    pub fn new(epsilon: f64, mu: f64, sigma: f64) -> Result<Self, Unphysical> {
-        let epsilon = Unphysical::unless_positive("eps", epsilon)?;
-        let mu = Unphysical::unless_positive("mu", mu)?;
-        Ok(Self { epsilon, mu, sigma: Unphysical::unless_lossy("sigma", sigma)? })
+    pub fn new(epsilon: f64, mu: f64, sigma: f64) -> Result<Self, Invalid> {
+        let epsilon = Invalid::unless_positive("eps", epsilon)?;
+        let mu = Invalid::unless_positive("mu", mu)?;
+        Ok(Self { epsilon, mu, sigma: Invalid::unless_lossy("sigma", sigma)? })
     }
 
     /// From ε_r [1], μ_r [1] and σ [S m⁻¹]; domain as [`Self::new`].
-    pub fn relative(epsilon_r: f64, mu_r: f64, sigma: f64) -> Result<Self, Unphysical> {
-        let epsilon_r = Unphysical::unless_positive("eps_r", epsilon_r)?;
-        let mu_r = Unphysical::unless_positive("mu_r", mu_r)?;
+    pub fn relative(epsilon_r: f64, mu_r: f64, sigma: f64) -> Result<Self, Invalid> {
+        let epsilon_r = Invalid::unless_positive("eps_r", epsilon_r)?;
+        let mu_r = Invalid::unless_positive("mu_r", mu_r)?;
         Self::new(epsilon_r * EPSILON_0, mu_r * MU_0, sigma)
     }
 
@@ -64,7 +64,7 @@ impl Medium {
 
 /// A value that no medium or wave can have.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Unphysical {
+pub struct Invalid {
     /// Which input (`eps_r`).
     pub place: &'static str,
     /// What was given.
@@ -73,7 +73,7 @@ pub struct Unphysical {
     pub valid: &'static str,
 }
 
-impl Unphysical {
+impl Invalid {
     /// `value` if it is positive and finite.
     pub fn unless_positive(place: &'static str, value: f64) -> Result<f64, Self> {
         if value > 0.0 && value.is_finite() { Ok(value) } else { Err(Self { place, value, valid: "positive, finite" }) }
@@ -85,13 +85,13 @@ impl Unphysical {
     }
 }
 
-impl fmt::Display for Unphysical {
+impl fmt::Display for Invalid {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {} is unphysical; valid: {}", self.place, self.value, self.valid)
+        write!(f, "{}: {} is out of range; valid: {}", self.place, self.value, self.valid)
     }
 }
 
-impl std::error::Error for Unphysical {}
+impl std::error::Error for Invalid {}
 
 /// What the medium makes of a harmonic wave.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,8 +124,8 @@ impl Wave {
     /// The perfect conductor is answered by the limit σ → ∞: k = ∞(1 + i), Z = 0, skin depth, wavelength and speed 0,
     /// lag π/4. There ⟨S⟩ = ∞ belongs to the imposed 1 V m⁻¹, which would take an infinite current to uphold; for a given
     /// H it goes to 0 as 1/√σ.
-    pub fn new(medium: &Medium, omega: f64) -> Result<Self, Unphysical> {
-        let omega = Unphysical::unless_positive("omega", omega)?;
+    pub fn new(medium: &Medium, omega: f64) -> Result<Self, Invalid> {
+        let omega = Invalid::unless_positive("omega", omega)?;
         if medium.sigma.is_infinite() {
             return Ok(Self::in_perfect_conductor(omega));
         }
@@ -172,10 +172,10 @@ impl Wave {
 
     /// The wave of angular frequency `omega` [rad s⁻¹] in a non-magnetic medium known by its refractive index n + iκ,
     /// n > 0 and κ ≥ 0: k = (ω/c)(n + iκ). Metals at optical frequencies, where ε < 0, are within reach here alone.
-    pub fn with_index(index: Complex64, omega: f64) -> Result<Self, Unphysical> {
-        let omega = Unphysical::unless_positive("omega", omega)?;
-        let n = Unphysical::unless_positive("n", index.re)?;
-        let kappa = Unphysical::unless_lossy("k", index.im)?;
+    pub fn with_index(index: Complex64, omega: f64) -> Result<Self, Invalid> {
+        let omega = Invalid::unless_positive("omega", omega)?;
+        let n = Invalid::unless_positive("n", index.re)?;
+        let kappa = Invalid::unless_lossy("k", index.im)?;
         let (free, modulus) = (omega / C, n.hypot(kappa));
         let k = Complex64::new(n, kappa) * free;
         Ok(Self {
@@ -218,12 +218,22 @@ mod tests {
         let exact = PlaneWave::new(medium, omega);
         let (ours, conditions) = (flat(&Wave::new(medium, omega).unwrap()), exact.conditions());
         let of = |at: usize| match &exact.outputs[at] {
-            None => if ours[at] == f64::INFINITY { 0.0 } else { f64::INFINITY },
+            None => {
+                if ours[at] == f64::INFINITY {
+                    0.0
+                } else {
+                    f64::INFINITY
+                }
+            }
             Some(exact) => {
                 let size = precise::to_f64(exact).abs();
                 if size > f64::MAX || size < f64::MIN_POSITIVE {
                     let end = if size > 1.0 { f64::INFINITY } else { size };
-                    return if (ours[at].abs() - end).abs() <= 5e-324 || ours[at].abs() == end { 0.0 } else { f64::INFINITY };
+                    return if (ours[at].abs() - end).abs() <= 5e-324 || ours[at].abs() == end {
+                        0.0
+                    } else {
+                        f64::INFINITY
+                    };
                 }
                 precise::relative_error(ours[at], exact) / (16.0 * f64::EPSILON * (1.0 + conditions[at]))
             }
@@ -240,7 +250,7 @@ mod tests {
         let mut stream = stream(0, "waves/plane");
         let mut worst = (0.0, "", String::new());
         let mut cases = 0;
-        let mut judge = |medium: Result<Medium, Unphysical>, omega: f64| {
+        let mut judge = |medium: Result<Medium, Invalid>, omega: f64| {
             // What overflows is a perfect conductor, and what underflows no medium at all.
             let Some(medium) = medium.ok().filter(|medium| medium.sigma().is_finite()) else { return };
             let (found, name) = excess(&medium, omega);

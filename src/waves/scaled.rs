@@ -24,7 +24,10 @@ impl From<f64> for Scaled {
         }
         let (normal, lifted) = if x < f64::MIN_POSITIVE { (x * power_of_two(54), 54) } else { (x, 0) };
         let exponent = (normal.to_bits() >> 52) as i32 - 1023;
-        Self { mantissa: normal * power_of_two(-(exponent / 2)) * power_of_two(exponent / 2 - exponent), exponent: exponent - lifted }
+        Self {
+            mantissa: normal * power_of_two(-(exponent / 2)) * power_of_two(exponent / 2 - exponent),
+            exponent: exponent - lifted,
+        }
     }
 }
 
