@@ -2,8 +2,9 @@
 
 use light::Complex64;
 use light::optics::material::{self, Medium};
-use light::waves::{self, media};
-use std::f64::consts::{FRAC_PI_2, PI};
+use light::waves::substance::{self, Substance};
+use light::waves::{self, Wave};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::fmt;
 
 /// Why an input cannot be used: where, and what would be valid.
@@ -110,7 +111,45 @@ pub enum Value {
     /// A medium.
     Medium(Medium),
     /// A medium that may conduct.
-    Conductor(waves::Medium),
+    Conductor(Conductor),
+}
+
+/// What a wave of any frequency runs in.
+#[derive(Clone, Copy, Debug)]
+pub enum Conductor {
+    /// The same ε, μ and σ at every frequency.
+    Constant(waves::Medium),
+    /// A measured one.
+    Substance(&'static Substance),
+}
+
+impl Conductor {
+    /// The wave of a `frequency` [Hz] in it; refused where a substance was not measured.
+    pub fn wave(&self, frequency: f64) -> Result<Wave, String> {
+        match self {
+            Self::Constant(medium) => Wave::new(medium, TAU * frequency).map_err(|invalid| invalid.to_string()),
+            Self::Substance(substance) => substance.wave(frequency).map_err(|out| out.to_string()),
+        }
+    }
+
+    /// σ/(ωε) [1] at a `frequency` [Hz]; `None` where a substance is known by its refractive index instead.
+    pub fn loss_tangent(&self, frequency: f64) -> Option<f64> {
+        let medium = match self {
+            Self::Constant(medium) => *medium,
+            Self::Substance(substance) => substance.medium(frequency).ok()?,
+        };
+        Some(medium.loss_tangent(TAU * frequency))
+    }
+}
+
+impl PartialEq for Conductor {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Constant(one), Self::Constant(other)) => one == other,
+            (Self::Substance(one), Self::Substance(other)) => one.name == other.name,
+            _ => false,
+        }
+    }
 }
 
 /// The vacuum wavelength [m] used where a step names none: the middle of the visible.
@@ -149,10 +188,13 @@ impl Setting {
         Ok(self)
     }
 
-    /// Every medium must have an index at the wavelength, and be clear where it has to be.
+    /// Every medium must have an index at the wavelength or be known at the frequency, and be clear where it has to be.
     fn validate(&self) -> Result<(), Fault> {
         let wavelength = self.wavelength();
         for (parameter, text, value) in &self.entries {
+            if let Value::Conductor(conductor) = value {
+                conductor.wave(self.frequency()).map_err(|out| Fault::new(parameter.name, out))?;
+            }
             let Value::Medium(medium) = value else { continue };
             let index = medium.index(wavelength).map_err(|out| Fault::new(parameter.name, out.to_string()))?;
             if parameter.kind == Kind::ClearMedium && index.im != 0.0 {
@@ -195,13 +237,21 @@ impl Setting {
         }
     }
 
+    /// The frequency [Hz]: the parameter `freq`, or a gigahertz.
+    pub fn frequency(&self) -> f64 {
+        match self.find(FREQUENCY.name) {
+            Some(Value::Number(hertz)) => hertz,
+            _ => 1e9,
+        }
+    }
+
     /// The medium named `name`, which may conduct.
     ///
     /// # Panics
     /// As [`Setting::number`].
-    pub fn conductor(&self, name: &str) -> waves::Medium {
+    pub fn conductor(&self, name: &str) -> Conductor {
         match self.find(name) {
-            Some(Value::Conductor(medium)) => medium,
+            Some(Value::Conductor(conductor)) => conductor,
             _ => panic!("the step declares no conductor `{name}`"),
         }
     }
@@ -395,19 +445,18 @@ pub fn parse_medium(place: &str, text: &str) -> Result<Medium, Fault> {
     Ok(Medium::Constant(index))
 }
 
-/// Reads `ε_r/μ_r/σ` (σ in S/m) or a medium's name.
+/// Reads `ε_r/μ_r/σ` (σ in S/m) or a substance's name.
 ///
 /// # Errors
 /// A fault at `place`, which says what would be valid.
-pub fn parse_conductor(place: &str, text: &str) -> Result<waves::Medium, Fault> {
+pub fn parse_conductor(place: &str, text: &str) -> Result<Conductor, Fault> {
     let text = text.trim();
-    if let Some(found) = media::named(text) {
-        return Ok(found.medium);
+    if let Some(found) = substance::named(text) {
+        return Ok(Conductor::Substance(found));
     }
-    let parts: Vec<&str> = text.split('/').collect();
-    let numbers: Option<Vec<f64>> = parts.iter().map(|part| part.trim().parse().ok()).collect();
+    let numbers: Option<Vec<f64>> = text.split('/').map(|part| part.trim().parse().ok()).collect();
     let Some(&[epsilon_r, mu_r, sigma]) = numbers.as_deref() else {
-        let names = media::MEDIA.iter().map(|found| found.name).collect();
+        let names = substance::SUBSTANCES.iter().map(|found| found.name).collect();
         let message = format!("`{}` is neither ε_r/μ_r/σ (80/1/4) nor a medium", excerpt(text));
         return Err(Fault::unknown(place, text, message, names));
     };
@@ -415,7 +464,8 @@ pub fn parse_conductor(place: &str, text: &str) -> Result<waves::Medium, Fault> 
     if !(held(epsilon_r, RELATIVE) && held(mu_r, RELATIVE) && held(sigma, CONDUCTIVITY)) {
         return Err(Fault::new(place, format!("{} is out of range; {CONDUCTOR_DOMAIN}", excerpt(text))));
     }
-    waves::Medium::relative(epsilon_r, mu_r, sigma).map_err(|invalid| Fault::new(place, invalid.to_string()))
+    let medium = waves::Medium::relative(epsilon_r, mu_r, sigma);
+    medium.map(Conductor::Constant).map_err(|invalid| Fault::new(place, invalid.to_string()))
 }
 
 /// Relative permittivities and permeabilities taken [1].
@@ -500,9 +550,10 @@ mod tests {
 
     #[test]
     fn conductors_are_numbers_or_names() {
-        let sea = parse_conductor("medium", "80 / 1/4").unwrap();
-        assert_eq!((sea.mu(), sea.sigma()), (waves::constants::MU_0, 4.0));
-        assert!(parse_conductor("medium", "Copper").unwrap().sigma() > 5e7);
+        let sea = waves::Medium::relative(80.0, 1.0, 4.0).unwrap();
+        assert_eq!(parse_conductor("medium", "80 / 1/4"), Ok(Conductor::Constant(sea)));
+        let copper = parse_conductor("medium", "Copper").unwrap();
+        assert!(copper.wave(1e9).unwrap().skin_depth < 3e-6 && copper.wave(1e13).is_err());
         let bad = ["", "80/1", "0/1/1", "-1/1/1", "1/0/1", "1/1/-1", "1/1/nan", "nan/1/0", "1/1/inf", "1/1/1/1", "cooper"];
         for bad in bad {
             let fault = parse_conductor("medium", bad).unwrap_err();

@@ -5,7 +5,7 @@ use super::symbols::{AMPLITUDE, B, DELTA, E, EPSILON, H, J, K, MU, OMEGA, SIGMA,
 use super::wave_equation::twice;
 use super::{described, wave};
 use crate::figure::{Axis, Chart, Hue, Panel, Plot};
-use crate::setting::{FREQUENCY, MEDIUM, Setting};
+use crate::setting::{Conductor, FREQUENCY, MEDIUM, Setting};
 use crate::vocabulary::{
     Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress,
 };
@@ -16,7 +16,8 @@ use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::waves::{NAMES, PlaneWave, flat};
 use light::precise;
 use light::waves::constants::EPSILON_0;
-use light::waves::{Medium, Wave, media, textbook};
+use light::waves::substance::{self, SUBSTANCES};
+use light::waves::{Medium, Wave, textbook};
 use std::f64::consts::{PI, TAU};
 
 /// The angle by which H lags E.
@@ -124,7 +125,7 @@ pub(super) const STEP: Step = Step {
         },
         Figure {
             id: "skin_depth",
-            says: "Skin depth against frequency over fifteen decades; where a curve turns level the medium is no longer a conductor.",
+            says: "Skin depth against frequency over fifteen decades, as far as each medium was measured; metals appear again as light meets them.",
             rows: &["E18"],
             plot: skin_depths,
         },
@@ -194,11 +195,13 @@ fn eighth_of_a_period(share: Expr) -> Chain {
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
-    let medium = setting.conductor("medium");
     let wave = wave(setting);
     let quantity = |key, symbol, says, value, unit| Quantity { key, symbol, says, value, unit };
-    let mut all = vec![
-        quantity("loss_tangent", "σ/(ωε)", "conduction over displacement current", medium.loss_tangent(wave.omega), "1"),
+    let tangent = setting.conductor("medium").loss_tangent(setting.frequency());
+    let tangent = tangent.map(|value| quantity("loss_tangent", "σ/(ωε)", "conduction over displacement current", value, "1"));
+    let depth = wave.skin_depth;
+    let depth = quantity("skin_depth", "δ", "depth at which the field has fallen to 1/e", depth, "m");
+    let rest = vec![
         quantity("k_re", "Re k", "phase per metre", wave.k.re, "rad/m"),
         quantity("k_im", "Im k", "decay per metre", wave.k.im, "1/m"),
         quantity("attenuation", "A", "the decay in decibels", wave.attenuation_db(), "dB/m"),
@@ -208,10 +211,7 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
         quantity("wavelength", "λ", "wavelength in the medium", wave.wavelength, "m"),
         quantity("v_phase", "v", "speed of the phase", wave.v_phase, "m/s"),
     ];
-    if wave.skin_depth.is_finite() {
-        all.insert(4, quantity("skin_depth", "δ", "depth at which the field has fallen to 1/e", wave.skin_depth, "m"));
-    }
-    all
+    tangent.into_iter().chain(Some(depth).filter(|depth| depth.value.is_finite())).chain(rest).collect()
 }
 
 const HANDBOOK: Check = Check {
@@ -311,8 +311,7 @@ fn families() -> Vec<Family> {
     let between: Vec<_> = powers(-6, 3).flat_map(|sigma| [(80.0, 1.0, sigma), (1.0, 1.0, sigma)]).collect();
     let metals: Vec<_> = powers(4, 12).flat_map(|sigma| [(1.0, 1.0, sigma), (1.0, 5000.0, sigma)]).collect();
     let beyond: Vec<_> = powers(20, 300).step_by(40).map(|sigma| (1.0, 1.0, sigma)).collect();
-    let known = media::MEDIA.iter().flat_map(|known| frequencies.map(|f| (known.medium, TAU * f)));
-    let known = known.filter(|(medium, _)| medium.sigma().is_finite());
+    let known = SUBSTANCES.iter().flat_map(|known| frequencies.map(|f| Some((known.medium(f).ok()?, TAU * f)))).flatten();
     vec![
         ("a trace of conduction", with(&traces)),
         ("neither one nor the other", with(&between)),
@@ -396,30 +395,29 @@ fn decay(setting: &Setting) -> Plot {
     Plot::of(title, chart)
 }
 
-/// Media whose skin depths are drawn.
-const DRAWN: [&str; 6] = ["copper", "iron", "graphite", "sea-water", "soil", "silicon"];
+/// Substances whose skin depths are drawn.
+const DRAWN: [&str; 6] = ["copper", "aluminium", "iron", "graphite", "sea-water", "soil"];
 
 fn skin_depths(setting: &Setting) -> Plot {
-    let frequencies = || (0..=300).map(|at| 10f64.powf(f64::from(at) / 20.0));
-    let depths = |medium: &Medium| -> Vec<[f64; 2]> {
-        let depth = |f: f64| Wave::new(medium, TAU * f).map_or(f64::NAN, |wave| wave.skin_depth);
-        frequencies().map(|f| [f, depth(f)]).collect()
+    let depths = |medium: Conductor| -> Vec<[f64; 2]> {
+        let frequencies = (0..=600).map(|at| 10f64.powf(f64::from(at) / 40.0));
+        let depth = |f: f64| medium.wave(f).map_or(f64::NAN, |wave| wave.skin_depth);
+        frequencies.map(|f| [f, depth(f)]).collect()
     };
     let mut chart = Chart::new(
         "",
         Axis::log("frequency f", "Hz").range(1.0, 1e15),
         Axis::log("skin depth δ", "m").range(1e-9, 1e4),
     );
-    let known = DRAWN.iter().filter_map(|name| media::named(name));
-    for (at, known) in known.enumerate() {
-        chart = chart.line(Hue::Nth(at as u8), known.name, depths(&known.medium));
+    let known: Vec<_> = DRAWN.iter().filter_map(|name| substance::named(name)).collect();
+    for (at, known) in known.iter().enumerate() {
+        chart = chart.line(Hue::Nth(at as u8), known.name, depths(Conductor::Substance(known)));
     }
     let own = setting.conductor("medium");
-    if own.sigma() > 0.0 && !media::MEDIA.iter().any(|known| known.medium == own && DRAWN.contains(&known.name)) {
-        chart = chart.dashed(Hue::Natural, described(setting), depths(&own));
+    if known.iter().all(|known| Conductor::Substance(known) != own) {
+        chart = chart.dashed(Hue::Natural, setting.text("medium"), depths(own));
     }
-    chart = chart.at_x(setting.number("freq"), "the setting");
-    Plot::of("Skin depth, constants as at low frequency", chart)
+    Plot::of("Skin depth, where it was measured", chart.at_x(setting.frequency(), "f"))
 }
 
 fn lags(setting: &Setting) -> Plot {
@@ -428,7 +426,7 @@ fn lags(setting: &Setting) -> Plot {
         let medium = Medium::relative(1.0, 1.0, tangent * EPSILON_0).expect("a medium");
         Wave::new(&medium, 1.0).expect("a positive frequency")
     };
-    let own = setting.conductor("medium").loss_tangent(TAU * setting.number("freq"));
+    let own = setting.conductor("medium").loss_tangent(setting.frequency()).unwrap_or(f64::NAN);
     let axis = || Axis::log("σ/(ωε)", "").range(1e-8, 1e8);
     let mark = |chart: Chart| if (1e-8..=1e8).contains(&own) { chart.at_x(own, "the setting") } else { chart };
     let lag = Chart::new("Lag", axis(), Axis::linear("lag of H behind E, φ", "°").range(0.0, 50.0).tick(15.0))

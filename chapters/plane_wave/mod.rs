@@ -19,7 +19,6 @@ mod wave_equation;
 use crate::setting::Setting;
 use crate::vocabulary::Chapter;
 use light::waves::Wave;
-use std::f64::consts::TAU;
 
 /// The chapter.
 pub const CHAPTER: Chapter = Chapter {
@@ -45,7 +44,7 @@ pub const CHAPTER: Chapter = Chapter {
 
 /// The wave of the setting's frequency in its medium.
 pub(crate) fn wave(setting: &Setting) -> Wave {
-    Wave::new(&setting.conductor("medium"), TAU * setting.number("freq")).expect("validated when it was set")
+    setting.conductor("medium").wave(setting.frequency()).expect("validated when it was set")
 }
 
 /// `copper at 1GHz`: the setting as a heading.

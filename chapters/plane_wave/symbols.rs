@@ -7,8 +7,6 @@ use light::equation::{Dimension, Symbol};
 pub const Z: Symbol = Symbol::scalar("z", Dimension::METRE).real(0.25, 1.25);
 /// Time.
 pub const T: Symbol = Symbol::scalar("t", Dimension::SECOND).real(0.25, 1.25);
-/// Place.
-pub const R: Symbol = Symbol::vector("r", Dimension::METRE);
 
 /// Permittivity.
 pub const EPSILON: Symbol = Symbol::scalar("epsilon", Dimension::FARAD_PER_METRE).real(0.5, 2.0);

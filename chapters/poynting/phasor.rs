@@ -8,7 +8,7 @@ use light::equation::derivation::Chain;
 use light::equation::expr::{abs, conj, cos, exp, i, integral_between, mean, pi, ratio, re, sin};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::quadrature::gauss_legendre;
-use light::waves::constants::EPSILON_0;
+use light::waves::constants::{EPSILON_0, Z_0};
 use light::waves::flux::mean_by_phasors;
 use light::waves::{Medium, Wave};
 
@@ -52,11 +52,10 @@ pub(super) const STEP: Step = Step {
         slip: "the conjugate forgotten",
     }],
     readout: Some(|setting| {
-        let (medium, wave) = (setting.conductor("medium"), crate::plane_wave::wave(setting));
-        let clear = 0.5 * (medium.epsilon() / medium.mu()).sqrt();
+        let wave = crate::plane_wave::wave(setting);
         vec![
             super::quantity("S_avg", "½ Re(E H*)", "mean flow at an amplitude of 1 V/m", wave.mean_flux, "W/m²"),
-            super::quantity("S_clear", "½vεA²", "what the lossless formula would say", clear, "W/m²"),
+            super::quantity("S_vacuum", "½cε_0A²", "what the same field carries in empty space", 0.5 / Z_0, "W/m²"),
             super::quantity("S_modulus", "½|E||H|", "without the lag", 0.5 / wave.impedance.norm(), "W/m²"),
             super::quantity("phase_lag", "φ", "by which H lags E", wave.phase_lag, "rad"),
         ]

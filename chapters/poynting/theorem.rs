@@ -109,15 +109,14 @@ fn along_k(last: Expr) -> Chain {
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
-    let (medium, wave) = (setting.conductor("medium"), crate::plane_wave::wave(setting));
-    let running = Running::new(medium, wave.omega, 1.0).expect("validated when it was set");
+    let wave = crate::plane_wave::wave(setting);
     let depth = if wave.skin_depth.is_finite() { wave.skin_depth } else { wave.wavelength };
-    let slab = running.mean_balance(0.0, depth);
+    let heat = -wave.mean_flux * (-2.0 * wave.k.im * depth).exp_m1();
     vec![
         super::quantity("slab", "d", "a slab one skin depth thick; a wavelength where there is none", depth, "m"),
         super::quantity("entering", "⟨S⟩", "what enters it, at 1 V/m", wave.mean_flux, "W/m²"),
-        super::quantity("heat", "Q", "what it turns to heat", slab.heat, "W/m²"),
-        super::quantity("outflow", "ΔS", "what leaves less what enters", slab.outflow, "W/m²"),
+        super::quantity("heat", "Q", "what it turns to heat", heat, "W/m²"),
+        super::quantity("leaving", "⟨S⟩(d)", "what leaves it", wave.mean_flux - heat, "W/m²"),
     ]
 }
 
