@@ -1,9 +1,10 @@
 //! What `lesson eval` offers from this chapter.
 
 use crate::function::{Arguments, Function, Input, Output};
-use crate::setting::{CONDUCTIVITY, FREQUENCY, Fault, Kind, RELATIVE};
+use crate::setting::{CONDUCTIVITY, Fault, RELATIVE};
 use light::evidence::waves::{NAMES, flat};
-use light::waves::{Medium, Wave};
+use light::waves::constants::{EPSILON_0, MU_0};
+use light::waves::{Invalid, Medium, Wave};
 use std::f64::consts::TAU;
 
 /// The functions, each with its inputs' units and domains.
@@ -12,11 +13,8 @@ pub(super) const FUNCTIONS: &[Function] = &[PLANE_WAVE];
 /// Absolute permittivities and permeabilities taken: any that a relative one can give, and more.
 const ABSOLUTE: (f64, f64) = (1e-30, 1e30);
 
-/// Frequencies taken [Hz].
-const FREQUENCIES: (f64, f64) = match FREQUENCY.kind {
-    Kind::Number { min, max, .. } => (min, max),
-    _ => panic!("a frequency is a number"),
-};
+/// Frequencies taken [Hz], and angular ones [rad/s].
+const FREQUENCIES: (f64, f64) = (1e-12, 1e24);
 
 const PLANE_WAVE: Function = Function {
     name: "plane-wave",
@@ -29,7 +27,7 @@ const PLANE_WAVE: Function = Function {
         input("mu", "permeability, instead of mu_r", "H/m", ABSOLUTE),
         input("sigma", "conductivity", "S/m", CONDUCTIVITY),
         input("freq_hz", "frequency; or give omega", "Hz", FREQUENCIES),
-        input("omega", "angular frequency, instead of freq_hz", "rad/s", (TAU * FREQUENCIES.0, TAU * FREQUENCIES.1)),
+        input("omega", "angular frequency, instead of freq_hz", "rad/s", FREQUENCIES),
     ],
     outputs: &[
         output("k_re", "wave number: phase per metre", "rad/m"),
@@ -61,12 +59,11 @@ fn wave(arguments: &Arguments) -> Result<Wave, Fault> {
     let mu = either(arguments, ["mu_r", "mu"])?;
     let sigma = arguments.number("sigma")?;
     let frequency = either(arguments, ["freq_hz", "omega"])?;
-    use light::waves::constants::{EPSILON_0, MU_0};
     let absolute = |value: Either, unit: f64| match value {
         Either::First(relative) => relative * unit,
         Either::Second(absolute) => absolute,
     };
-    let invalid = |found: light::waves::Invalid| Fault::new(found.place, found.to_string());
+    let invalid = |found: Invalid| Fault::new(found.place, found.to_string());
     let medium = Medium::new(absolute(epsilon, EPSILON_0), absolute(mu, MU_0), sigma).map_err(invalid)?;
     Wave::new(&medium, absolute(frequency, TAU)).map_err(invalid)
 }
@@ -109,7 +106,6 @@ mod tests {
 
     #[test]
     fn absolute_and_relative_inputs_agree() {
-        use light::waves::constants::{EPSILON_0, MU_0};
         let absolute = [("eps", EPSILON_0), ("mu", MU_0), ("sigma", 5.8e7), ("omega", TAU * 50.0)];
         assert_eq!(call(&absolute), call(&COPPER));
     }

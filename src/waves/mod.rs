@@ -9,6 +9,7 @@ pub mod harmonics;
 pub mod phase;
 pub mod plane;
 mod scaled;
+pub mod substance;
 pub mod textbook;
 
 pub use plane::{Invalid, Medium, Wave};
