@@ -221,6 +221,14 @@ mod tests {
         });
         assert_eq!(keeps, [-1.0, 0.0, 0.0]);
         assert!(Update::as_written(Scheme::Exponential, 1.0, 0.0, 1.0).gain.is_nan());
+        for scheme in [Scheme::SemiImplicit, Scheme::Exponential, Scheme::BackwardEuler] {
+            let (written, ours) =
+                (Update::as_written(scheme, 1.0, 2.8e-16, 1.0), Update::new(scheme, 1.0, 2.8e-16, 1.0));
+            assert!(
+                (ours.loss / 2.8e-16 - 1.0).abs() < 1e-14 && (written.loss / 2.8e-16 - 1.0).abs() > 1e-2,
+                "{scheme:?}"
+            );
+        }
         assert!(Update::as_written(Scheme::SemiImplicit, 1.0, f64::INFINITY, 1.0).keep.is_nan());
     }
 
@@ -282,7 +290,6 @@ mod tests {
             let cell = Cell::new(tau).unwrap();
             let found = cell.adaptive(0.0, 5.0, 1e-8).unwrap();
             let error = (found.field - cell.exact(0.0, 5.0)).abs();
-            println!("τ = {tau:e}: {found:?} error {error:e}");
             assert!(error < 1e-6 && found.steps < 500, "τ = {tau}: {found:?} {error}");
         }
     }

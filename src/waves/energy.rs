@@ -169,6 +169,13 @@ mod tests {
         }
 
         #[test]
+        fn both_fluxes_are_one((running, wavelength) in running(), z in 0.0..1.0, t in 0.0..9.0) {
+            let (z, t) = (z * wavelength, t / running.wave.omega);
+            let flux = crate::waves::flux::Flux::at_depth(&running.wave, running.amplitude, z);
+            prop_assert!((flux.at(t) - running.flux(z, t)).abs() <= 1e-13 * running.peak_flux(z));
+        }
+
+        #[test]
         fn the_pieces_are_the_integrals((running, wavelength) in running(), near in 0.0..0.5, t in 0.0..5.0) {
             let (near, far, t) = (near * wavelength, (near + 0.7) * wavelength, t / running.wave.omega);
             let rule = crate::evidence::quadrature::gauss_legendre(24);

@@ -222,6 +222,21 @@ mod tests {
     }
 
     #[test]
+    fn what_a_box_leaves_of_a_billion_periods_keeps_its_digits() {
+        // The ripple alone: ∫cos(4πft) dt/T = sin(4πfT)/(4πfT).
+        let ripple = Flux { mean: 0.0, swing: 1.0, frequency: 5.45e14, phase: 0.0, lag: 0.0 };
+        for periods in [1.0e3, 1.0e6, 1.0e9, 1.0e12] {
+            let duration = (periods + 0.3) / ripple.frequency;
+            let sine = crate::precise::to_f64(&crate::evidence::waves::phase(2.0 * ripple.frequency, duration).sin);
+            let expected = sine / (4.0 * PI * ripple.frequency * duration);
+            let found = ripple.average(Window::Box, 0.0, duration);
+            assert!((found / expected - 1.0).abs() < 1e-14, "{periods}: {found} {expected}");
+            let smooth = ripple.average(Window::Nuttall, 0.0, duration).abs();
+            assert!(smooth < 1e3 * periods.powi(-7), "{periods}: {smooth}");
+        }
+    }
+
+    #[test]
     fn the_trapezoid_converges_exponentially_over_a_period() {
         let mean = mean_of_pulse_train(5.0);
         // I₀(10) e^(−10), Abramowitz & Stegun, table 9.8.

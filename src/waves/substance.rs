@@ -79,9 +79,7 @@ impl Substance {
 /// The substance called `name`, by its name or an alias; case, `_`, `-` and spaces do not matter.
 pub fn named(name: &str) -> Option<&'static Substance> {
     let called = |own: &&str| material::same(own, name);
-    SUBSTANCES
-        .iter()
-        .find(|substance| std::iter::once(&substance.name).chain(substance.aliases).any(|own| called(&own)))
+    SUBSTANCES.iter().find(|substance| std::iter::once(&substance.name).chain(substance.aliases).any(called))
 }
 
 /// A frequency at which a substance's parameters are not known to hold.

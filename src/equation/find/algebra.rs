@@ -112,9 +112,10 @@ pub(super) fn cancel(term: &Term, _: &Scene, found: &mut Found) {
             shared.push((base.clone(), *e));
             continue;
         }
+        let by = inverse(&common);
         let taken: Vec<Power> = common.into_iter().filter_map(|(b, f)| Some((b, multiply(f, *e)?))).collect();
         parts.extend(taken.iter().cloned());
-        parts.push((base.over(&Term::product(taken.iter().cloned()).power(*e)), *e));
+        parts.push((Term::sum(all.iter().map(|term| term.times(&by))), *e));
         shared.extend(taken);
     }
     let mut gone = Vec::new();
@@ -178,6 +179,20 @@ fn quotient(above: &Term, below: &Term) -> Option<Term> {
         result.push(next);
     }
     None
+}
+
+/// c/(a + b) → c(a − b)/(a² − b²)
+pub(super) fn conjugate(term: &Term, _: &Scene, found: &mut Found) {
+    let (_, factors) = term.factors();
+    for (base, e) in factors {
+        if let [a, b] = base.terms()
+            && e == Rational::integer(-1)
+        {
+            let (other, product) = (a.minus(b), a.squared().minus(&b.squared()));
+            let to = term.times(&other).times(&base).over(&product);
+            found.push(Rewrite::about(other, to));
+        }
+    }
 }
 
 /// a/b + c/d → (ad + cb)/(bd)
@@ -343,7 +358,9 @@ pub(super) fn join_exponentials(term: &Term, _: &Scene, found: &mut Found) {
         }
     }
     if count > 1 {
-        let joined = Term::function(Function::Exp, Term::sum(exponent));
+        let exponent = Term::sum(exponent);
+        let all: Vec<&Term> = exponent.terms().iter().collect();
+        let joined = Term::function(Function::Exp, take_out(&all, &positive(common_factor(&all))));
         found.push(
             Term::product(rest.into_iter().chain([(joined, Rational::ONE), (Term::number(c), Rational::ONE)])).into(),
         );
@@ -351,7 +368,7 @@ pub(super) fn join_exponentials(term: &Term, _: &Scene, found: &mut Found) {
 }
 
 /// e^(a + b) → e^a e^b, and e^(na) → (e^a)ⁿ
-pub(super) fn split_exponential(term: &Term, _: &Scene, found: &mut Found) {
+pub(super) fn split_exponential(term: &Term, scene: &Scene, found: &mut Found) {
     let Form::Function(Function::Exp, of) = term.form() else { return };
     let part = |part: &Term| {
         let times = part.coefficient().as_integer().filter(|n| n.abs() > 1 || *n == -1);
@@ -359,6 +376,9 @@ pub(super) fn split_exponential(term: &Term, _: &Scene, found: &mut Found) {
         let inverse = Rational::new(times.denominator(), times.numerator())?;
         Some((Term::function(Function::Exp, part.scaled(inverse)), times))
     };
+    let mut expanded = Found::new();
+    expand(of, scene, &mut expanded);
+    let of = expanded.first().map_or(of, |rewrite| &rewrite.to);
     let Some(parts) = of.terms().iter().map(part).collect::<Option<Vec<_>>>() else { return };
     let split = Term::product(parts);
     if split != *term {
@@ -367,33 +387,36 @@ pub(super) fn split_exponential(term: &Term, _: &Scene, found: &mut Found) {
 }
 
 /// Two terms of a sum without what they have in common, and how to put another term in their place.
-pub(super) struct Pair {
+pub(super) struct Pair<'a> {
     pub a: Term,
     pub b: Term,
     common: Term,
-    rest: Term,
+    terms: &'a [Term],
+    at: [usize; 2],
 }
 
-impl Pair {
+impl Pair<'_> {
     /// The sum with `joined` instead of the two.
     pub fn replace(&self, joined: &Term) -> Rewrite {
-        self.rest.plus(&self.common.times(joined)).into()
+        let others = self.terms.iter().enumerate().filter(|(at, _)| !self.at.contains(at));
+        let joined = self.common.times(joined);
+        Term::sum(others.map(|(_, term)| term.clone()).chain([joined])).into()
     }
 }
 
 /// Every two terms of a sum, in both orders.
-pub(super) fn pairs(term: &Term) -> Vec<Pair> {
+pub(super) fn pairs(term: &Term) -> Vec<Pair<'_>> {
     let Form::Sum(terms) = term.form() else { return vec![] };
     let mut found = Vec::new();
     if terms.len() > WIDEST {
         return found;
     }
     for (i, first) in terms.iter().enumerate() {
-        for (j, second) in terms.iter().enumerate().filter(|(j, _)| *j != i) {
+        for (j, second) in terms.iter().enumerate().skip(i + 1) {
             let common = Term::product(common_factor(&[first, second]));
-            let others = terms.iter().enumerate().filter(|(k, _)| *k != i && *k != j);
-            let rest = Term::sum(others.map(|(_, term)| term.clone()));
-            found.push(Pair { a: first.over(&common), b: second.over(&common), common, rest });
+            let (a, b) = (first.over(&common), second.over(&common));
+            found.push(Pair { a: b.clone(), b: a.clone(), common: common.clone(), terms, at: [j, i] });
+            found.push(Pair { a, b, common, terms, at: [i, j] });
         }
     }
     found

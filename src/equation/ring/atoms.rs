@@ -145,7 +145,7 @@ impl Atoms {
             }
         };
         let known = self.bases[at].1;
-        if known % denominator != 0 {
+        if !known.is_multiple_of(denominator) {
             let common = known / known.gcd(denominator);
             self.bases[at].1 = common.checked_mul(denominator).ok_or(Undecided::TooLarge)?;
             self.is_stale = true;
@@ -316,7 +316,7 @@ impl Atoms {
         let (angle, multiple) = self.multiple(part)?;
         let exp = Fraction::atom(self.atom(Kind::Exp(angle), None));
         let times = u32::try_from(multiple.clone().unsigned_abs()).map_err(|_| Undecided::TooLarge)?;
-        let power = self.arithmetic.to_the(&exp, times)?;
+        let power = self.arithmetic.raise(&exp, times)?;
         if multiple.is_negative() { self.inverse(&power) } else { Ok(power) }
     }
 
@@ -389,7 +389,7 @@ impl Atoms {
 
     fn power(&mut self, atom: Atom, power: i64) -> Result<Fraction> {
         let exponent = u32::try_from(power.unsigned_abs()).map_err(|_| Undecided::TooLarge)?;
-        let raised = self.arithmetic.to_the(&Fraction::atom(atom), exponent)?;
+        let raised = self.arithmetic.raise(&Fraction::atom(atom), exponent)?;
         if power < 0 { self.inverse(&raised) } else { Ok(raised) }
     }
 
@@ -401,7 +401,7 @@ impl Atoms {
             return Ok(whole);
         }
         let root = self.plain_root(&Fraction::atom(atom), degree)?;
-        let root = self.arithmetic.to_the(&root, rest as u32)?;
+        let root = self.arithmetic.raise(&root, rest as u32)?;
         self.arithmetic.times(&whole, &root)
     }
 
@@ -412,9 +412,9 @@ impl Atoms {
         for (value, is_below) in [(above, false), (below, true)] {
             for (prime, power) in factors(value) {
                 let prime = Fraction::number(prime, IBig::ONE);
-                let whole = self.arithmetic.to_the(&prime, power / degree)?;
+                let whole = self.arithmetic.raise(&prime, power / degree)?;
                 let left = self.plain_root(&prime, degree)?;
-                let left = self.arithmetic.to_the(&left, power % degree)?;
+                let left = self.arithmetic.raise(&left, power % degree)?;
                 let mut factor = self.arithmetic.times(&whole, &left)?;
                 if is_below {
                     factor = self.rationalised(&factor, &prime, power, degree)?;
@@ -427,12 +427,12 @@ impl Atoms {
 
     /// 1/p^(n/q) as p^((q−n mod q)/q) over a whole number: roots below the line come above it.
     fn rationalised(&mut self, factor: &Fraction, prime: &Fraction, power: u32, degree: u32) -> Result<Fraction> {
-        if power % degree == 0 {
+        if power.is_multiple_of(degree) {
             return self.inverse(factor);
         }
         let left = self.plain_root(prime, degree)?;
-        let above = self.arithmetic.to_the(&left, degree - power % degree)?;
-        let whole = self.arithmetic.to_the(prime, power / degree + 1)?;
+        let above = self.arithmetic.raise(&left, degree - power % degree)?;
+        let whole = self.arithmetic.raise(prime, power / degree + 1)?;
         let below = self.inverse(&whole)?;
         self.arithmetic.times(&above, &below)
     }

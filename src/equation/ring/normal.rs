@@ -118,7 +118,7 @@ impl Normaliser {
             }
             root = self.atoms.root(&root, degree)?;
         }
-        let power = self.atoms.arithmetic.to_the(&root, times)?;
+        let power = self.atoms.arithmetic.raise(&root, times)?;
         if exponent.is_negative() { self.inverse_of(&power, base) } else { Ok(power) }
     }
 
@@ -210,7 +210,7 @@ impl Normaliser {
             Node::Power(base, exponent) if exponent.as_integer().is_some() => {
                 let times = u32::try_from(exponent.numerator().unsigned_abs()).map_err(|_| Undecided::TooLarge)?;
                 let of = self.conjugate(base)?;
-                let power = self.atoms.arithmetic.to_the(&of, times)?;
+                let power = self.atoms.arithmetic.raise(&of, times)?;
                 if exponent.is_negative() { self.inverse_of(&power, base) } else { Ok(power) }
             }
             Node::Negate(of) => Ok(self.conjugate(of)?.negated()),
