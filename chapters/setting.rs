@@ -408,15 +408,7 @@ fn suffixes(unit: &str) -> &'static [(&'static str, f64)] {
     match unit {
         "rad" => &[("deg", DEGREE), ("°", DEGREE), ("rad", 1.0)],
         "m" => &[("nm", 1e-9), ("um", 1e-6), ("µm", 1e-6), ("μm", 1e-6), ("mm", 1e-3), ("km", 1e3), ("m", 1.0)],
-        "Hz" => &[
-            ("PHz", 1e15),
-            ("THz", 1e12),
-            ("GHz", 1e9),
-            ("MHz", 1e6),
-            ("kHz", 1e3),
-            ("mHz", 1e-3),
-            ("Hz", 1.0),
-        ],
+        "Hz" => &[("PHz", 1e15), ("THz", 1e12), ("GHz", 1e9), ("MHz", 1e6), ("kHz", 1e3), ("mHz", 1e-3), ("Hz", 1.0)],
         "s" => &[("fs", 1e-15), ("ps", 1e-12), ("ns", 1e-9), ("us", 1e-6), ("ms", 1e-3), ("s", 1.0)],
         _ => &[],
     }
@@ -554,7 +546,8 @@ mod tests {
         assert_eq!(parse_conductor("medium", "80 / 1/4"), Ok(Conductor::Constant(sea)));
         let copper = parse_conductor("medium", "Copper").unwrap();
         assert!(copper.wave(1e9).unwrap().skin_depth < 3e-6 && copper.wave(1e13).is_err());
-        let bad = ["", "80/1", "0/1/1", "-1/1/1", "1/0/1", "1/1/-1", "1/1/nan", "nan/1/0", "1/1/inf", "1/1/1/1", "cooper"];
+        let bad =
+            ["", "80/1", "0/1/1", "-1/1/1", "1/0/1", "1/1/-1", "1/1/nan", "nan/1/0", "1/1/inf", "1/1/1/1", "cooper"];
         for bad in bad {
             let fault = parse_conductor("medium", bad).unwrap_err();
             assert!(fault.place == "medium" && !fault.message.is_empty(), "{bad}");

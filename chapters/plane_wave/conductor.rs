@@ -6,9 +6,7 @@ use super::wave_equation::twice;
 use super::{described, wave};
 use crate::figure::{Axis, Chart, Hue, Panel, Plot};
 use crate::setting::{Conductor, FREQUENCY, MEDIUM, Setting};
-use crate::vocabulary::{
-    Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress,
-};
+use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
 use light::Complex64;
 use light::equation::derivation::Chain;
 use light::equation::expr::{curl, divergence, exp, i, laplacian, partial, pi, ratio, sqrt, tan, vector};
@@ -198,7 +196,8 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     let wave = wave(setting);
     let quantity = |key, symbol, says, value, unit| Quantity { key, symbol, says, value, unit };
     let tangent = setting.conductor("medium").loss_tangent(setting.frequency());
-    let tangent = tangent.map(|value| quantity("loss_tangent", "σ/(ωε)", "conduction over displacement current", value, "1"));
+    let tangent =
+        tangent.map(|value| quantity("loss_tangent", "σ/(ωε)", "conduction over displacement current", value, "1"));
     let depth = wave.skin_depth;
     let depth = quantity("skin_depth", "δ", "depth at which the field has fallen to 1/e", depth, "m");
     let rest = vec![
@@ -226,8 +225,12 @@ const HANDBOOK: Check = Check {
 };
 
 fn handbook(radians: f64) -> Measured {
-    let printed =
-        [("aluminium", 3.816e7, 8.14e-7), ("copper", 5.813e7, 6.60e-7), ("gold", 4.098e7, 7.86e-7), ("silver", 6.173e7, 6.40e-7)];
+    let printed = [
+        ("aluminium", 3.816e7, 8.14e-7),
+        ("copper", 5.813e7, 6.60e-7),
+        ("gold", 4.098e7, 7.86e-7),
+        ("silver", 6.173e7, 6.40e-7),
+    ];
     Measured::worst(printed.map(|(name, sigma, depth)| {
         let metal = Medium::relative(1.0, 1.0, sigma).expect("a metal");
         let wave = Wave::new(&metal, radians * 10e9).expect("a positive frequency");
@@ -303,7 +306,8 @@ type Family = (&'static str, Vec<(Medium, f64)>);
 fn families() -> Vec<Family> {
     let frequencies = [1e-3, 1.0, 50.0, 1e6, 1e9, 5.45e14, 1e16];
     let with = |parameters: &[(f64, f64, f64)]| -> Vec<(Medium, f64)> {
-        let media = parameters.iter().filter_map(|&(epsilon_r, mu_r, sigma)| Medium::relative(epsilon_r, mu_r, sigma).ok());
+        let media =
+            parameters.iter().filter_map(|&(epsilon_r, mu_r, sigma)| Medium::relative(epsilon_r, mu_r, sigma).ok());
         media.flat_map(|medium| frequencies.map(|f| (medium, TAU * f))).collect()
     };
     let powers = |from: i32, to: i32| (from..=to).map(|power| 10f64.powi(power));
@@ -311,7 +315,8 @@ fn families() -> Vec<Family> {
     let between: Vec<_> = powers(-6, 3).flat_map(|sigma| [(80.0, 1.0, sigma), (1.0, 1.0, sigma)]).collect();
     let metals: Vec<_> = powers(4, 12).flat_map(|sigma| [(1.0, 1.0, sigma), (1.0, 5000.0, sigma)]).collect();
     let beyond: Vec<_> = powers(20, 300).step_by(40).map(|sigma| (1.0, 1.0, sigma)).collect();
-    let known = SUBSTANCES.iter().flat_map(|known| frequencies.map(|f| Some((known.medium(f).ok()?, TAU * f)))).flatten();
+    let known =
+        SUBSTANCES.iter().flat_map(|known| frequencies.map(|f| Some((known.medium(f).ok()?, TAU * f)))).flatten();
     vec![
         ("a trace of conduction", with(&traces)),
         ("neither one nor the other", with(&between)),
@@ -388,7 +393,11 @@ fn decay(setting: &Setting) -> Plot {
     )
     .line(Hue::S, "E", curve(&|z| envelope(z) * (turn * z).cos()))
     .line(Hue::P, "H", curve(&|z| envelope(z) * (turn * z + lag).cos()))
-    .line(Hue::Transmitted, "S over |E||H| at z = 0", curve(&|z| envelope(z).powi(2) * (turn * z).cos() * (turn * z + lag).cos()))
+    .line(
+        Hue::Transmitted,
+        "S over |E||H| at z = 0",
+        curve(&|z| envelope(z).powi(2) * (turn * z).cos() * (turn * z + lag).cos()),
+    )
     .dashed(Hue::Reference, "e^{−z/δ}", curve(&envelope))
     .dashed(Hue::Reference, "", curve(&|z| -envelope(z)))
     .at_y(0.0, "");
@@ -436,7 +445,11 @@ fn lags(setting: &Setting) -> Plot {
         .line(
             Hue::Ours,
             "",
-            tangents().map(wave_at).zip(tangents()).map(|(wave, t)| [t, -(-TAU * wave.k.im / wave.k.re).exp_m1()]).collect(),
+            tangents()
+                .map(wave_at)
+                .zip(tangents())
+                .map(|(wave, t)| [t, -(-TAU * wave.k.im / wave.k.re).exp_m1()])
+                .collect(),
         )
         .dashed(Hue::Reference, "π σ/(ωε)", tangents().map(|t| [t, PI * t]).collect());
     Plot::grid("A conductor is what has σ ≫ ωε", 2, vec![mark(lag).into(), mark(left).into()])

@@ -61,12 +61,7 @@ pub(super) const STEP: Step = Step {
             rows: &["E10"],
             plot: space_time,
         },
-        Figure {
-            id: "strip",
-            says: "The same two pulses at six instants.",
-            rows: &["E10"],
-            plot: strip,
-        },
+        Figure { id: "strip", says: "The same two pulses at six instants.", rows: &["E10"], plot: strip },
     ],
 };
 
@@ -195,7 +190,8 @@ fn one_cell_a_step(direction: f64) -> Measured {
     for step in 1..=cells {
         ring.step();
         if step % 50 == 25 {
-            let differences = ring.now.iter().zip(exact(step as f64)).map(|(found, exact)| (found - exact, String::new()));
+            let differences =
+                ring.now.iter().zip(exact(step as f64)).map(|(found, exact)| (found - exact, String::new()));
             cases.push((Measured::worst(differences).value, format!("after {step} steps")));
         }
     }

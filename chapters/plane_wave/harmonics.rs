@@ -1,12 +1,10 @@
 //! E13: a pulse is a sum of harmonics.
 
 use super::symbols::{K, OMEGA, T, WAVE, Z};
-use crate::figure::{Axis, Chart, Hue, Plot, Shape};
 use crate::figure::Mark;
+use crate::figure::{Axis, Chart, Hue, Plot, Shape};
 use crate::setting::{Kind, Parameter, Setting};
-use crate::vocabulary::{
-    Bound, Check, Expects, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step, rms,
-};
+use crate::vocabulary::{Bound, Check, Expects, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step, rms};
 use light::equation::expr::{Range, exp, i, integral};
 use light::equation::{Dimension, Equation, Symbol};
 use light::evidence::quadrature::gauss_legendre;
@@ -146,7 +144,11 @@ fn parseval(bench: &mut crate::vocabulary::Bench, share: f64) -> Measured {
     Measured::worst(counts.into_iter().flat_map(|count| {
         let at = |j: usize| j as f64 / count as f64 * PERIOD;
         let noise = (0..count).map(|_| light::sampling::uniform(&mut bench.stream, -1.0, 1.0)).collect::<Vec<_>>();
-        let pulses = [("smooth", (0..count).map(|j| smooth(at(j))).collect()), ("square", (0..count).map(|j| square(at(j))).collect()), ("noise", noise)];
+        let pulses = [
+            ("smooth", (0..count).map(|j| smooth(at(j))).collect()),
+            ("square", (0..count).map(|j| square(at(j))).collect()),
+            ("noise", noise),
+        ];
         pulses.map(|(name, samples): (_, Vec<f64>)| {
             let spectrum = Spectrum::of_samples(&samples, PERIOD).expect("finite samples");
             let constant = spectrum.coefficients()[0].re.powi(2);
@@ -252,11 +254,8 @@ fn gibbs(setting: &Setting) -> Plot {
     let mut counts = vec![own, 4 * own + 3];
     counts.retain(|count| *count <= 8000);
     let panel = |title: &str, from: f64, to: f64, low: f64, high: f64| {
-        let axes = Chart::new(
-            title,
-            Axis::linear("z", "m").range(from, to),
-            Axis::linear("E / A", "").range(low, high),
-        );
+        let axes =
+            Chart::new(title, Axis::linear("z", "m").range(from, to), Axis::linear("E / A", "").range(low, high));
         let chart = counts.iter().enumerate().fold(axes, |chart, (at, count)| {
             let series = square_series(*count);
             let places = (0..=900).map(|step| from + (to - from) * f64::from(step) / 900.0);
@@ -283,14 +282,11 @@ fn spectra(setting: &Setting) -> Plot {
         all.filter(|[m, size]| (!odd || m % 2.0 == 1.0) && *size > 1e-18).collect()
     };
     let mark = |label: &str, hue, shape, points| Mark::Points { label: label.into(), hue, shape, joined: true, points };
-    let chart = Chart::new(
-        "",
-        Axis::log("harmonic m", "").range(1.0, 300.0),
-        Axis::log("share |c_m|", "").range(1e-17, 1.0),
-    )
-    .with(mark("square pulse", Hue::Nth(0), Shape::Square, points(square_series(300), true)))
-    .with(mark("smooth pulse", Hue::Nth(1), Shape::Disc, points(smooth_series(300), false)))
-    .dashed(Hue::Reference, "1/(πm)", vec![[1.0, 1.0 / PI], [300.0, 1.0 / (300.0 * PI)]])
-    .at_x(setting.number("harmonics"), "M");
+    let chart =
+        Chart::new("", Axis::log("harmonic m", "").range(1.0, 300.0), Axis::log("share |c_m|", "").range(1e-17, 1.0))
+            .with(mark("square pulse", Hue::Nth(0), Shape::Square, points(square_series(300), true)))
+            .with(mark("smooth pulse", Hue::Nth(1), Shape::Disc, points(smooth_series(300), false)))
+            .dashed(Hue::Reference, "1/(πm)", vec![[1.0, 1.0 / PI], [300.0, 1.0 / (300.0 * PI)]])
+            .at_x(setting.number("harmonics"), "M");
     Plot::of("What a pulse holds of each harmonic", chart)
 }

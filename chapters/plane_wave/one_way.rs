@@ -58,7 +58,11 @@ const NOTHING_TURNS_BACK: Check = Check {
     claim: "started with B = E/v, a pulse leaves as one and sends nothing back",
     rows: &["E12"],
     route: "Faraday's and Ampère's laws on a grid at one cell a step; what runs back is ½(E − vB)",
-    bound: Bound::AtMost { limit: 1e-13, unit: "1", why: "three hundred steps of a few roundings each, of fields near 1" },
+    bound: Bound::AtMost {
+        limit: 1e-13,
+        unit: "1",
+        why: "three hundred steps of a few roundings each, of fields near 1",
+    },
     measure: |_| turned_back(1.0),
     spoiled: |_| turned_back(0.99),
     slip: "B one per cent too small",

@@ -41,9 +41,7 @@ pub fn travelling(wave: &Wave, turn: f64, arrows: Arrows) -> Chart {
         .line(Hue::Reference, "", head())
         .with(thin(Hue::P, stems(&magnetic)))
         .line(Hue::P, name("B across, over its amplitude"), curve(&magnetic));
-    chart = chart
-        .with(thin(Hue::S, stems(&electric)))
-        .line(Hue::S, name("E up, over its amplitude"), curve(&electric));
+    chart = chart.with(thin(Hue::S, stems(&electric))).line(Hue::S, name("E up, over its amplitude"), curve(&electric));
     chart
 }
 

@@ -70,7 +70,11 @@ const MEASURED: Check = Check {
     claim: "charges on a condenser and currents in a coil give the speed that light is timed at",
     rows: &["E11"],
     route: "Rosa & Dorsey, Bull. Bur. Stand. 3 (1907) 433, re-reduced by Birge (Rep. Prog. Phys. 8 (1941) 90) to 2.99784e8 m/s",
-    bound: Bound::AtMost { limit: 1e-4, unit: "1", why: "the ohm and the volt of 1907 were known to a few parts in 10⁵" },
+    bound: Bound::AtMost {
+        limit: 1e-4,
+        unit: "1",
+        why: "the ohm and the volt of 1907 were known to a few parts in 10⁵",
+    },
     measure: |_| weighed(constants::EPSILON_0, constants::MU_0),
     spoiled: |_| weighed(constants::EPSILON_0 * constants::EPSILON_0, constants::MU_0 * constants::MU_0),
     slip: "no root, as the notes print it",

@@ -136,7 +136,11 @@ const ANY_DIRECTION: Check = Check {
     claim: "whatever the direction, k·E = k·B = E·B = 0 and both fields vanish together",
     rows: &["E15"],
     route: "the moments at which E, found by bisection, passes through zero; there B is looked at",
-    bound: Bound::AtMost { limit: 64.0, unit: "ε", why: "cross products of unit vectors, and a phase of a few radians" },
+    bound: Bound::AtMost {
+        limit: 64.0,
+        unit: "ε",
+        why: "cross products of unit vectors, and a phase of a few radians",
+    },
     measure: |bench| any_direction(bench, |plane, _| plane),
     spoiled: |bench| any_direction(bench, |plane, tilt| Plane { e: plane.e + 1e-6 * tilt, ..plane }),
     slip: "E tilted by a millionth out of the plane across",
@@ -233,7 +237,8 @@ fn mismatch(amend: fn(Complex64) -> Complex64) -> Measured {
     let cases = [1.33, 1.5, 2.4, 4.0, 9.0];
     Measured::worst(cases.map(|n: f64| {
         let glass = Medium::relative(n * n, 1.0, 0.0).expect("a clear medium");
-        let [z_1, z_2] = [Medium::VACUUM, glass].map(|medium| amend(Wave::new(&medium, 1e15).expect("positive").impedance));
+        let [z_1, z_2] =
+            [Medium::VACUUM, glass].map(|medium| amend(Wave::new(&medium, 1e15).expect("positive").impedance));
         let line = (z_2 - z_1) / (z_2 + z_1);
         let r_s = fresnel::amplitudes(Incidence::NORMAL, 1.0, n.into()).r_s;
         ((line - r_s).norm() / f64::EPSILON, format!("n = {n}"))

@@ -1,7 +1,7 @@
 //! E6–E8: the two first-order laws made one of second order, for either field.
 
-use super::symbols::{B, E, EPSILON, MU, T};
 use super::fields::{Dipole, Field, acceleration, curl as curl_of, direction, laplacian as laplacian_of, rate};
+use super::symbols::{B, E, EPSILON, MU, T};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Statement, Step, fitted_order, rms};
 use glam::DVec3;
 use light::equation::derivation::Chain;
@@ -139,8 +139,16 @@ const DIPOLE_E: Check = Check {
     rows: &["E7"],
     route: "Jackson's dipole field (9.18), by central differences that shrink",
     bound: SECOND_ORDER,
-    measure: |bench| differences(bench, |dipole, place, time, h| wave_residual(&|r, t| dipole.e(r, t), place, time, h, dipole.speed.powi(-2))),
-    spoiled: |bench| differences(bench, |dipole, place, time, h| wave_residual(&|r, t| dipole.e(r, t), place, time, h, dipole.speed.powi(-1))),
+    measure: |bench| {
+        differences(bench, |dipole, place, time, h| {
+            wave_residual(&|r, t| dipole.e(r, t), place, time, h, dipole.speed.powi(-2))
+        })
+    },
+    spoiled: |bench| {
+        differences(bench, |dipole, place, time, h| {
+            wave_residual(&|r, t| dipole.e(r, t), place, time, h, dipole.speed.powi(-1))
+        })
+    },
     slip: "1/v for 1/v²",
 };
 
@@ -150,8 +158,16 @@ const DIPOLE_B: Check = Check {
     rows: &["E8"],
     route: "Jackson's dipole field (9.18), by central differences that shrink",
     bound: SECOND_ORDER,
-    measure: |bench| differences(bench, |dipole, place, time, h| wave_residual(&|r, t| dipole.b(r, t), place, time, h, dipole.speed.powi(-2))),
-    spoiled: |bench| differences(bench, |dipole, place, time, h| wave_residual(&|r, t| dipole.b(r, t), place, time, h, -dipole.speed.powi(-2))),
+    measure: |bench| {
+        differences(bench, |dipole, place, time, h| {
+            wave_residual(&|r, t| dipole.b(r, t), place, time, h, dipole.speed.powi(-2))
+        })
+    },
+    spoiled: |bench| {
+        differences(bench, |dipole, place, time, h| {
+            wave_residual(&|r, t| dipole.b(r, t), place, time, h, -dipole.speed.powi(-2))
+        })
+    },
     slip: "the sign of Laplace's equation in four dimensions",
 };
 

@@ -1,9 +1,9 @@
 //! E23: the mean over a period.
 
 use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::plane_wave::described;
 use crate::plane_wave::symbols::{AMPLITUDE, E, EPSILON, H, K, OMEGA, PERIOD, S, T, V, Z};
 use crate::plane_wave::transverse::harmonic;
-use crate::plane_wave::described;
 use crate::setting::{FREQUENCY, MEDIUM, Parameter, Setting};
 use crate::vocabulary::{
     Bound, Check, Derivation, Expects, Extreme, Figure, Heat, Lane, Measured, Race, Statement, Step, Stress,
@@ -110,10 +110,7 @@ fn half(last: Expr) -> Chain {
         .given(PERIOD, 2 * pi() / OMEGA, "T = 2π/ω")
         .primitive(power() * (T / 2 - sin(2 * angle()) / (4 * OMEGA)), T)
         .then(over_a_period, ["mean over a period"])
-        .then(
-            1 / PERIOD * integral_between(power() * cos(angle()).pow(2), T, 0, PERIOD),
-            ["S = E×H", "v = 1/√(εμ)"],
-        )
+        .then(1 / PERIOD * integral_between(power() * cos(angle()).pow(2), T, 0, PERIOD), ["S = E×H", "v = 1/√(εμ)"])
         .then(last, ["⟨cos²⟩ = ½"])
 }
 
@@ -227,7 +224,10 @@ const AVERAGES: Race = Race {
             id: "trapezoid_enough",
             label: "trapezoid, 32 points and more",
             works: &[32, 64, 128],
-            expects: Expects::Within { limit: 1e-13, why: "the harmonics that it takes for the mean are below rounding" },
+            expects: Expects::Within {
+                limit: 1e-13,
+                why: "the harmonics that it takes for the mean are below rounding",
+            },
             repeats: 1,
             prepare: |_, work| summed(trapezoid(work as usize)),
         },

@@ -85,7 +85,11 @@ const OUT_OF_STEP: Check = Check {
     claim: "½ Re(E H*) is the mean flow in any medium, however late H comes",
     rows: &["E24"],
     route: "the product of the two real fields over a period, by Gauss's rule",
-    bound: Bound::AtMost { limit: 64.0, unit: "ε", why: "forty terms of which some cancel, and a dozen roundings in Z" },
+    bound: Bound::AtMost {
+        limit: 64.0,
+        unit: "ε",
+        why: "forty terms of which some cancel, and a dozen roundings in Z",
+    },
     measure: |_| out_of_step(|e, h| mean_by_phasors(e, h)),
     spoiled: |_| out_of_step(|e, h| 0.5 * e.norm() * h.norm()),
     slip: "½|E||H|, as if they were in step",
@@ -132,7 +136,10 @@ fn square_law(power: i32) -> Measured {
         [1e-6, 1.0, 3.0, 1e9].map(|amplitude: f64| {
             let e = Complex64::from(amplitude);
             let found = mean_by_phasors(e, e / wave.impedance);
-            ((found / (amplitude.powi(power) * wave.mean_flux) - 1.0) / f64::EPSILON, format!("{at}, A = {amplitude} V/m"))
+            (
+                (found / (amplitude.powi(power) * wave.mean_flux) - 1.0) / f64::EPSILON,
+                format!("{at}, A = {amplitude} V/m"),
+            )
         })
     }))
 }

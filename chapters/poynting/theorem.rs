@@ -205,15 +205,17 @@ fn slabs(heat: f64) -> Measured {
             rule.iter().map(|(u, weight)| weight * (far - near) * f(near + u * (far - near))).sum()
         };
         let scale = running.balance(near, far, 0.0).scale;
-        (0..4).map(move |quarter| {
-            // A stretch of time that is no part of a period, so that storing, heating and flowing all count.
-            let (from, to) = (1.3 * f64::from(quarter) / omega, (1.3 * f64::from(quarter) + 0.9) / omega);
-            let stored = |time| over(&|z| running.energy_density(z, time));
-            let heated = over_time(from, to, |time| over(&|z| running.heating(z, time)));
-            let out = over_time(from, to, |time| running.flux(far, time) - running.flux(near, time));
-            let missing = stored(to) - stored(from) + heat * heated + out;
-            (missing / (scale * (to - from)), format!("σ/(ωε) = {tangent}, stretch {quarter}"))
-        }).collect::<Vec<_>>()
+        (0..4)
+            .map(move |quarter| {
+                // A stretch of time that is no part of a period, so that storing, heating and flowing all count.
+                let (from, to) = (1.3 * f64::from(quarter) / omega, (1.3 * f64::from(quarter) + 0.9) / omega);
+                let stored = |time| over(&|z| running.energy_density(z, time));
+                let heated = over_time(from, to, |time| over(&|z| running.heating(z, time)));
+                let out = over_time(from, to, |time| running.flux(far, time) - running.flux(near, time));
+                let missing = stored(to) - stored(from) + heat * heated + out;
+                (missing / (scale * (to - from)), format!("σ/(ωε) = {tangent}, stretch {quarter}"))
+            })
+            .collect::<Vec<_>>()
     }))
 }
 

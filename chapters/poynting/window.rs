@@ -22,11 +22,7 @@ pub(super) const STEP: Step = Step {
     title: "What a detector reads",
     says: "A shutter that cuts a period in two leaves an error that falls as 1/T; a soft one does far better.",
     rows: &["C5"],
-    parameters: &[
-        Parameter { default: "vacuum", ..MEDIUM },
-        Parameter { default: "545THz", ..FREQUENCY },
-        PERIODS,
-    ],
+    parameters: &[Parameter { default: "vacuum", ..MEDIUM }, Parameter { default: "545THz", ..FREQUENCY }, PERIODS],
     statements: &[],
     derivations: &[],
     readout: Some(|setting| {
@@ -80,8 +76,7 @@ fn closed_form(share: f64) -> Measured {
     let cases = cases.flat_map(|case| [0.1, 0.5, 1.0, 2.3, 4.25, 6.9].map(|duration| (case, duration)));
     Measured::worst(cases.map(|((flux, window), duration)| {
         let start = 0.37;
-        let seen: f64 =
-            rule.iter().map(|(u, weight)| weight * window.weight(*u) * flux.at(start + u * duration)).sum();
+        let seen: f64 = rule.iter().map(|(u, weight)| weight * window.weight(*u) * flux.at(start + u * duration)).sum();
         let slow = Flux { frequency: share * flux.frequency, ..flux };
         (slow.average(window, start, duration) - seen, format!("{window:?}, {duration} s"))
     }))
@@ -92,7 +87,11 @@ const BOX_FALLS: Check = Check {
     claim: "a shutter's error falls as 1/T",
     rows: &["C5"],
     route: "the slope of the error at the worst lengths, an eighth of a period beyond the whole ones",
-    bound: Bound::Order { order: 1.0, tolerance: 1e-6, why: "at these lengths the sine is 1 and the error exactly 1/(4πN)" },
+    bound: Bound::Order {
+        order: 1.0,
+        tolerance: 1e-6,
+        why: "at these lengths the sine is 1 and the error exactly 1/(4πN)",
+    },
     measure: |_| falls(Window::Box),
     spoiled: |_| falls(Window::Hann),
     slip: "the soft window for the shutter",
@@ -103,7 +102,11 @@ const HANN_FALLS: Check = Check {
     claim: "a window that opens and closes gently has one that falls as 1/T³",
     rows: &["C5"],
     route: "the slope of the error at the worst lengths",
-    bound: Bound::Order { order: 3.0, tolerance: 0.02, why: "the next term is smaller by 1/(2N)², and N is 10 and more" },
+    bound: Bound::Order {
+        order: 3.0,
+        tolerance: 0.02,
+        why: "the next term is smaller by 1/(2N)², and N is 10 and more",
+    },
     measure: |_| falls(Window::Hann),
     spoiled: |_| falls(Window::Box),
     slip: "the shutter for the soft window",
@@ -122,12 +125,18 @@ const BILLION: Check = Check {
     claim: "after a billion periods of light the last cut is still where it belongs",
     rows: &["C5"],
     route: "sin(4πfT)/(4πfT) from the exact product of f and T in 256 bits",
-    bound: Bound::AtMost { limit: 16.0, unit: "ε", why: "a few roundings of the small error itself, which is looked at relative to its own size" },
+    bound: Bound::AtMost {
+        limit: 16.0,
+        unit: "ε",
+        why: "a few roundings of the small error itself, which is looked at relative to its own size",
+    },
     measure: |_| billion(|flux, duration| flux.average(Window::Box, 0.0, duration)),
-    spoiled: |_| billion(|flux, duration| {
-        let swing = 4.0 * std::f64::consts::PI * flux.frequency * duration;
-        flux.swing * swing.sin() / swing
-    }),
+    spoiled: |_| {
+        billion(|flux, duration| {
+            let swing = 4.0 * std::f64::consts::PI * flux.frequency * duration;
+            flux.swing * swing.sin() / swing
+        })
+    },
     slip: "the sine of the rounded product",
 };
 
@@ -140,7 +149,10 @@ fn billion(average: fn(Flux, f64) -> f64) -> Measured {
         let two = precise::real(2.0);
         let cycles = precise::real(frequency) * precise::real(duration);
         let left = &exact.sin * &exact.cos / (precise::pi(precise::BITS) * two * cycles);
-        (precise::relative_error(average(flux, duration), &left) / f64::EPSILON, format!("f = {frequency:e} Hz, T = {duration:e} s"))
+        (
+            precise::relative_error(average(flux, duration), &left) / f64::EPSILON,
+            format!("f = {frequency:e} Hz, T = {duration:e} s"),
+        )
     }))
 }
 
