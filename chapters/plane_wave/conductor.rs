@@ -1,15 +1,16 @@
 //! E18: waves where there is a current.
 
-use super::perspective::{Arrows, travelling};
-use super::symbols::{AMPLITUDE, B, DELTA, E, EPSILON, H, J, K, MU, OMEGA, SIGMA, T, Z, Z_C};
+use super::perspective::{Arrows, span, travelling};
+use super::symbols::{AMPLITUDE, B, DELTA, E, EPSILON, H, J, K, K_VECTOR, MU, OMEGA, SIGMA, T, Z, Z_C};
+use super::transverse::{oblique, solves_maxwell};
 use super::wave_equation::twice;
-use super::{described, wave};
-use crate::figure::{Axis, Chart, Hue, Panel, Plot};
+use super::{described, quantity, wave};
+use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Conductor, FREQUENCY, MEDIUM, Setting};
 use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
 use light::Complex64;
 use light::equation::derivation::Chain;
-use light::equation::expr::{curl, divergence, exp, i, laplacian, partial, pi, ratio, sqrt, tan, vector};
+use light::equation::expr::{curl, divergence, dot, exp, i, laplacian, partial, pi, ratio, sqrt, tan, vector};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::waves::{NAMES, PlaneWave, flat};
 use light::precise;
@@ -66,11 +67,19 @@ pub(super) const STEP: Step = Step {
         },
         Derivation {
             id: "dispersion",
-            says: "a wave e^{i(kz − ωt)} in that equation",
+            says: "a wave e^{i(k·r − ωt)} in that equation",
             rows: &["E18"],
             chain: || dispersion(1),
             spoiled: || dispersion(-1),
             slip: "the sign that belongs to e^{+iωt}: the wave would grow",
+        },
+        Derivation {
+            id: "all_four",
+            says: "with that k the wave obeys all four equations, whatever the direction",
+            rows: &["E18"],
+            chain: || solves_maxwell(Some(SIGMA), 1),
+            spoiled: || solves_maxwell(Some(SIGMA), -1),
+            slip: "the displacement current runs backwards",
         },
         Derivation {
             id: "ohms",
@@ -129,7 +138,7 @@ pub(super) const STEP: Step = Step {
         },
         Figure {
             id: "lag",
-            says: "By how much H lags E, and how much of the field is left after a wavelength, against σ/(ωε).",
+            says: "By how much H lags E, and how much of the field is lost over a wavelength, against σ/(ωε).",
             rows: &["E18"],
             plot: lags,
         },
@@ -160,10 +169,9 @@ fn wave_along_z() -> Expr {
 
 fn dispersion(sign: i32) -> Chain {
     let square = EPSILON * MU * OMEGA.pow(2) + sign * i() * MU * SIGMA * OMEGA;
-    Chain::new(laplacian(E) - MU * SIGMA * partial(E, T) - EPSILON * MU * twice(E, T))
+    oblique(laplacian(E) - MU * SIGMA * partial(E, T) - EPSILON * MU * twice(E, T))
         .because("nought, by the wave equation with a current")
-        .given(E, vector(wave_along_z(), 0, 0), "E = A e^{i(kz − ωt)} along x")
-        .then((square - K_C.pow(2)) * E, ["∂/∂z = ik, ∂/∂t = −iω"])
+        .then((square - dot(K_VECTOR, K_VECTOR)) * E, ["∇ = ik, ∂/∂t = −iω"])
         .because("so the factor in front of E vanishes")
 }
 
@@ -194,7 +202,6 @@ fn eighth_of_a_period(share: Expr) -> Chain {
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
     let wave = wave(setting);
-    let quantity = |key, symbol, says, value, unit| Quantity { key, symbol, says, value, unit };
     let tangent = setting.conductor("medium").loss_tangent(setting.frequency());
     let tangent =
         tangent.map(|value| quantity("loss_tangent", "σ/(ωε)", "conduction over displacement current", value, "1"));
@@ -371,16 +378,15 @@ fn describe(medium: &Medium, omega: f64) -> String {
 }
 
 fn perspective(setting: &Setting) -> Plot {
-    let panels: Vec<Panel> = vec![travelling(&wave(setting), 0.0, Arrows::Named).into()];
-    Plot::grid(format!("A wave in {}", described(setting)), 1, panels)
+    let wave = wave(setting);
+    let shown = format!("{} wavelengths", crate::setting::number((100.0 * span(&wave)).round() / 100.0));
+    Plot::of(format!("A wave in {}", described(setting)), travelling(shown, &wave, 0.0, Arrows::Named))
 }
 
 fn decay(setting: &Setting) -> Plot {
     let wave = wave(setting);
     let title = format!("Decay and lag in {}", described(setting));
-    // As far as the wave shows: five skin depths, or two wavelengths where it hardly decays.
-    let (rate, turn) = (wave.k.im / wave.k.re, TAU);
-    let far = if rate * turn * 2.0 > 5.0 { 5.0 / (rate * turn) } else { 2.0 };
+    let (rate, turn, far) = (wave.k.im / wave.k.re, TAU, span(&wave));
     let curve = |value: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
         (0..=600).map(|at| far * f64::from(at) / 600.0).map(|z| [z, value(z)]).collect()
     };
@@ -426,22 +432,22 @@ fn skin_depths(setting: &Setting) -> Plot {
     if known.iter().all(|known| Conductor::Substance(known) != own) {
         chart = chart.dashed(Hue::Natural, setting.text("medium"), depths(own));
     }
-    Plot::of("Skin depth, where it was measured", chart.at_x(setting.frequency(), "f"))
+    Plot::of("Skin depth, as far as each medium is known", chart.at_x(setting.frequency(), "f"))
 }
 
 fn lags(setting: &Setting) -> Plot {
-    let tangents = || (0..=400).map(|at| 10f64.powf(f64::from(at) / 25.0 - 8.0));
+    let tangents = || (0..=400).map(|at| 10f64.powf(f64::from(at) / 20.0 - 8.0));
     let wave_at = |tangent: f64| {
         let medium = Medium::relative(1.0, 1.0, tangent * EPSILON_0).expect("a medium");
         Wave::new(&medium, 1.0).expect("a positive frequency")
     };
     let own = setting.conductor("medium").loss_tangent(setting.frequency()).unwrap_or(f64::NAN);
-    let axis = || Axis::log("σ/(ωε)", "").range(1e-8, 1e8);
-    let mark = |chart: Chart| if (1e-8..=1e8).contains(&own) { chart.at_x(own, "the setting") } else { chart };
+    let axis = || Axis::log("σ/(ωε)", "").range(1e-8, 1e12);
+    let mark = |chart: Chart| if (1e-8..=1e12).contains(&own) { chart.at_x(own, "the setting") } else { chart };
     let lag = Chart::new("Lag", axis(), Axis::linear("lag of H behind E, φ", "°").range(0.0, 50.0).tick(15.0))
         .line(Hue::Ours, "", tangents().map(|tangent| [tangent, wave_at(tangent).phase_lag.to_degrees()]).collect())
         .at_y(45.0, "45°");
-    let left = Chart::new("Decay", axis(), Axis::log("1 − E(λ)/E(0)", "").range(1e-8, 10.0))
+    let lost = Chart::new("Decay", axis(), Axis::log("1 − E(λ)/E(0)", "").range(1e-8, 10.0))
         .line(
             Hue::Ours,
             "",
@@ -452,5 +458,5 @@ fn lags(setting: &Setting) -> Plot {
                 .collect(),
         )
         .dashed(Hue::Reference, "π σ/(ωε)", tangents().map(|t| [t, PI * t]).collect());
-    Plot::grid("A conductor is what has σ ≫ ωε", 2, vec![mark(lag).into(), mark(left).into()])
+    Plot::grid("A conductor is what has σ ≫ ωε", 2, vec![mark(lag).into(), mark(lost).into()])
 }

@@ -1,15 +1,16 @@
 //! E14, E19: one frequency, its wavelength and its wave number.
 
 use super::perspective::{Arrows, travelling};
-use super::symbols::{AMPLITUDE, AMPLITUDE_B, EPSILON, K, LAMBDA, MU, OMEGA, T, V, WAVE, Z};
-use super::wave;
+use super::symbols::{AMPLITUDE, AMPLITUDE_B, E, EPSILON, K, K_VECTOR, LAMBDA, MU, OMEGA, T, V, WAVE, Z};
+use super::transverse::oblique;
 use super::wave_equation::twice;
+use super::{GREEN, VACUUM, described, quantity, wave};
 use crate::figure::Plot;
-use crate::setting::{FREQUENCY, MEDIUM, Parameter, Setting};
+use crate::setting::Setting;
 use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
 use light::Complex64;
 use light::equation::derivation::Chain;
-use light::equation::expr::{cos, pi, sqrt};
+use light::equation::expr::{cos, dot, laplacian, pi, sqrt};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::Incidence;
 use light::optics::film::{Layer, Polarisation, Stack};
@@ -24,7 +25,7 @@ pub(super) const STEP: Step = Step {
     title: "One frequency",
     says: "The simplest shape is a cosine: it repeats after λ in space and after 1/f in time, and k counts radians per metre.",
     rows: &["E14", "E19"],
-    parameters: &[Parameter { default: "vacuum", ..MEDIUM }, Parameter { default: "545THz", ..FREQUENCY }],
+    parameters: &[VACUUM, GREEN],
     statements: &[
         Statement {
             id: "electric",
@@ -68,6 +69,14 @@ pub(super) const STEP: Step = Step {
             spoiled: || radians(V / OMEGA),
             slip: "ω taken for f: λ = v/ω",
         },
+        Derivation {
+            id: "any_direction",
+            says: "a wave e^{i(k·r − ωt)} in any direction obeys the wave equation if k² = εμω²",
+            rows: &["E19"],
+            chain: || any_direction(1),
+            spoiled: || any_direction(-1),
+            slip: "∂²/∂z² taken for k², not −k²",
+        },
     ],
     readout: Some(readout),
     checks: &[NUMEROV, FRINGES],
@@ -102,9 +111,15 @@ fn radians(wavelength: Expr) -> Chain {
         .then(AMPLITUDE * cos(K * Z - OMEGA * T), ["k = ω/v"])
 }
 
+fn any_direction(sign: i32) -> Chain {
+    oblique(laplacian(E) - EPSILON * MU * twice(E, T))
+        .because("nought, by the wave equation")
+        .then((EPSILON * MU * OMEGA.pow(2) - sign * dot(K_VECTOR, K_VECTOR)) * E, ["∇ = ik, ∂/∂t = −iω"])
+        .because("so the factor in front of E vanishes")
+}
+
 fn readout(setting: &Setting) -> Vec<Quantity> {
     let wave = wave(setting);
-    let quantity = |key, symbol, says, value, unit| Quantity { key, symbol, says, value, unit };
     vec![
         quantity("wavelength", "λ", "wavelength in the medium", wave.wavelength, "m"),
         quantity("k_re", "k", "wave number (its real part)", wave.k.re, "rad/m"),
@@ -199,8 +214,9 @@ fn perspective(setting: &Setting) -> Plot {
     let wave = wave(setting);
     let panel = |step: u32| {
         let turn = TAU * f64::from(step) / 6.0;
-        travelling(&wave, turn, if step == 0 { Arrows::Named } else { Arrows::Plain }).into()
+        let arrows = if step == 0 { Arrows::Named } else { Arrows::Plain };
+        travelling(format!("ωt = {}°", 60 * step), &wave, turn, arrows).into()
     };
-    let title = format!("E and B of a travelling wave in {}", super::described(setting));
+    let title = format!("E and B of a travelling wave in {}", described(setting));
     Plot::grid(title, 2, (0..4).map(panel).collect())
 }

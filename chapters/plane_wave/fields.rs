@@ -151,14 +151,14 @@ impl Patch {
     }
 }
 
-/// The outward flux of F through the faces of the cube of side `side` at `corner`.
-pub fn outflow(field: Field, corner: DVec3, side: f64, time: f64) -> f64 {
+/// The outward flux of F through the faces of the cube of side `side` at `corner`: both faces across x, y and z.
+pub fn outflows(field: Field, corner: DVec3, side: f64, time: f64) -> [f64; 3] {
     let [x, y, z] = DVec3::AXES.map(|axis| axis * side);
     let through = |a: DVec3, b: DVec3, across: DVec3| {
         let far = Patch { corner: corner + across, sides: [a, b] };
         far.flux(field, time) - Patch { corner, ..far }.flux(field, time)
     };
-    through(x, y, z) + through(y, z, x) + through(z, x, y)
+    [through(y, z, x), through(z, x, y), through(x, y, z)]
 }
 
 /// ∫ g dt from `from` to `to`.

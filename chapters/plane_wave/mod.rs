@@ -16,8 +16,8 @@ pub(crate) mod symbols;
 pub(crate) mod transverse;
 mod wave_equation;
 
-use crate::setting::Setting;
-use crate::vocabulary::Chapter;
+use crate::setting::{FREQUENCY, MEDIUM, Parameter, Setting};
+use crate::vocabulary::{Chapter, Quantity};
 use light::waves::Wave;
 
 /// The chapter.
@@ -42,6 +42,11 @@ pub const CHAPTER: Chapter = Chapter {
     functions: functions::FUNCTIONS,
 };
 
+/// The medium of the steps where nothing is lost.
+pub(crate) const VACUUM: Parameter = Parameter { default: "vacuum", ..MEDIUM };
+/// The frequency of green light, 550 nm.
+pub(crate) const GREEN: Parameter = Parameter { default: "545THz", ..FREQUENCY };
+
 /// The wave of the setting's frequency in its medium.
 pub(crate) fn wave(setting: &Setting) -> Wave {
     setting.conductor("medium").wave(setting.frequency()).expect("validated when it was set")
@@ -50,4 +55,14 @@ pub(crate) fn wave(setting: &Setting) -> Wave {
 /// `copper at 1GHz`: the setting as a heading.
 pub(crate) fn described(setting: &Setting) -> String {
     format!("{} at {}", setting.text("medium"), setting.text("freq"))
+}
+
+pub(crate) const fn quantity(
+    key: &'static str,
+    symbol: &'static str,
+    says: &'static str,
+    value: f64,
+    unit: &'static str,
+) -> Quantity {
+    Quantity { key, symbol, says, value, unit }
 }

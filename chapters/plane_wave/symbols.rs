@@ -5,6 +5,8 @@ use light::equation::{Dimension, Symbol};
 
 /// Place along the propagation.
 pub const Z: Symbol = Symbol::scalar("z", Dimension::METRE).real(0.25, 1.25);
+/// Place, in any direction.
+pub const R: Symbol = Symbol::vector("r", Dimension::METRE);
 /// Time.
 pub const T: Symbol = Symbol::scalar("t", Dimension::SECOND).real(0.25, 1.25);
 

@@ -2,13 +2,14 @@
 
 use super::fields::{Plane, direction};
 use super::grid::Grid;
-use super::symbols::{AMPLITUDE, B, E, EPSILON, H, K, MU, OMEGA, T, V, Z, Z_C};
-use crate::setting::{FREQUENCY, MEDIUM, Parameter, Setting};
+use super::symbols::{A_VECTOR, AMPLITUDE, B, E, EPSILON, H, K, K_VECTOR, MU, OMEGA, R, T, V, Z, Z_C};
+use super::{VACUUM, quantity};
+use crate::setting::{FREQUENCY, Setting};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step};
 use light::Complex64;
 use light::equation::derivation::{Chain, Claim};
-use light::equation::expr::{abs, cos, curl, dot, partial, sqrt, vector};
-use light::equation::{Equation, Expr};
+use light::equation::expr::{abs, cos, cross, curl, divergence, dot, exp, i, partial, sin, sqrt, vector};
+use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::{Incidence, fresnel};
 use light::sampling::uniform;
 use light::waves::constants::{C, Z_0};
@@ -19,7 +20,7 @@ pub(super) const STEP: Step = Step {
     title: "Square to each other, and in step",
     says: "E, B and the propagation are square to one another; the ratio of the fields is the speed, or an impedance.",
     rows: &["E15", "E16", "E17"],
-    parameters: &[Parameter { default: "vacuum", ..MEDIUM }, FREQUENCY],
+    parameters: &[VACUUM, FREQUENCY],
     statements: &[
         Statement {
             id: "along",
@@ -64,8 +65,24 @@ pub(super) const STEP: Step = Step {
             says: "a uniform wave has nothing along z, and Faraday's law turns E into B by a right angle, at the same phase",
             rows: &["E15"],
             chain: || square(vector(0, K / OMEGA * AMPLITUDE * cos(phase()), 0)),
-            spoiled: || square(vector(0, K / OMEGA * AMPLITUDE * light::equation::expr::sin(phase()), 0)),
+            spoiled: || square(vector(0, K / OMEGA * AMPLITUDE * sin(phase()), 0)),
             slip: "B a quarter of a period late, as in a standing wave",
+        },
+        Derivation {
+            id: "across",
+            says: "in any direction: no charges, so nothing along k",
+            rows: &["E15"],
+            chain: || across(1),
+            spoiled: || across(-1),
+            slip: "a wave e^{i(k·r − ωt)} differentiated as if it ran the other way",
+        },
+        Derivation {
+            id: "all_four",
+            says: "E across k and B = k×E/ω obey all four equations, whatever the direction",
+            rows: &["E15"],
+            chain: || solves_maxwell(None, 1),
+            spoiled: || solves_maxwell(None, -1),
+            slip: "the sign of Ampère's law",
         },
         Derivation {
             id: "size",
@@ -85,7 +102,7 @@ pub(super) const STEP: Step = Step {
         },
     ],
     readout: Some(readout),
-    checks: &[ANY_DIRECTION, SPLIT, VACUUM, MISMATCH],
+    checks: &[ANY_DIRECTION, SPLIT, VACUUM_IMPEDANCE, MISMATCH],
     stress: &[],
     races: &[],
     figures: &[],
@@ -113,6 +130,42 @@ fn square(b: Expr) -> Chain {
         .then(Equation::new(curl(E), -partial(B, T)), ["∂cos", "in step"])
 }
 
+/// E = A e^{i(k·r − ωt)}: a wave in any direction, damped where k is complex.
+pub(super) fn oblique(start: impl Into<Claim>) -> Chain {
+    Chain::new(start).given(E, A_VECTOR * exp(i() * (dot(K_VECTOR, R) - OMEGA * T)), "E = A e^{i(k·r − ωt)}")
+}
+
+/// A stands across k.
+pub(crate) fn across_k(chain: Chain) -> Chain {
+    let k = |name| Symbol::scalar(name, Dimension::RADIAN_PER_METRE);
+    let a = |name| Symbol::scalar(name, Dimension::VOLT_PER_METRE);
+    let rest = (k("k_x") * a("A_x") + k("k_y") * a("A_y")) / k("k_z");
+    chain.given(a("A_z"), -rest, "k·A = 0")
+}
+
+fn across(sign: i32) -> Chain {
+    oblique(divergence(E)).then(sign * i() * dot(K_VECTOR, E), ["∇ = ik"]).because("which vanishes if k·E does")
+}
+
+/// Such a wave in all four equations; `sigma` where the medium conducts.
+pub(super) fn solves_maxwell(sigma: Option<Symbol>, sign: i32) -> Chain {
+    let k_squared = || dot(K_VECTOR, K_VECTOR);
+    let displacement = sign * EPSILON * MU * partial(E, T);
+    let (chain, ampere) = (oblique(Equation::new(divergence(E), 0)), |right| Equation::new(curl(B), right));
+    let chain = across_k(chain.given(B, cross(K_VECTOR, E) / OMEGA, "B = k×E/ω"));
+    let (chain, ampere) = match sigma {
+        None => (chain.given(MU, k_squared() / (EPSILON * OMEGA.pow(2)), "k² = εμω²"), ampere(displacement)),
+        Some(sigma) => {
+            let both = EPSILON * OMEGA.pow(2) + i() * &sigma * OMEGA;
+            (chain.given(MU, k_squared() / both, "k² = εμω² + iμσω"), ampere(MU * sigma * E + displacement))
+        }
+    };
+    chain
+        .then(Equation::new(divergence(B), 0), ["∇ = ik", "k·(k×A) = 0"])
+        .then(Equation::new(curl(E), -partial(B, T)), ["∇ = ik, ∂/∂t = −iω"])
+        .then(ampere, ["k×(k×A) = −k²A", "∇ = ik, ∂/∂t = −iω"])
+}
+
 fn ratio(last: Expr) -> Chain {
     harmonic(abs(E) / abs(B)).then(OMEGA / K, ["cancel the cosine"]).then(last, ["k = ω/v", "v = 1/√(εμ)"])
 }
@@ -123,7 +176,6 @@ fn impedance(last: Expr) -> Chain {
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
     let wave = super::wave(setting);
-    let quantity = |key, symbol, says, value, unit| Quantity { key, symbol, says, value, unit };
     vec![
         quantity("v_phase", "v", "speed of the phase", wave.v_phase, "m/s"),
         quantity("Z_re", "Re Z", "E over H, the part in phase", wave.impedance.re, "Ω"),
@@ -203,7 +255,7 @@ fn split(speed: fn(&Wave) -> f64) -> Measured {
     }))
 }
 
-const VACUUM: Check = Check {
+const VACUUM_IMPEDANCE: Check = Check {
     id: "vacuum_impedance",
     claim: "empty space has an impedance of 376.73 Ω",
     rows: &["E17"],

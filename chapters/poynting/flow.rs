@@ -3,8 +3,8 @@
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::plane_wave::fields::Dipole;
 use crate::plane_wave::symbols::{B, E, MU, S};
-use crate::plane_wave::{described, wave};
-use crate::setting::{FREQUENCY, MEDIUM, Parameter, Setting};
+use crate::plane_wave::{GREEN, VACUUM, described, quantity, wave};
+use crate::setting::Setting;
 use crate::vocabulary::{Bound, Check, Figure, Measured, Statement, Step};
 use glam::DVec3;
 use light::equation::Equation;
@@ -17,7 +17,7 @@ pub(super) const STEP: Step = Step {
     title: "Where the energy goes",
     says: "E × B over μ is the power that crosses a unit of area, here and now.",
     rows: &["E20"],
-    parameters: &[Parameter { default: "vacuum", ..MEDIUM }, Parameter { default: "545THz", ..FREQUENCY }],
+    parameters: &[VACUUM, GREEN],
     statements: &[Statement {
         id: "poynting",
         says: "the instantaneous flow of energy",
@@ -28,9 +28,9 @@ pub(super) const STEP: Step = Step {
     readout: Some(|setting| {
         let flux = super::flux(setting);
         vec![
-            super::quantity("S_now", "S(0)", "flow at z = 0 when E is at its peak of 1 V/m", flux.at(0.0), "W/m²"),
-            super::quantity("S_mean", "⟨S⟩", "its mean", flux.mean, "W/m²"),
-            super::quantity("S_swing", "ΔS", "by how much it swings about that", flux.swing, "W/m²"),
+            quantity("S_now", "S(0)", "flow at z = 0 when E is at its peak of 1 V/m", flux.at(0.0), "W/m²"),
+            quantity("S_mean", "⟨S⟩", "its mean", flux.mean, "W/m²"),
+            quantity("S_swing", "ΔS", "by how much it swings about that", flux.swing, "W/m²"),
         ]
     }),
     checks: &[LARMOR],
@@ -99,11 +99,13 @@ fn strip(setting: &Setting) -> Plot {
         let axes = Chart::new(
             format!("ωt = {}°", 45 * step),
             Axis::linear("z / λ", "").range(0.0, 2.0),
-            Axis::linear("over the amplitude", "").range(-1.1, 1.1),
+            Axis::linear("over the amplitudes", "").range(-1.1, 1.1),
         );
-        axes.line(Hue::S, "E", curve(&e))
-            .dashed(Hue::P, "H", curve(&h))
-            .line(Hue::Transmitted, "S", curve(&|z| e(z) * h(z)))
+        // One key for all four.
+        let name = |name: &str| if step == 0 { name.to_owned() } else { String::new() };
+        axes.line(Hue::S, name("E"), curve(&e))
+            .dashed(Hue::P, name("H"), curve(&h))
+            .line(Hue::Transmitted, name("S"), curve(&|z| e(z) * h(z)))
             .at_y(0.0, "")
             .into()
     };

@@ -1,10 +1,10 @@
 //! E23: the mean over a period.
 
 use crate::figure::{Axis, Chart, Hue, Plot};
-use crate::plane_wave::described;
 use crate::plane_wave::symbols::{AMPLITUDE, E, EPSILON, H, K, OMEGA, PERIOD, S, T, V, Z};
 use crate::plane_wave::transverse::harmonic;
-use crate::setting::{FREQUENCY, MEDIUM, Parameter, Setting};
+use crate::plane_wave::{GREEN, VACUUM, described, quantity, wave};
+use crate::setting::Setting;
 use crate::vocabulary::{
     Bound, Check, Derivation, Expects, Extreme, Figure, Heat, Lane, Measured, Race, Statement, Step, Stress,
 };
@@ -25,7 +25,7 @@ pub(super) const STEP: Step = Step {
     title: "The mean over a period",
     says: "A squared cosine is a half on average, so the mean flow is ½vεA².",
     rows: &["E23"],
-    parameters: &[Parameter { default: "vacuum", ..MEDIUM }, Parameter { default: "545THz", ..FREQUENCY }],
+    parameters: &[VACUUM, GREEN],
     statements: &[
         Statement {
             id: "average",
@@ -59,10 +59,10 @@ pub(super) const STEP: Step = Step {
         },
     ],
     readout: Some(|setting| {
-        let wave = crate::plane_wave::wave(setting);
+        let wave = wave(setting);
         vec![
-            super::quantity("S_avg", "⟨S⟩", "mean flow at an amplitude of 1 V/m", wave.mean_flux, "W/m²"),
-            super::quantity("A_sun", "A", "amplitude that carries 1 kW/m²", (1000.0 / wave.mean_flux).sqrt(), "V/m"),
+            quantity("S_avg", "⟨S⟩", "mean flow at an amplitude of 1 V/m", wave.mean_flux, "W/m²"),
+            quantity("A_sun", "A", "amplitude that carries 1 kW/m²", (1000.0 / wave.mean_flux).sqrt(), "V/m"),
         ]
     }),
     checks: &[QUADRATURE],
@@ -161,6 +161,9 @@ fn late() -> Vec<Extreme> {
 /// How peaked the pulses of the race are.
 const SHARPNESS: f64 = 5.0;
 
+/// The error of the trapezoid with n points over a period is Σ 2I_{jn}(10)/I₀(10), j = 1, 2, …: the harmonics that it
+/// takes for the mean. That of Simpson's rule is (4 of it − the one with n/2)/3. Both fall faster than any power; the
+/// orders below are the slopes of these sums over the works raced.
 const AVERAGES: Race = Race {
     id: "averages",
     claim: "over a whole period the plainest rule is the best: the trapezoid gains digits in proportion to its points",
@@ -199,8 +202,8 @@ const AVERAGES: Race = Race {
         Lane {
             id: "simpson",
             label: "Simpson",
-            works: &[8, 16, 24, 32, 48, 64],
-            expects: Expects::Order { order: 12.0, tolerance: 6.0 },
+            works: &[8, 16, 24, 32, 48],
+            expects: Expects::Order { order: 11.46, tolerance: 0.1 },
             repeats: 1,
             prepare: |_, work| summed(simpson(work as usize)),
         },
@@ -208,6 +211,7 @@ const AVERAGES: Race = Race {
             id: "gauss",
             label: "Gauss",
             works: &[8, 12, 16, 24, 32],
+            // No closed form is known: that it is faster than rules of fixed order are is all that is asserted.
             expects: Expects::Order { order: 14.0, tolerance: 6.0 },
             repeats: 1,
             prepare: |_, work| summed(gauss_legendre(work as usize)),
@@ -216,7 +220,7 @@ const AVERAGES: Race = Race {
             id: "trapezoid",
             label: "trapezoid",
             works: &[4, 8, 12, 16, 24],
-            expects: Expects::Order { order: 12.0, tolerance: 6.0 },
+            expects: Expects::Order { order: 11.68, tolerance: 0.1 },
             repeats: 1,
             prepare: |_, work| summed(trapezoid(work as usize)),
         },
@@ -266,7 +270,7 @@ fn period(setting: &Setting) -> Plot {
         Axis::linear("time t / T", "").range(0.0, 2.0).tick(0.25),
         Axis::linear("over the amplitude, S over |E||H|", "").range(-1.1, 1.1),
     )
-    .dashed(Hue::S, "E", curve(&|x| cis(x).re))
+    .line(Hue::S, "E", curve(&|x| cis(x).re))
     .dashed(Hue::P, "H", curve(&|x| cis(x - flux.lag).re))
     .line(Hue::Transmitted, "S", curve(&|x| flux.at(x / flux.frequency) / peak))
     .at_y(flux.mean / peak, "⟨S⟩")

@@ -7,8 +7,9 @@ mod phasor;
 mod theorem;
 mod window;
 
+use crate::plane_wave::wave;
 use crate::setting::Setting;
-use crate::vocabulary::{Chapter, Quantity};
+use crate::vocabulary::Chapter;
 use light::waves::flux::Flux;
 
 /// The chapter.
@@ -24,15 +25,5 @@ pub const CHAPTER: Chapter = Chapter {
 
 /// The flow at z = 0 of the setting's wave, of amplitude 1 V/m.
 fn flux(setting: &Setting) -> Flux {
-    Flux::at_depth(&crate::plane_wave::wave(setting), 1.0, 0.0)
-}
-
-const fn quantity(
-    key: &'static str,
-    symbol: &'static str,
-    says: &'static str,
-    value: f64,
-    unit: &'static str,
-) -> Quantity {
-    Quantity { key, symbol, says, value, unit }
+    Flux::at_depth(&wave(setting), 1.0, 0.0)
 }

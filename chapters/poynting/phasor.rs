@@ -1,6 +1,7 @@
 //! E24: the mean from complex amplitudes.
 
 use crate::plane_wave::symbols::{AMPLITUDE, OMEGA, PERIOD, S, T};
+use crate::plane_wave::{quantity, wave};
 use crate::setting::{FREQUENCY, MEDIUM};
 use crate::vocabulary::{Bound, Check, Derivation, Measured, Statement, Step};
 use light::Complex64;
@@ -52,12 +53,12 @@ pub(super) const STEP: Step = Step {
         slip: "the conjugate forgotten",
     }],
     readout: Some(|setting| {
-        let wave = crate::plane_wave::wave(setting);
+        let wave = wave(setting);
         vec![
-            super::quantity("S_avg", "½ Re(E H*)", "mean flow at an amplitude of 1 V/m", wave.mean_flux, "W/m²"),
-            super::quantity("S_vacuum", "½cε_0A²", "what the same field carries in empty space", 0.5 / Z_0, "W/m²"),
-            super::quantity("S_modulus", "½|E||H|", "without the lag", 0.5 / wave.impedance.norm(), "W/m²"),
-            super::quantity("phase_lag", "φ", "by which H lags E", wave.phase_lag, "rad"),
+            quantity("S_avg", "½ Re(E H*)", "mean flow at an amplitude of 1 V/m", wave.mean_flux, "W/m²"),
+            quantity("S_vacuum", "½cε_0A²", "what the same field carries in empty space", 0.5 / Z_0, "W/m²"),
+            quantity("S_modulus", "½|E||H|", "without the lag", 0.5 / wave.impedance.norm(), "W/m²"),
+            quantity("phase_lag", "φ", "by which H lags E", wave.phase_lag, "rad"),
         ]
     }),
     checks: &[OUT_OF_STEP, SQUARE],

@@ -1,7 +1,9 @@
 //! C3: which way the energy flows, and that none is lost on the books.
 
-use crate::plane_wave::fields::{Patch, Plane, crowd, direction, over_time};
+use crate::plane_wave::fields::{Plane, crowd, direction, outflows, over_time};
 use crate::plane_wave::symbols::{A_VECTOR, B, E, EPSILON, H, J, K_VECTOR, MU, OMEGA, S, T, U_DENSITY};
+use crate::plane_wave::transverse::across_k;
+use crate::plane_wave::{quantity, wave};
 use crate::setting::{FREQUENCY, MEDIUM, Setting};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Extreme, Measured, Quantity, Statement, Step, Stress};
 use glam::DVec3;
@@ -95,28 +97,24 @@ fn balance(sign: i32) -> Chain {
 }
 
 fn along_k(last: Expr) -> Chain {
-    use light::equation::{Dimension, Symbol};
-    let k = |name| Symbol::scalar(name, Dimension::RADIAN_PER_METRE).real(0.5, 2.0);
-    let a = |name| Symbol::scalar(name, Dimension::VOLT_PER_METRE).real(0.5, 2.0);
-    let across = (k("k_x") * a("A_x") + k("k_y") * a("A_y")) / k("k_z");
-    Chain::new(cross(E, B) / MU)
-        .because("S of a wave E = A in the direction k")
+    let chain = Chain::new(cross(E, B) / MU)
+        .because("S of a wave in the direction k, where and when E = A")
         .given(E, A_VECTOR, "E at this place and time")
-        .given(B, cross(K_VECTOR, E) / OMEGA, "B = k×E/ω")
-        .given(a("A_z"), -across, "k·E = 0")
+        .given(B, cross(K_VECTOR, E) / OMEGA, "B = k×E/ω");
+    across_k(chain)
         .then((dot(E, E) * K_VECTOR - dot(K_VECTOR, E) * E) / (OMEGA * MU), ["a×(b×a)"])
-        .then(last, ["k·E = 0"])
+        .then(last, ["k·A = 0"])
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
-    let wave = crate::plane_wave::wave(setting);
+    let wave = wave(setting);
     let depth = if wave.skin_depth.is_finite() { wave.skin_depth } else { wave.wavelength };
     let heat = -wave.mean_flux * (-2.0 * wave.k.im * depth).exp_m1();
     vec![
-        super::quantity("slab", "d", "a slab one skin depth thick; a wavelength where there is none", depth, "m"),
-        super::quantity("entering", "⟨S⟩", "what enters it, at 1 V/m", wave.mean_flux, "W/m²"),
-        super::quantity("heat", "Q", "what it turns to heat", heat, "W/m²"),
-        super::quantity("leaving", "⟨S⟩(d)", "what leaves it", wave.mean_flux - heat, "W/m²"),
+        quantity("slab", "d", "a slab one skin depth thick; a wavelength where there is none", depth, "m"),
+        quantity("entering", "⟨S⟩", "what enters it, at 1 V/m", wave.mean_flux, "W/m²"),
+        quantity("heat", "Q", "what it turns to heat", heat, "W/m²"),
+        quantity("leaving", "⟨S⟩(d)", "what leaves it", wave.mean_flux - heat, "W/m²"),
     ]
 }
 
@@ -169,13 +167,7 @@ fn tangled(bench: &mut Bench, magnetic: f64) -> Measured {
             total * side.powi(3)
         };
         let (from, to) = (0.0, 0.7 / omega);
-        let [x, y, z] = DVec3::AXES.map(|axis| axis * side);
-        let out = |time: f64| {
-            [(x, y, z), (y, z, x), (z, x, y)].map(|(a, b, across)| {
-                let near = Patch { corner, sides: [a, b] };
-                Patch { corner: corner + across, ..near }.flux(&flow, time) - near.flux(&flow, time)
-            })
-        };
+        let out = |time: f64| outflows(&flow, corner, side, time);
         let lost = over_time(from, to, |time| out(time).iter().sum());
         let crossed = over_time(from, to, |time| out(time).iter().map(|flow| flow.abs()).sum());
         ((held(to) - held(from) + lost) / crossed, format!("round {round}"))

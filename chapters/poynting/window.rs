@@ -1,8 +1,8 @@
 //! C5: a detector averages over many periods, but not over a whole number of them.
 
 use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
-use crate::plane_wave::described;
-use crate::setting::{FREQUENCY, Kind, MEDIUM, Parameter, Setting};
+use crate::plane_wave::{GREEN, VACUUM, described, quantity};
+use crate::setting::{Kind, Parameter, Setting};
 use crate::vocabulary::{Bound, Check, Expects, Figure, Heat, Lane, Measured, Race, Step, fitted_order};
 use light::evidence::quadrature::gauss_legendre;
 use light::evidence::waves::phase;
@@ -22,7 +22,7 @@ pub(super) const STEP: Step = Step {
     title: "What a detector reads",
     says: "A shutter that cuts a period in two leaves an error that falls as 1/T; a soft one does far better.",
     rows: &["C5"],
-    parameters: &[Parameter { default: "vacuum", ..MEDIUM }, Parameter { default: "545THz", ..FREQUENCY }, PERIODS],
+    parameters: &[VACUUM, GREEN, PERIODS],
     statements: &[],
     derivations: &[],
     readout: Some(|setting| {
@@ -30,10 +30,10 @@ pub(super) const STEP: Step = Step {
         let duration = setting.number("periods") / flux.frequency;
         let off = |window: Window| flux.average(window, 0.0, duration) / flux.mean - 1.0;
         vec![
-            super::quantity("duration", "T", "how long it looks", duration, "s"),
-            super::quantity("box", "Δ_{box}", "error of a shutter, over the mean", off(Window::Box), "1"),
-            super::quantity("hann", "Δ_{Hann}", "error of a window 1 − cos", off(Window::Hann), "1"),
-            super::quantity("nuttall", "Δ_{Nuttall}", "error of Nuttall's window", off(Window::Nuttall), "1"),
+            quantity("duration", "T", "how long it looks", duration, "s"),
+            quantity("box", "Δ_{box}", "error of a shutter, over the mean", off(Window::Box), "1"),
+            quantity("hann", "Δ_{Hann}", "error of a window 1 − cos", off(Window::Hann), "1"),
+            quantity("nuttall", "Δ_{Nuttall}", "error of Nuttall's window", off(Window::Nuttall), "1"),
         ]
     }),
     checks: &[CLOSED_FORM, BOX_FALLS, HANN_FALLS, BILLION],
@@ -42,7 +42,7 @@ pub(super) const STEP: Step = Step {
     figures: &[
         Figure {
             id: "windows",
-            says: "The flow as the detector sees it through a shutter and through soft windows.",
+            says: "The flow as the detector weighs it through a shutter and through soft windows, with what it then reads.",
             rows: &["C5"],
             plot: windows,
         },
@@ -199,26 +199,41 @@ fn windows(setting: &Setting) -> Plot {
     // More than a few dozen periods would be a grey bar.
     let periods = setting.number("periods").min(12.0);
     let (peak, duration) = (2.0 * flux.swing, periods / flux.frequency);
-    let panel = |(title, window): (&str, Window)| {
-        let most = [Window::Box, Window::Hann, Window::Nuttall].map(|window| window.weight(0.5));
-        let most = most.into_iter().fold(0.0, f64::max);
+    let most = Window::ALL.map(|window| window.weight(0.5)).into_iter().fold(0.0, f64::max);
+    let panel = |(at, window): (usize, Window)| {
         let curve = |value: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
             (0..=1200).map(|at| f64::from(at) / 1200.0).map(|u| [u * periods, value(u)]).collect()
         };
         let (seen, mean) = (flux.average(window, 0.0, duration), flux.mean);
+        // One key for all.
+        let name = |name: &str| if at == 0 { name.to_owned() } else { String::new() };
         Chart::new(
-            format!("{title}: {:+.2e}", seen / mean - 1.0),
+            format!("{}: off by {}", name_of(window), power(seen / mean - 1.0)),
             Axis::linear("time in periods", "").range(0.0, periods),
             Axis::linear("weight, and S over its peak", "").range(-0.3, 1.1 * most),
         )
-        .dashed(Hue::Reference, "weight", curve(&|u| window.weight(u)))
-        .line(Hue::Transmitted, "S, weighed", curve(&|u| window.weight(u) * flux.at(u * duration) / peak))
-        .at_y(seen / peak, "what it reads")
+        .dashed(Hue::Reference, name("weight"), curve(&|u| window.weight(u)))
+        .line(Hue::Transmitted, name("S, weighed"), curve(&|u| window.weight(u) * flux.at(u * duration) / peak))
+        .at_y(seen / peak, "")
         .into()
     };
-    let all = [("Shutter", Window::Box), ("Hann", Window::Hann), ("Nuttall", Window::Nuttall)];
-    let title = format!("{periods} periods of {}", described(setting));
-    Plot::grid(title, 2, all.map(panel).into())
+    let title = format!("{} periods in {}", crate::setting::number(periods), described(setting));
+    Plot::grid(title, 2, Window::ALL.into_iter().enumerate().map(panel).collect())
+}
+
+fn name_of(window: Window) -> &'static str {
+    match window {
+        Window::Box => "shutter",
+        Window::Hann => "Hann",
+        Window::BlackmanHarris => "Blackman–Harris",
+        Window::Nuttall => "Nuttall",
+    }
+}
+
+/// `−2.03·10^{−2}`, in the markup of labels.
+fn power(x: f64) -> String {
+    let text = format!("{x:+.2e}").replace('-', "−");
+    text.split_once('e').map_or(text.clone(), |(digits, power)| format!("{digits}·10^{{{power}}}"))
 }
 
 fn errors(setting: &Setting) -> Plot {
@@ -229,21 +244,16 @@ fn errors(setting: &Setting) -> Plot {
         Axis::log("length of the average in periods", "").range(0.3, 1e4),
         Axis::log("error over the mean", "").range(1e-16, 10.0),
     );
-    // Every quarter of a period where curves can still be told apart, then only the worst lengths.
-    let near = || (12..=400).map(|at| f64::from(at) / 40.0);
+    // Everywhere while the curves can be told apart, then at the worst lengths alone.
+    let near = || (60..=2000).map(|at| f64::from(at) / 200.0);
     let far = || (20..=80).map(|at| (10f64.powf(f64::from(at) / 20.0)).floor() + 0.25);
-    let windows = [("shutter", Window::Box), ("Hann", Window::Hann), ("Nuttall", Window::Nuttall)];
-    let chart = windows.into_iter().enumerate().fold(chart, |chart, (at, (name, window))| {
+    let chart = Window::ALL.into_iter().enumerate().fold(chart, |chart, (at, window)| {
         let left = |periods: f64| [periods, (share * window.response(2.0, periods)).abs()];
         let hue = Hue::Nth(at as u8);
         let envelope = far().map(left).filter(|point| point[1] > 1e-16);
-        chart.line(hue, name, near().map(left).filter(|point| point[1] > 1e-16).collect()).with(Mark::Points {
-            label: String::new(),
-            hue,
-            shape: Shape::Disc,
-            joined: false,
-            points: envelope.collect(),
-        })
+        chart.line(hue, name_of(window), near().map(left).filter(|point| point[1] > 1e-16).collect()).with(
+            Mark::Points { label: String::new(), hue, shape: Shape::Disc, joined: false, points: envelope.collect() },
+        )
     });
     Plot::of("How long must one look?", chart.at_x(setting.number("periods"), "N"))
 }
