@@ -75,14 +75,16 @@ fn legend(lane: &LaneReport) -> String {
 }
 
 /// The asserted order as a dotted line through the lane's last point. An order is one in the work: each amount of work
-/// stands at the time that it took, whether that grows with it, with its square or from a start-up cost.
+/// stands at the time that it took, whether that grows with it, with its square or from a start-up cost. None beside a
+/// lane that bends away from it, as those do that are faster than any power.
 fn guide(lane: &LaneReport, points: &[[f64; 2]], order: f64) -> Option<Mark> {
     let drawn: Vec<_> = lane.points.iter().zip(points).filter(|(_, [x, y])| *x > 0.0 && y.is_finite()).collect();
     let (last, [_, error]) = drawn.last()?;
-    if drawn.len() < 2 || order <= 0.0 {
+    let due = |work: u64| error * (last.work as f64 / work as f64).powf(order);
+    let follows = drawn.iter().all(|(point, [_, error])| (0.1..=10.0).contains(&(due(point.work) / error)));
+    if drawn.len() < 2 || order <= 0.0 || !follows {
         return None;
     }
-    let due = |work: u64| error * (last.work as f64 / work as f64).powf(order);
     let points = drawn.iter().map(|(point, [time, _])| [*time, due(point.work)]).collect();
     Some(Mark::Line { label: String::new(), hue: Hue::Reference, dash: Dash::Dotted, points })
 }
@@ -155,6 +157,12 @@ mod tests {
             points.iter().flatten().zip(due.iter().flatten()).all(|(a, b)| (a / b - 1.0).abs() < 1e-12),
             "{points:?}"
         );
+    }
+
+    #[test]
+    fn a_lane_that_bends_has_no_order_drawn_beside_it() {
+        let marks = marks(&race(&[1.0, 0.1, 1e-4, 1e-10], Expects::Order { order: 11.0, tolerance: 1.0 }));
+        assert!(matches!(&marks[..], [Mark::Points { .. }]));
     }
 
     #[test]

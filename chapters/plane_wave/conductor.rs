@@ -1,6 +1,6 @@
 //! E18: waves where there is a current.
 
-use super::perspective::{Arrows, span, travelling};
+use super::perspective::{span, travelling};
 use super::symbols::{AMPLITUDE, B, DELTA, E, EPSILON, H, J, K, K_VECTOR, MU, OMEGA, SIGMA, T, Z, Z_C};
 use super::transverse::{oblique, solves_maxwell};
 use super::wave_equation::twice;
@@ -380,7 +380,7 @@ fn describe(medium: &Medium, omega: f64) -> String {
 fn perspective(setting: &Setting) -> Plot {
     let wave = wave(setting);
     let shown = format!("{} wavelengths", crate::setting::number((100.0 * span(&wave)).round() / 100.0));
-    Plot::of(format!("A wave in {}", described(setting)), travelling(shown, &wave, 0.0, Arrows::Named))
+    Plot::of(format!("E, upright, and B, across, in {}", described(setting)), travelling(shown, &wave, 0.0))
 }
 
 fn decay(setting: &Setting) -> Plot {
@@ -436,18 +436,18 @@ fn skin_depths(setting: &Setting) -> Plot {
 }
 
 fn lags(setting: &Setting) -> Plot {
-    let tangents = || (0..=400).map(|at| 10f64.powf(f64::from(at) / 20.0 - 8.0));
+    let tangents = || (0..=400).map(|at| 10f64.powf(f64::from(at) / 25.0 - 6.0));
     let wave_at = |tangent: f64| {
         let medium = Medium::relative(1.0, 1.0, tangent * EPSILON_0).expect("a medium");
         Wave::new(&medium, 1.0).expect("a positive frequency")
     };
     let own = setting.conductor("medium").loss_tangent(setting.frequency()).unwrap_or(f64::NAN);
-    let axis = || Axis::log("σ/(ωε)", "").range(1e-8, 1e12);
-    let mark = |chart: Chart| if (1e-8..=1e12).contains(&own) { chart.at_x(own, "the setting") } else { chart };
+    let axis = || Axis::log("σ/(ωε)", "").range(1e-6, 1e10);
+    let mark = |chart: Chart| if (1e-6..=1e10).contains(&own) { chart.at_x(own, "the setting") } else { chart };
     let lag = Chart::new("Lag", axis(), Axis::linear("lag of H behind E, φ", "°").range(0.0, 50.0).tick(15.0))
         .line(Hue::Ours, "", tangents().map(|tangent| [tangent, wave_at(tangent).phase_lag.to_degrees()]).collect())
         .at_y(45.0, "45°");
-    let lost = Chart::new("Decay", axis(), Axis::log("1 − E(λ)/E(0)", "").range(1e-8, 10.0))
+    let lost = Chart::new("Decay", axis(), Axis::log("1 − E(λ)/E(0)", "").range(1e-6, 10.0))
         .line(
             Hue::Ours,
             "",

@@ -1,6 +1,6 @@
 //! E14, E19: one frequency, its wavelength and its wave number.
 
-use super::perspective::{Arrows, travelling};
+use super::perspective::travelling;
 use super::symbols::{AMPLITUDE, AMPLITUDE_B, E, EPSILON, K, K_VECTOR, LAMBDA, MU, OMEGA, T, V, WAVE, Z};
 use super::transverse::oblique;
 use super::wave_equation::twice;
@@ -214,9 +214,8 @@ fn perspective(setting: &Setting) -> Plot {
     let wave = wave(setting);
     let panel = |step: u32| {
         let turn = TAU * f64::from(step) / 6.0;
-        let arrows = if step == 0 { Arrows::Named } else { Arrows::Plain };
-        travelling(format!("ωt = {}°", 60 * step), &wave, turn, arrows).into()
+        travelling(format!("ωt = {}°", 60 * step), &wave, turn).into()
     };
-    let title = format!("E and B of a travelling wave in {}", described(setting));
+    let title = format!("E, upright, and B, across, in {}", described(setting));
     Plot::grid(title, 2, (0..4).map(panel).collect())
 }

@@ -282,14 +282,14 @@ fn spectra(setting: &Setting) -> Plot {
     let points = |spectrum: Spectrum| -> Vec<[f64; 2]> {
         let all = spectrum.coefficients().iter().enumerate().skip(1).map(|(m, c)| [m as f64, c.norm()]);
         // Every tenth harmonic of the square pulse is zero.
-        all.filter(|[_, size]| *size > 1e-18).collect()
+        all.filter(|[_, size]| *size > 1e-16).collect()
     };
     let mark =
         |label: &str, hue, shape, points| Mark::Points { label: label.into(), hue, shape, joined: false, points };
     let chart = Chart::new(
         "",
         Axis::linear("harmonic m", "").range(0.0, most as f64),
-        Axis::log("share |c_m|", "").range(1e-17, 1.0),
+        Axis::log("share |c_m|", "").range(1e-16, 1.0),
     )
     .dashed(Hue::Reference, "1/(πm)", (1..=most).map(|m| m as f64).map(|m| [m, 1.0 / (PI * m)]).collect())
     .with(mark("square pulse", Hue::Nth(0), Shape::Square, points(square_series(most))))

@@ -1,18 +1,9 @@
-//! A wave in perspective: E up, B across, the propagation to the right and back.
+//! A wave in perspective: E upright, B across, the propagation to the right and back.
 
 use crate::figure::{Axis, Chart, Dash, Hue, Mark};
 use light::Complex64;
 use light::waves::Wave;
 use std::f64::consts::TAU;
-
-/// Whether the arrows carry their names.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Arrows {
-    /// In the key.
-    Named,
-    /// Not.
-    Plain,
-}
 
 /// How many wavelengths show what the wave does: not quite two, or five skin depths if that is less.
 pub fn span(wave: &Wave) -> f64 {
@@ -23,8 +14,8 @@ pub fn span(wave: &Wave) -> f64 {
 /// and a little up. Amplitudes and the whole way are 1.
 const PAPER: [[f64; 2]; 3] = [[0.0, 0.72], [-0.34, -0.42], [2.2, 0.5]];
 
-/// E and B, each over its amplitude at z = 0, as far as [`span`] says, `turn` = ωt [rad] after the start.
-pub fn travelling(title: String, wave: &Wave, turn: f64, arrows: Arrows) -> Chart {
+/// E (blue) and B (red), each over its amplitude at z = 0, as far as [`span`] says, `turn` = ωt [rad] after the start.
+pub fn travelling(title: String, wave: &Wave, turn: f64) -> Chart {
     // By wavelengths, so that no scale can overflow: decay per wavelength and the lag are all that shapes the picture.
     let (decay, lag, far) = (wave.k.im / wave.k.re, wave.phase_lag, span(wave));
     let amplitude = |z: f64| (Complex64::new(-decay, 1.0) * (TAU * z)).exp();
@@ -37,15 +28,14 @@ pub fn travelling(title: String, wave: &Wave, turn: f64, arrows: Arrows) -> Char
     };
     let electric = |z: f64| paper(e(z), 0.0, z / far);
     let magnetic = |z: f64| paper(0.0, h(z), z / far);
-    let name = |name: &str| if arrows == Arrows::Named { name.to_owned() } else { String::new() };
     let thin = |hue, points| Mark::Line { label: String::new(), hue, dash: Dash::Dotted, points };
-    Chart::new(title, Axis::bare(-0.5, 2.5), Axis::bare(-0.8, 1.35))
+    Chart::new(title, Axis::bare(-0.5, 2.65), Axis::bare(-0.8, 1.35))
         .line(Hue::Reference, "", vec![paper(0.0, 0.0, -0.06), paper(0.0, 0.0, END)])
         .line(Hue::Reference, "", head())
         .with(thin(Hue::P, stems(far, &magnetic)))
-        .line(Hue::P, name("B across, over its amplitude"), curve(&magnetic))
+        .line(Hue::P, "", curve(&magnetic))
         .with(thin(Hue::S, stems(far, &electric)))
-        .line(Hue::S, name("E up, over its amplitude"), curve(&electric))
+        .line(Hue::S, "", curve(&electric))
 }
 
 /// Where E = `x` and B = `y`, over their amplitudes, stand at the share `z` of the way.
