@@ -61,24 +61,24 @@ pub(super) const STEP: Step = Step {
             id: "telegraph",
             says: "Ampère's law with J = σE, and the curl of Faraday's",
             rows: &["E18"],
-            chain: || telegraph(1),
-            spoiled: || telegraph(-1),
+            chain: || telegraph(MU * SIGMA * partial(E, T)),
+            spoiled: || telegraph(-(MU * SIGMA * partial(E, T))),
             slip: "the current that the field drives is taken for one that drives the field",
         },
         Derivation {
             id: "dispersion",
             says: "a wave e^{i(k·r − ωt)} in that equation",
             rows: &["E18"],
-            chain: || dispersion(1),
-            spoiled: || dispersion(-1),
+            chain: || dispersion(i() * MU * SIGMA * OMEGA),
+            spoiled: || dispersion(-(i() * MU * SIGMA * OMEGA)),
             slip: "the sign that belongs to e^{+iωt}: the wave would grow",
         },
         Derivation {
             id: "all_four",
             says: "with that k the wave obeys all four equations, whatever the direction",
             rows: &["E18"],
-            chain: || solves_maxwell(Some(SIGMA), 1),
-            spoiled: || solves_maxwell(Some(SIGMA), -1),
+            chain: || solves_maxwell(Some(SIGMA), EPSILON * MU * partial(E, T)),
+            spoiled: || solves_maxwell(Some(SIGMA), -(EPSILON * MU * partial(E, T))),
             slip: "the displacement current runs backwards",
         },
         Derivation {
@@ -131,13 +131,13 @@ pub(super) const STEP: Step = Step {
             plot: decay,
         },
         Figure {
-            id: "skin_depth",
+            id: "skin_depths",
             says: "Skin depth against frequency over fifteen decades, as far as each medium was measured; metals appear again as light meets them.",
             rows: &["E18"],
             plot: skin_depths,
         },
         Figure {
-            id: "lag",
+            id: "lags",
             says: "By how much H lags E, and how much of the field is lost over a wavelength, against σ/(ωε).",
             rows: &["E18"],
             plot: lags,
@@ -146,7 +146,7 @@ pub(super) const STEP: Step = Step {
 };
 
 /// Maxwell's equations with J = σE and no charges.
-fn telegraph(sign: i32) -> Chain {
+fn telegraph(conduction: Expr) -> Chain {
     Chain::new(curl(curl(E)))
         .given(divergence(E), 0, "∇·E = 0")
         .given(divergence(B), 0, "∇·B = 0")
@@ -156,10 +156,7 @@ fn telegraph(sign: i32) -> Chain {
         .then(-partial(curl(B), T), ["∇×E = −∂B/∂t", "derivatives commute"])
         .then(-(MU * partial(J, T)) - EPSILON * MU * twice(E, T), ["∇×B = μJ + εμ ∂E/∂t"])
         .then(-(MU * SIGMA * partial(E, T)) - EPSILON * MU * twice(E, T), ["J = σE"])
-        .then(
-            Equation::new(laplacian(E), sign * MU * SIGMA * partial(E, T) + EPSILON * MU * twice(E, T)),
-            ["∇×∇× = ∇∇· − ∇²", "∇·E = 0"],
-        )
+        .then(Equation::new(laplacian(E), conduction + EPSILON * MU * twice(E, T)), ["∇×∇× = ∇∇· − ∇²", "∇·E = 0"])
 }
 
 /// A e^{i(kz − ωt)}
@@ -167,8 +164,8 @@ fn wave_along_z() -> Expr {
     AMPLITUDE * exp(i() * (K_C * Z - OMEGA * T))
 }
 
-fn dispersion(sign: i32) -> Chain {
-    let square = EPSILON * MU * OMEGA.pow(2) + sign * i() * MU * SIGMA * OMEGA;
+fn dispersion(loss: Expr) -> Chain {
+    let square = EPSILON * MU * OMEGA.pow(2) + loss;
     oblique(laplacian(E) - MU * SIGMA * partial(E, T) - EPSILON * MU * twice(E, T))
         .because("nought, by the wave equation with a current")
         .then((square - dot(K_VECTOR, K_VECTOR)) * E, ["∇ = ik, ∂/∂t = −iω"])

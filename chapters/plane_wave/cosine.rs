@@ -73,8 +73,8 @@ pub(super) const STEP: Step = Step {
             id: "any_direction",
             says: "a wave e^{i(k·r − ωt)} in any direction obeys the wave equation if k² = εμω²",
             rows: &["E19"],
-            chain: || any_direction(1),
-            spoiled: || any_direction(-1),
+            chain: || any_direction(dot(K_VECTOR, K_VECTOR)),
+            spoiled: || any_direction(-dot(K_VECTOR, K_VECTOR)),
             slip: "∂²/∂z² taken for k², not −k²",
         },
     ],
@@ -111,10 +111,10 @@ fn radians(wavelength: Expr) -> Chain {
         .then(AMPLITUDE * cos(K * Z - OMEGA * T), ["k = ω/v"])
 }
 
-fn any_direction(sign: i32) -> Chain {
+fn any_direction(k_squared: Expr) -> Chain {
     oblique(laplacian(E) - EPSILON * MU * twice(E, T))
         .because("nought, by the wave equation")
-        .then((EPSILON * MU * OMEGA.pow(2) - sign * dot(K_VECTOR, K_VECTOR)) * E, ["∇ = ik, ∂/∂t = −iω"])
+        .then((EPSILON * MU * OMEGA.pow(2) - k_squared) * E, ["∇ = ik, ∂/∂t = −iω"])
         .because("so the factor in front of E vanishes")
 }
 

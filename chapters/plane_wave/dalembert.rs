@@ -24,7 +24,7 @@ pub(super) const STEP: Step = Step {
             id: "one_dimension",
             says: "the wave equation of a field that depends on z and t alone",
             rows: &["E9"],
-            equation: || Equation::new(operator(&WAVE.at([Z.into(), T.into()]), 1), 0),
+            equation: || Equation::new(operator(&WAVE.at([Z.into(), T.into()]), EPSILON * MU), 0),
         },
         Statement {
             id: "solution",
@@ -38,8 +38,8 @@ pub(super) const STEP: Step = Step {
             id: "reduction",
             says: "the wave equation of a field along x that is the same for all x and y",
             rows: &["E9"],
-            chain: || reduction(1),
-            spoiled: || reduction(-1),
+            chain: || reduction(EPSILON * MU),
+            spoiled: || reduction(-(EPSILON * MU)),
             slip: "the sign of Laplace's equation",
         },
         Derivation {
@@ -66,27 +66,27 @@ pub(super) const STEP: Step = Step {
     ],
 };
 
-/// (∂²/∂z² − εμ ∂²/∂t²) f, with `sign` in front of εμ reversed.
-fn operator(f: &Expr, sign: i32) -> Expr {
-    twice(f, Z) - sign * EPSILON * MU * twice(f, T)
+/// (∂²/∂z² − `slowness` ∂²/∂t²) f
+fn operator(f: &Expr, slowness: Expr) -> Expr {
+    twice(f, Z) - slowness * twice(f, T)
 }
 
 fn running_apart() -> Expr {
     F_1.at([Z - T / sqrt(EPSILON * MU)]) + F_2.at([Z + T / sqrt(EPSILON * MU)])
 }
 
-fn reduction(sign: i32) -> Chain {
+fn reduction(slowness: Expr) -> Chain {
     let f = WAVE.at([Z.into(), T.into()]);
     Chain::new(laplacian(E) - EPSILON * MU * twice(E, T))
         .because("nought, by E7")
         .given(E, vector(&f, 0, 0), "along x, the same for all x and y")
-        .then(vector(operator(&f, sign), 0, 0), ["∂/∂x = ∂/∂y = 0"])
+        .then(vector(operator(&f, slowness), 0, 0), ["∂/∂x = ∂/∂y = 0"])
 }
 
 fn chain_rule(shapes: Expr) -> Chain {
     Chain::new(Equation::new(twice(WAVE, Z), EPSILON * MU * twice(WAVE, T)))
         .given(WAVE, &shapes, "d'Alembert")
-        .then(Equation::new(operator(&shapes, 1), 0), ["d'Alembert", "chain rule"])
+        .then(Equation::new(operator(&shapes, EPSILON * MU), 0), ["d'Alembert", "chain rule"])
 }
 
 /// Length of the line, in metres of a string whose waves run at 1 m/s.

@@ -44,7 +44,7 @@ pub(super) const STEP: Step = Step {
     races: &[TRUNCATED],
     figures: &[
         Figure {
-            id: "gibbs",
+            id: "partial_sums",
             says: "Partial sums of a square pulse: the horns at the edges get narrower with more harmonics, but not lower.",
             rows: &["E13"],
             plot: gibbs,
@@ -84,8 +84,8 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     let lost = |spectrum: &Spectrum| spectrum.tail(kept) / spectrum.mean_square().sqrt();
     let overshoot = square_series(kept).at(0.5 * SQUARE - 0.5 / (kept as f64 + 1.0)) - 1.0;
     let all = [
-        ("lost_square", "Δ_{square}", "rms share of the square pulse beyond them", lost(&square)),
-        ("lost_smooth", "Δ_{smooth}", "rms share of the smooth pulse beyond them", lost(&smooth)),
+        ("lost_square", "Δ(square)", "rms share of the square pulse beyond them", lost(&square)),
+        ("lost_smooth", "Δ(smooth)", "rms share of the smooth pulse beyond them", lost(&smooth)),
         ("overshoot", "ΔE", "overshoot of the square pulse beside its edge", overshoot),
     ];
     all.map(|(key, symbol, says, value)| Quantity { key, symbol, says, value, unit: "1" }).into()

@@ -31,8 +31,8 @@ pub(super) const STEP: Step = Step {
         id: "solves_e5",
         says: "E = f(z − vt) along x and B = f(z − vt)/v along y solve all four equations",
         rows: &["E12"],
-        chain: || solves(1.into()),
-        spoiled: || solves((-1).into()),
+        chain: || solves(F_E.at([Z - V * T]) / V),
+        spoiled: || solves(-(F_E.at([Z - V * T]) / V)),
         slip: "B on the other side: that wave runs the other way",
     }],
     readout: None,
@@ -42,11 +42,10 @@ pub(super) const STEP: Step = Step {
     figures: &[],
 };
 
-fn solves(sign: Expr) -> Chain {
-    let f = || F_E.at([Z - V * T]);
+fn solves(b: Expr) -> Chain {
     Chain::new(Equation::new(divergence(E), 0))
-        .given(E, vector(f(), 0, 0), "E = f_E(z − vt)")
-        .given(B, vector(0, sign * f() / V, 0), "f_B = f_E/v")
+        .given(E, vector(F_E.at([Z - V * T]), 0, 0), "E = f_E(z − vt)")
+        .given(B, vector(0, b, 0), "f_B = f_E/v")
         .given(EPSILON, 1 / (MU * V.pow(2)), "v = 1/√(εμ)")
         .then(Equation::new(divergence(B), 0), ["∂/∂y = 0"])
         .then(Equation::new(curl(B), EPSILON * MU * partial(E, T)), ["chain rule", "v = 1/√(εμ)"])

@@ -64,7 +64,7 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     let tangent = setting.number("loss_tangent");
     let steps = (tangent * PI).ceil().max(1.0);
     vec![
-        quantity("relaxation", "ωε/σ", "in how many radians a charge is forgotten", 1.0 / tangent, "rad"),
+        quantity("relaxation", "ωε/σ", "by how much the field turns until a charge is forgotten", 1.0 / tangent, "rad"),
         quantity("explicit_steps", "N", "steps a period that forward Euler needs so as not to blow up", steps, "1"),
     ]
 }

@@ -6,7 +6,7 @@ use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Statement, St
 use glam::DVec3;
 use light::equation::derivation::Chain;
 use light::equation::expr::{curl, divergence, partial};
-use light::equation::{Equation, Symbol};
+use light::equation::{Equation, Expr, Symbol};
 use light::sampling::uniform;
 use light::waves::Medium;
 use light::waves::constants::C;
@@ -57,8 +57,8 @@ pub(super) const STEP: Step = Step {
             id: "displacement",
             says: "∇×H = J + ∂D/∂t in a uniform medium without currents",
             rows: &["E5"],
-            chain: || displacement(1),
-            spoiled: || displacement(-1),
+            chain: || displacement(EPSILON * MU * partial(E, T)),
+            spoiled: || displacement(-(EPSILON * MU * partial(E, T))),
             slip: "the displacement current runs backwards, as ∂B/∂t does in Faraday's law",
         },
     ],
@@ -79,7 +79,7 @@ fn gauss(permittivity: Symbol) -> Chain {
         .then(Equation::new(divergence(E), 0), ["no charges"])
 }
 
-fn displacement(sign: i32) -> Chain {
+fn displacement(last: Expr) -> Chain {
     Chain::new(curl(B))
         .given(B, MU * H, "B = μH")
         .given(E, D / EPSILON, "D = εE")
@@ -87,7 +87,7 @@ fn displacement(sign: i32) -> Chain {
         .given(J, 0, "no currents")
         .then(MU * curl(H), ["B = μH"])
         .then(MU * (J + partial(D, T)), ["∇×H = J + ∂D/∂t"])
-        .then(sign * EPSILON * MU * partial(E, T), ["D = εE", "no currents"])
+        .then(last, ["D = εE", "no currents"])
 }
 
 /// No derivative is taken: what winds round the edge of a patch is what changes inside.

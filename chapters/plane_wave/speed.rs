@@ -45,7 +45,7 @@ pub(super) const STEP: Step = Step {
             },
             Quantity {
                 key: "c_notes",
-                symbol: "1/√(ε_0μ_0), rounded",
+                symbol: "1/√(ε₀μ₀), rounded",
                 says: "from the lecture's constants, 8.8542e−12 F/m and 4πe−7 H/m",
                 value: rounded_constants(),
                 unit: "m/s",

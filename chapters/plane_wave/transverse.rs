@@ -72,16 +72,16 @@ pub(super) const STEP: Step = Step {
             id: "across",
             says: "in any direction: no charges, so nothing along k",
             rows: &["E15"],
-            chain: || across(1),
-            spoiled: || across(-1),
+            chain: || across(i() * dot(K_VECTOR, E)),
+            spoiled: || across(-(i() * dot(K_VECTOR, E))),
             slip: "a wave e^{i(k·r − ωt)} differentiated as if it ran the other way",
         },
         Derivation {
             id: "all_four",
             says: "E across k and B = k×E/ω obey all four equations, whatever the direction",
             rows: &["E15"],
-            chain: || solves_maxwell(None, 1),
-            spoiled: || solves_maxwell(None, -1),
+            chain: || solves_maxwell(None, EPSILON * MU * partial(E, T)),
+            spoiled: || solves_maxwell(None, -(EPSILON * MU * partial(E, T))),
             slip: "the sign of Ampère's law",
         },
         Derivation {
@@ -143,14 +143,13 @@ pub(crate) fn across_k(chain: Chain) -> Chain {
     chain.given(a("A_z"), -rest, "k·A = 0")
 }
 
-fn across(sign: i32) -> Chain {
-    oblique(divergence(E)).then(sign * i() * dot(K_VECTOR, E), ["∇ = ik"]).because("which vanishes if k·E does")
+fn across(last: Expr) -> Chain {
+    oblique(divergence(E)).then(last, ["∇ = ik"]).because("which vanishes if k·E does")
 }
 
-/// Such a wave in all four equations; `sigma` where the medium conducts.
-pub(super) fn solves_maxwell(sigma: Option<Symbol>, sign: i32) -> Chain {
+/// Such a wave in all four equations, with `displacement` in Ampère's law and `sigma` where the medium conducts.
+pub(super) fn solves_maxwell(sigma: Option<Symbol>, displacement: Expr) -> Chain {
     let k_squared = || dot(K_VECTOR, K_VECTOR);
-    let displacement = sign * EPSILON * MU * partial(E, T);
     let (chain, ampere) = (oblique(Equation::new(divergence(E), 0)), |right| Equation::new(curl(B), right));
     let chain = across_k(chain.given(B, cross(K_VECTOR, E) / OMEGA, "B = k×E/ω"));
     let (chain, ampere) = match sigma {

@@ -32,13 +32,13 @@ pub(super) const STEP: Step = Step {
             id: "wave_e",
             says: "the wave equation of the electric field",
             rows: &["E7"],
-            equation: || wave(&E, 1.into()),
+            equation: || wave(&E, EPSILON * MU),
         },
         Statement {
             id: "wave_b",
             says: "the wave equation of the magnetic field",
             rows: &["E8"],
-            equation: || wave(&B, 1.into()),
+            equation: || wave(&B, EPSILON * MU),
         },
     ],
     derivations: &[
@@ -46,24 +46,24 @@ pub(super) const STEP: Step = Step {
             id: "from_e5",
             says: "the curl of Faraday's law, and Ampère's law for the curl of B",
             rows: &["E6"],
-            chain: || curl_twice(1),
-            spoiled: || curl_twice(-1),
+            chain: || curl_twice(-(EPSILON * MU * twice(E, T))),
+            spoiled: || curl_twice(EPSILON * MU * twice(E, T)),
             slip: "the minus of Faraday's law is lost on the way",
         },
         Derivation {
             id: "electric",
             says: "∇×∇× = ∇∇· − ∇², and no charges",
             rows: &["E7"],
-            chain: || electric(1.into()),
-            spoiled: || electric((-1).into()),
+            chain: || electric(EPSILON * MU),
+            spoiled: || electric(-(EPSILON * MU)),
             slip: "the sign of Laplace's equation in four dimensions",
         },
         Derivation {
             id: "magnetic",
             says: "the same way round for B",
             rows: &["E8"],
-            chain: || magnetic(1.into()),
-            spoiled: || magnetic(2.into()),
+            chain: || magnetic(EPSILON * MU),
+            spoiled: || magnetic(2 * EPSILON * MU),
             slip: "each of the two laws counted with its own εμ",
         },
     ],
@@ -79,9 +79,9 @@ pub(super) fn twice(f: impl Into<Expr>, x: Symbol) -> Expr {
     partial(partial(f, &x), x)
 }
 
-/// (∇² − `factor` εμ ∂²/∂t²) F = 0
-fn wave(field: &Symbol, factor: Expr) -> Equation {
-    Equation::new(laplacian(field) - factor * EPSILON * MU * twice(field, T), 0)
+/// (∇² − `slowness` ∂²/∂t²) F = 0
+fn wave(field: &Symbol, slowness: Expr) -> Equation {
+    Equation::new(laplacian(field) - slowness * twice(field, T), 0)
 }
 
 /// E5 as hypotheses: each law says what its derivative is.
@@ -93,27 +93,27 @@ fn source_free(chain: Chain) -> Chain {
         .given(partial(E, T), curl(B) / (EPSILON * MU), "∇×B = εμ ∂E/∂t")
 }
 
-fn curl_twice(sign: i32) -> Chain {
+fn curl_twice(last: Expr) -> Chain {
     source_free(Chain::new(curl(curl(E))))
         .then(-curl(partial(B, T)), ["∇×E = −∂B/∂t"])
         .then(-partial(curl(B), T), ["derivatives commute"])
-        .then(-(sign * EPSILON * MU * twice(E, T)), ["∇×B = εμ ∂E/∂t"])
+        .then(last, ["∇×B = εμ ∂E/∂t"])
 }
 
-fn electric(factor: Expr) -> Chain {
+fn electric(slowness: Expr) -> Chain {
     source_free(Chain::new(Equation::new(curl(curl(E)), gradient(divergence(E)) - laplacian(E))))
         .because("true of every vector field")
         .then(-laplacian(E), ["∇·E = 0"])
-        .then(wave(&E, factor), ["∇×(∇×E) = −εμ ∂²E/∂t²"])
+        .then(wave(&E, slowness), ["∇×(∇×E) = −εμ ∂²E/∂t²"])
 }
 
-fn magnetic(factor: Expr) -> Chain {
+fn magnetic(slowness: Expr) -> Chain {
     source_free(Chain::new(curl(curl(B))))
         .then(EPSILON * MU * partial(curl(E), T), ["∇×B = εμ ∂E/∂t", "derivatives commute"])
         .then(-(EPSILON * MU * twice(B, T)), ["∇×E = −∂B/∂t"])
         .then(Equation::new(curl(curl(B)), gradient(divergence(B)) - laplacian(B)), ["true of every vector field"])
         .then(-laplacian(B), ["∇·B = 0"])
-        .then(wave(&B, factor), ["∇×(∇×B) = −εμ ∂²B/∂t²"])
+        .then(wave(&B, slowness), ["∇×(∇×B) = −εμ ∂²B/∂t²"])
 }
 
 const SECOND_ORDER: Bound = Bound::Order {

@@ -56,7 +56,7 @@ pub(super) const STEP: Step = Step {
         let wave = wave(setting);
         vec![
             quantity("S_avg", "½ Re(E H*)", "mean flow at an amplitude of 1 V/m", wave.mean_flux, "W/m²"),
-            quantity("S_vacuum", "½cε_0A²", "what the same field carries in empty space", 0.5 / Z_0, "W/m²"),
+            quantity("S_vacuum", "½cε₀A²", "what the same field carries in empty space", 0.5 / Z_0, "W/m²"),
             quantity("S_modulus", "½|E||H|", "without the lag", 0.5 / wave.impedance.norm(), "W/m²"),
             quantity("phase_lag", "φ", "by which H lags E", wave.phase_lag, "rad"),
         ]
@@ -91,7 +91,7 @@ const OUT_OF_STEP: Check = Check {
         unit: "ε",
         why: "forty terms of which some cancel, and a dozen roundings in Z",
     },
-    measure: |_| out_of_step(|e, h| mean_by_phasors(e, h)),
+    measure: |_| out_of_step(mean_by_phasors),
     spoiled: |_| out_of_step(|e, h| 0.5 * e.norm() * h.norm()),
     slip: "½|E||H|, as if they were in step",
 };

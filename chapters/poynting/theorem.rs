@@ -50,8 +50,8 @@ pub(super) const STEP: Step = Step {
             id: "poynting",
             says: "from the two curls of Maxwell's equations",
             rows: &["C3"],
-            chain: || balance(-1),
-            spoiled: || balance(1),
+            chain: || balance(-dot(J, E)),
+            spoiled: || balance(dot(J, E)),
             slip: "the work of the field on the current counted as a gain",
         },
         Derivation {
@@ -81,7 +81,7 @@ fn density() -> Expr {
     (EPSILON * dot(E, E) + MU * dot(H, H)) / 2
 }
 
-fn balance(sign: i32) -> Chain {
+fn balance(work: Expr) -> Chain {
     Chain::new(divergence(S))
         .given(S, cross(E, H), "S = E×H")
         .given(U_DENSITY, density(), "u = ½(εE² + μH²)")
@@ -93,7 +93,7 @@ fn balance(sign: i32) -> Chain {
             ["∇×E = −∂B/∂t", "∇×H = J + ∂D/∂t"],
         )
         .then(-partial(U_DENSITY, T) - dot(J, E), ["u = ½(εE² + μH²)"])
-        .then(Equation::new(divergence(S) + partial(U_DENSITY, T), sign * dot(J, E)), ["to the left"])
+        .then(Equation::new(divergence(S) + partial(U_DENSITY, T), work), ["to the left"])
 }
 
 fn along_k(last: Expr) -> Chain {
@@ -212,7 +212,7 @@ fn slabs(heat: f64) -> Measured {
 }
 
 const ALONG_K: Check = Check {
-    id: "along_k",
+    id: "flows_along_k",
     claim: "S points along the propagation, whatever the direction and the moment",
     rows: &["C3"],
     route: "E×B of waves in random directions, against k; the sign too",

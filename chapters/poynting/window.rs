@@ -31,9 +31,9 @@ pub(super) const STEP: Step = Step {
         let off = |window: Window| flux.average(window, 0.0, duration) / flux.mean - 1.0;
         vec![
             quantity("duration", "T", "how long it looks", duration, "s"),
-            quantity("box", "Δ_{box}", "error of a shutter, over the mean", off(Window::Box), "1"),
-            quantity("hann", "Δ_{Hann}", "error of a window 1 − cos", off(Window::Hann), "1"),
-            quantity("nuttall", "Δ_{Nuttall}", "error of Nuttall's window", off(Window::Nuttall), "1"),
+            quantity("box", "Δ(box)", "error of a shutter, over the mean", off(Window::Box), "1"),
+            quantity("hann", "Δ(Hann)", "error of a window 1 − cos", off(Window::Hann), "1"),
+            quantity("nuttall", "Δ(Nuttall)", "error of Nuttall's window", off(Window::Nuttall), "1"),
         ]
     }),
     checks: &[CLOSED_FORM, BOX_FALLS, HANN_FALLS, BILLION],
