@@ -441,7 +441,7 @@ fn lags(setting: &Setting) -> Plot {
     let own = setting.conductor("medium").loss_tangent(setting.frequency()).unwrap_or(f64::NAN);
     let axis = || Axis::log("σ/(ωε)", "").range(1e-6, 1e10);
     let mark = |chart: Chart| if (1e-6..=1e10).contains(&own) { chart.at_x(own, "the setting") } else { chart };
-    let lag = Chart::new("Lag", axis(), Axis::linear("lag of H behind E, φ", "°").range(0.0, 50.0).tick(15.0))
+    let lag = Chart::new("Lag", axis(), Axis::linear("lag of H behind E, φ", "°").range(0.0, 55.0).tick(15.0))
         .line(Hue::Ours, "", tangents().map(|tangent| [tangent, wave_at(tangent).phase_lag.to_degrees()]).collect())
         .at_y(45.0, "45°");
     let lost = Chart::new("Decay", axis(), Axis::log("1 − E(λ)/E(0)", "").range(1e-6, 10.0))

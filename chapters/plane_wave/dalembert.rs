@@ -1,12 +1,13 @@
 //! E9, E10: one dimension, and d'Alembert's solution.
 
 use super::grid::{Ring, Stencil};
+use super::rms_difference;
 use super::symbols::{E, EPSILON, F_1, F_2, MU, T, WAVE, Z};
 use super::wave_equation::twice;
 use crate::figure::{Axis, Chart, Hue, Map, Plot, Ramp};
 use crate::setting::Setting;
 use crate::vocabulary::{
-    Bound, Check, Derivation, Expects, Figure, Heat, Lane, Measured, Race, Statement, Step, fitted_order, rms,
+    Bound, Check, Derivation, Expects, Figure, Heat, Lane, Measured, Race, Statement, Step, fitted_order,
 };
 use light::equation::derivation::Chain;
 use light::equation::expr::{laplacian, sqrt, vector};
@@ -127,7 +128,7 @@ fn stepped(shape: fn(f64) -> f64, cells: usize, courant: f64, stencil: Stencil) 
 /// Root mean square difference from d'Alembert.
 fn error(shape: fn(f64) -> f64, found: &[f64]) -> f64 {
     let exact = sampled(shape, found.len(), DURATION);
-    rms(&found.iter().zip(&exact).map(|(found, exact)| found - exact).collect::<Vec<_>>())
+    rms_difference(found, &exact)
 }
 
 const DIFFERENCES: Check = Check {
@@ -155,7 +156,7 @@ fn convergence(speed: f64) -> Measured {
         let count = 3 * cells / 4;
         (0..count).for_each(|_| ring.step());
         let exact = one_way(count as f64 * dt);
-        (cells as f64, rms(&ring.now.iter().zip(&exact).map(|(found, exact)| found - exact).collect::<Vec<_>>()))
+        (cells as f64, rms_difference(&ring.now, &exact))
     });
     let value = fitted_order(&points).unwrap_or(f64::NAN);
     Measured { value, at: format!("{} … {} cells", cells[0], cells[2]), cases: cells.len() }
@@ -207,103 +208,76 @@ const SMOOTH: Race = Race {
     error: "rms error of E",
     reference: "root mean square over the places, against d'Alembert evaluated at each; d'Alembert itself against one cell a step",
     lanes: &[
-        Lane {
-            id: "second_order",
-            label: "three points, ½ cell a step",
-            works: &[256, 512, 1024, 2048],
-            expects: Expects::Order { order: 2.0, tolerance: 0.15 },
-            repeats: 1,
-            prepare: |_, work| steps_of(smooth, work, 0.5, Stencil::Three),
-        },
-        Lane {
-            id: "fourth_order",
-            label: "five points, ½ cell a step",
-            works: &[128, 256, 512, 1024],
-            expects: Expects::Order { order: 4.0, tolerance: 0.3 },
-            repeats: 1,
-            prepare: |_, work| steps_of(smooth, work, 0.5, Stencil::Five),
-        },
-        Lane {
-            id: "one_cell_a_step",
-            label: "three points, 1 cell a step",
-            works: &[256, 512, 1024, 2048],
-            expects: EXACT,
-            repeats: 1,
-            prepare: |_, work| steps_of(smooth, work, 1.0, Stencil::Three),
-        },
+        Lane::once(
+            "second_order",
+            "three points, ½ cell a step",
+            &[256, 512, 1024, 2048],
+            order(2.0, 0.15),
+            |_, work| steps_of(smooth, work, 0.5, Stencil::Three),
+        ),
+        Lane::once(
+            "fourth_order",
+            "five points, ½ cell a step",
+            &[128, 256, 512, 1024],
+            order(4.0, 0.3),
+            |_, work| steps_of(smooth, work, 0.5, Stencil::Five),
+        ),
+        Lane::once("one_cell_a_step", "three points, 1 cell a step", &[256, 512, 1024, 2048], EXACT, |_, work| {
+            steps_of(smooth, work, 1.0, Stencil::Three)
+        }),
         HARMONICS,
-        Lane {
-            id: "dalembert",
-            label: "d'Alembert",
-            works: &[256, 512, 1024, 2048],
-            expects: EXACT,
-            repeats: 1,
-            prepare: |_, work| evaluated(smooth, work),
-        },
+        Lane::once("dalembert", "d'Alembert", &[256, 512, 1024, 2048], EXACT, |_, work| evaluated(smooth, work)),
     ],
 };
+
+const fn order(order: f64, tolerance: f64) -> Expects {
+    Expects::Order { order, tolerance }
+}
 
 /// What a pulse holds beyond the harmonics that its samples can carry is laid on the others and lost: for this one
 /// √(2Σ|c_m|²) over 2m > N with c_m ∝ e^(−(πm/20)²). The order is the slope of that over these places, which are odd in
 /// number, so that the pulses do not come to rest on samples.
-const HARMONICS: Lane = Lane {
-    id: "harmonics",
-    label: "by its harmonics",
-    works: &[25, 33, 39, 49, 57],
-    expects: Expects::Order { order: 19.9, tolerance: 0.6 },
-    repeats: 1,
-    prepare: |_, work| by_harmonics(smooth, work),
-};
+const HARMONICS: Lane =
+    Lane::once("harmonics", "by its harmonics", &[25, 33, 39, 49, 57], order(19.9, 0.6), |_, work| {
+        by_harmonics(smooth, work)
+    });
 
 const EXACT: Expects = Expects::Within {
     limit: 1e-11,
     why: "nothing but rounding: a few units a step, carried on in proportion to the steps left",
 };
 
+/// At a jump a scheme of order p makes ripples over a length that goes with h^(p/(p+1)); the rms error is its root.
 const SQUARE: Race = Race {
     id: "square_pulse",
     claim: "a square pulse, let go: order is worth little where there is no derivative",
     rows: &["E10"],
     lanes: &[
-        Lane {
-            id: "second_order",
-            label: "three points, ½ cell a step",
-            works: &[256, 512, 1024, 2048],
-            expects: Expects::Order { order: 0.333, tolerance: 0.12 },
-            repeats: 1,
-            prepare: |_, work| steps_of(square, work, 0.5, Stencil::Three),
-        },
-        Lane {
-            id: "fourth_order",
-            label: "five points, ½ cell a step",
-            works: &[256, 512, 1024, 2048],
-            expects: Expects::Order { order: 0.4, tolerance: 0.12 },
-            repeats: 1,
-            prepare: |_, work| steps_of(square, work, 0.5, Stencil::Five),
-        },
-        Lane {
-            id: "one_cell_a_step",
-            label: "three points, 1 cell a step",
-            works: &[256, 512, 1024, 2048],
-            expects: EXACT,
-            repeats: 1,
-            prepare: |_, work| steps_of(square, work, 1.0, Stencil::Three),
-        },
+        Lane::once(
+            "second_order",
+            "three points, ½ cell a step",
+            &[256, 512, 1024, 2048],
+            order(0.333, 0.12),
+            |_, work| steps_of(square, work, 0.5, Stencil::Three),
+        ),
+        Lane::once(
+            "fourth_order",
+            "five points, ½ cell a step",
+            &[256, 512, 1024, 2048],
+            order(0.4, 0.12),
+            |_, work| steps_of(square, work, 0.5, Stencil::Five),
+        ),
+        Lane::once("one_cell_a_step", "three points, 1 cell a step", &[256, 512, 1024, 2048], EXACT, |_, work| {
+            steps_of(square, work, 1.0, Stencil::Three)
+        }),
         Lane {
             works: &[255, 513, 1025, 2049],
             // Each edge leaves an error of its own height over a few places: one over the root of their number.
-            expects: Expects::Order { order: 0.5, tolerance: 0.1 },
+            expects: order(0.5, 0.1),
             prepare: |_, work| by_harmonics(square, work),
             ..HARMONICS
         },
-        Lane {
-            id: "dalembert",
-            label: "d'Alembert",
-            works: &[256, 512, 1024, 2048],
-            expects: EXACT,
-            repeats: 1,
-            prepare: |_, work| evaluated(square, work),
-        },
+        Lane::once("dalembert", "d'Alembert", &[256, 512, 1024, 2048], EXACT, |_, work| evaluated(square, work)),
     ],
     ..SMOOTH
 };
@@ -331,10 +305,7 @@ fn evaluated(shape: fn(f64) -> f64, work: u64) -> Heat {
     Heat {
         run: Box::new(move || sampled(shape, work as usize, DURATION)),
         // Of the other lanes one is exact too.
-        error: Box::new(move |found| {
-            let other = stepped(shape, found.len(), 1.0, Stencil::Three);
-            rms(&found.iter().zip(&other).map(|(found, other)| found - other).collect::<Vec<_>>())
-        }),
+        error: Box::new(move |found| rms_difference(found, &stepped(shape, found.len(), 1.0, Stencil::Three))),
     }
 }
 

@@ -1,12 +1,11 @@
 //! E13: a pulse is a sum of harmonics.
 
+use super::rms_difference;
 use super::symbols::{K, OMEGA, T, WAVE, Z};
 use crate::figure::Mark;
 use crate::figure::{Axis, Chart, Hue, Plot, Shape};
 use crate::setting::{Kind, Parameter, Setting};
-use crate::vocabulary::{
-    Bench, Bound, Check, Expects, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step, rms,
-};
+use crate::vocabulary::{Bench, Bound, Check, Expects, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step};
 use light::equation::expr::{Range, exp, i, integral};
 use light::equation::{Dimension, Equation, Symbol};
 use light::evidence::quadrature::gauss_legendre;
@@ -195,33 +194,27 @@ const TRUNCATED: Race = Race {
     error: "rms error of E",
     reference: "root mean square over sixteen places a harmonic, against d'Alembert",
     lanes: &[
-        lane("square_one_by_one", "square pulse, one by one", &[16, 32, 64, 128], HALF, |_, work| {
+        Lane::once("square_one_by_one", "square pulse, one by one", &[16, 32, 64, 128], HALF, |_, work| {
             raced(square, square_series(work as usize), one_by_one)
         }),
-        lane("square_transformed", "square pulse, fast transform", &[16, 32, 64, 128, 256, 512], HALF, |_, work| {
-            raced(square, square_series(work as usize), transformed)
-        }),
-        lane("smooth_one_by_one", "smooth pulse, one by one", FEW, TAIL, |_, work| {
+        Lane::once(
+            "square_transformed",
+            "square pulse, fast transform",
+            &[16, 32, 64, 128, 256, 512],
+            HALF,
+            |_, work| raced(square, square_series(work as usize), transformed),
+        ),
+        Lane::once("smooth_one_by_one", "smooth pulse, one by one", FEW, TAIL, |_, work| {
             raced(smooth, smooth_series(work as usize), one_by_one)
         }),
-        lane("smooth_transformed", "smooth pulse, fast transform", FEW, TAIL, |_, work| {
+        Lane::once("smooth_transformed", "smooth pulse, fast transform", FEW, TAIL, |_, work| {
             raced(smooth, smooth_series(work as usize), transformed)
         }),
-        lane("smooth_all", "smooth pulse, all that count", &[40, 80, 160, 320], ALL, |_, work| {
+        Lane::once("smooth_all", "smooth pulse, all that count", &[40, 80, 160, 320], ALL, |_, work| {
             raced(smooth, smooth_series(work as usize), transformed)
         }),
     ],
 };
-
-const fn lane(
-    id: &'static str,
-    label: &'static str,
-    works: &'static [u64],
-    expects: Expects,
-    prepare: fn(&mut Bench, u64) -> Heat,
-) -> Lane {
-    Lane { id, label, works, expects, repeats: 1, prepare }
-}
 
 /// By Parseval the error is what the harmonics left out hold together: 1/m each, 1/√M in sum.
 const HALF: Expects = Expects::Order { order: 0.5, tolerance: 0.1 };
@@ -248,7 +241,7 @@ fn raced(shape: fn(f64) -> f64, spectrum: Spectrum, sum: fn(&Spectrum) -> Vec<f6
         run: Box::new(move || sum(&spectrum)),
         error: Box::new(move |found| {
             let exact = (0..found.len()).map(|j| shape(j as f64 / found.len() as f64 * PERIOD - WAY));
-            rms(&found.iter().zip(exact).map(|(found, exact)| found - exact).collect::<Vec<_>>())
+            rms_difference(found, &exact.collect::<Vec<_>>())
         }),
     }
 }

@@ -17,7 +17,7 @@ pub(crate) mod transverse;
 mod wave_equation;
 
 use crate::setting::{FREQUENCY, MEDIUM, Parameter, Setting};
-use crate::vocabulary::{Chapter, Quantity};
+use crate::vocabulary::{Chapter, Quantity, rms};
 use light::waves::Wave;
 
 /// The chapter.
@@ -55,6 +55,11 @@ pub(crate) fn wave(setting: &Setting) -> Wave {
 /// `copper at 1GHz`: the setting as a heading.
 pub(crate) fn described(setting: &Setting) -> String {
     format!("{} at {}", setting.text("medium"), setting.text("freq"))
+}
+
+/// The root of the mean square of what two lists differ by, place by place.
+fn rms_difference(found: &[f64], exact: &[f64]) -> f64 {
+    rms(&found.iter().zip(exact).map(|(found, exact)| found - exact).collect::<Vec<_>>())
 }
 
 pub(crate) const fn quantity(

@@ -164,20 +164,17 @@ const SAMPLED: Race = Race {
     error: "error over the mean",
     reference: "the mean over whole periods, which is known",
     lanes: &[
-        lane("shutter", "shutter", &[18, 66, 258, 1026, 4098], 1.0, |_, work| sampled(Window::Box, work)),
-        lane("hann", "Hann", &[18, 66, 258, 1026], 3.0, |_, work| sampled(Window::Hann, work)),
-        lane("nuttall", "Nuttall", &[50, 82, 130, 210, 338], 7.0, |_, work| sampled(Window::Nuttall, work)),
+        Lane::once("shutter", "shutter", &[18, 66, 258, 1026, 4098], order(1.0), |_, work| sampled(Window::Box, work)),
+        Lane::once("hann", "Hann", &[18, 66, 258, 1026], order(3.0), |_, work| sampled(Window::Hann, work)),
+        Lane::once("nuttall", "Nuttall", &[50, 82, 130, 210, 338], order(7.0), |_, work| {
+            sampled(Window::Nuttall, work)
+        }),
     ],
 };
 
-const fn lane(
-    id: &'static str,
-    label: &'static str,
-    works: &'static [u64],
-    order: f64,
-    prepare: fn(&mut crate::vocabulary::Bench, u64) -> Heat,
-) -> Lane {
-    Lane { id, label, works, expects: Expects::Order { order, tolerance: 0.15 * order }, repeats: 1, prepare }
+/// The order at which a window's last response falls, to the slope that its first ones still bend.
+const fn order(order: f64) -> Expects {
+    Expects::Order { order, tolerance: 0.15 * order }
 }
 
 /// The midpoint rule at sixteen samples a period of the field, over a length that leaves an eighth of it.
