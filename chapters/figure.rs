@@ -75,7 +75,7 @@ pub struct Axis {
     pub scale: Scale,
     /// First and last value; from the data where `None`.
     pub range: Option<(f64, f64)>,
-    /// Distance of labelled ticks on a linear axis; chosen where `None` (30 suits degrees).
+    /// Distance of labelled ticks on a linear axis; chosen where `None` (30 suits degrees), none at all where infinite.
     pub tick: Option<f64>,
 }
 
@@ -88,6 +88,16 @@ impl Axis {
     /// A logarithmic axis over the data.
     pub fn log(label: impl Into<String>, unit: impl Into<String>) -> Self {
         Self { scale: Scale::Log, ..Self::linear(label, unit) }
+    }
+
+    /// A linear axis without name and ticks, for drawings in perspective; two of them have no frame either.
+    pub fn bare(first: f64, last: f64) -> Self {
+        Self::linear("", "").range(first, last).tick(f64::INFINITY)
+    }
+
+    /// Whether it shows no ticks.
+    pub fn is_bare(&self) -> bool {
+        self.tick == Some(f64::INFINITY)
     }
 
     /// The same axis from `first` to `last`.

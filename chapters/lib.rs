@@ -6,13 +6,15 @@ pub mod fresnel;
 pub mod function;
 pub mod lecture;
 pub mod maxwell;
+pub mod plane_wave;
+pub mod poynting;
 pub mod setting;
 pub mod vocabulary;
 
 pub use vocabulary::{Chapter, Step};
 
 /// The chapters in teaching order: the only list of them.
-pub const CURRICULUM: &[&Chapter] = &[&maxwell::CHAPTER, &fresnel::CHAPTER];
+pub const CURRICULUM: &[&Chapter] = &[&maxwell::CHAPTER, &plane_wave::CHAPTER, &poynting::CHAPTER, &fresnel::CHAPTER];
 
 /// How many checks of the curriculum rest on random numbers: what their significance is shared among.
 pub fn statistical_checks() -> usize {

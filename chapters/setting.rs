@@ -2,7 +2,9 @@
 
 use light::Complex64;
 use light::optics::material::{self, Medium};
-use std::f64::consts::{FRAC_PI_2, PI};
+use light::waves::substance::{self, Substance};
+use light::waves::{self, Wave};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::fmt;
 
 /// Why an input cannot be used: where, and what would be valid.
@@ -97,6 +99,8 @@ pub enum Kind {
     Medium,
     /// A medium that does not absorb.
     ClearMedium,
+    /// A medium that may conduct, at any frequency: `ε_r/μ_r/σ` with σ in S/m (`80/1/4`), or one by name.
+    Conductor,
 }
 
 /// A value in force.
@@ -106,6 +110,46 @@ pub enum Value {
     Number(f64),
     /// A medium.
     Medium(Medium),
+    /// A medium that may conduct.
+    Conductor(Conductor),
+}
+
+/// What a wave of any frequency runs in.
+#[derive(Clone, Copy, Debug)]
+pub enum Conductor {
+    /// The same ε, μ and σ at every frequency.
+    Constant(waves::Medium),
+    /// A measured one.
+    Substance(&'static Substance),
+}
+
+impl Conductor {
+    /// The wave of a `frequency` [Hz] in it; refused where a substance was not measured.
+    pub fn wave(&self, frequency: f64) -> Result<Wave, String> {
+        match self {
+            Self::Constant(medium) => Wave::new(medium, TAU * frequency).map_err(|invalid| invalid.to_string()),
+            Self::Substance(substance) => substance.wave(frequency).map_err(|out| out.to_string()),
+        }
+    }
+
+    /// σ/(ωε) [1] at a `frequency` [Hz]; `None` where a substance is known by its refractive index instead.
+    pub fn loss_tangent(&self, frequency: f64) -> Option<f64> {
+        let medium = match self {
+            Self::Constant(medium) => *medium,
+            Self::Substance(substance) => substance.medium(frequency).ok()?,
+        };
+        Some(medium.loss_tangent(TAU * frequency))
+    }
+}
+
+impl PartialEq for Conductor {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Constant(one), Self::Constant(other)) => one == other,
+            (Self::Substance(one), Self::Substance(other)) => one.name == other.name,
+            _ => false,
+        }
+    }
 }
 
 /// The vacuum wavelength [m] used where a step names none: the middle of the visible.
@@ -144,11 +188,14 @@ impl Setting {
         Ok(self)
     }
 
-    /// Every medium must have an index at the wavelength, and be clear where it has to be; a time step that blows up
-    /// must be asked for.
+    /// Every medium must have an index at the wavelength or be known at the frequency, and be clear where it has to be;
+    /// a time step that blows up must be asked for.
     fn validate(&self) -> Result<(), Fault> {
         let wavelength = self.wavelength();
         for (parameter, text, value) in &self.entries {
+            if let Value::Conductor(conductor) = value {
+                conductor.wave(self.frequency()).map_err(|out| Fault::new(parameter.name, out))?;
+            }
             let Value::Medium(medium) = value else { continue };
             let index = medium.index(wavelength).map_err(|out| Fault::new(parameter.name, out.to_string()))?;
             if parameter.kind == Kind::ClearMedium && index.im != 0.0 {
@@ -199,6 +246,34 @@ impl Setting {
         }
     }
 
+    /// The frequency [Hz]: the parameter `freq`, or a gigahertz.
+    pub fn frequency(&self) -> f64 {
+        match self.find(FREQUENCY.name) {
+            Some(Value::Number(hertz)) => hertz,
+            _ => 1e9,
+        }
+    }
+
+    /// The medium named `name`, which may conduct.
+    ///
+    /// # Panics
+    /// As [`Setting::number`].
+    pub fn conductor(&self, name: &str) -> Conductor {
+        match self.find(name) {
+            Some(Value::Conductor(conductor)) => conductor,
+            _ => panic!("the step declares no conductor `{name}`"),
+        }
+    }
+
+    /// The text in force of the parameter `name`.
+    ///
+    /// # Panics
+    /// As [`Setting::number`].
+    pub fn text(&self, name: &str) -> &str {
+        let entry = self.entries.iter().find(|entry| entry.0.name == name);
+        &entry.unwrap_or_else(|| panic!("the step declares no `{name}`")).1
+    }
+
     /// The complex index [1] of the medium named `name` at the setting's wavelength.
     ///
     /// # Panics
@@ -235,6 +310,7 @@ impl Parameter {
                 _ => Err(fault(format!("`{}` is not a whole number in range; {}", excerpt(text), self.domain()))),
             },
             Kind::Medium | Kind::ClearMedium => parse_medium(self.name, text).map(Value::Medium),
+            Kind::Conductor => parse_conductor(self.name, text).map(Value::Conductor),
         }
     }
 
@@ -260,6 +336,7 @@ impl Parameter {
             Kind::Count { min, max } => format!("valid: {min} to {max}"),
             Kind::Medium => "valid: an index such as 1.5 or 0.2+3.4i, or a material by name".into(),
             Kind::ClearMedium => "valid: a real index such as 1.5, or a clear material by name".into(),
+            Kind::Conductor => CONDUCTOR_DOMAIN.into(),
         }
     }
 }
@@ -283,6 +360,24 @@ pub const WAVELENGTH: Parameter = Parameter {
     says: "vacuum wavelength",
     default: "550nm",
     kind: Kind::Number { min: 1e-9, max: 1e-3, unit: "m" },
+};
+
+/// The medium of a wave of any frequency.
+pub const MEDIUM: Parameter = Parameter {
+    name: "medium",
+    symbol: "ε_r/μ_r/σ",
+    says: "the medium, by name or as ε_r/μ_r/σ with σ in S/m",
+    default: "copper",
+    kind: Kind::Conductor,
+};
+
+/// The frequency of a wave.
+pub const FREQUENCY: Parameter = Parameter {
+    name: "freq",
+    symbol: "f",
+    says: "frequency",
+    default: "1GHz",
+    kind: Kind::Number { min: 1e-3, max: 1e16, unit: "Hz" },
 };
 
 /// The angle of incidence, measured from the normal.
@@ -322,7 +417,7 @@ fn suffixes(unit: &str) -> &'static [(&'static str, f64)] {
     match unit {
         "rad" => &[("deg", DEGREE), ("°", DEGREE), ("rad", 1.0)],
         "m" => &[("nm", 1e-9), ("um", 1e-6), ("µm", 1e-6), ("μm", 1e-6), ("mm", 1e-3), ("km", 1e3), ("m", 1.0)],
-        "Hz" => &[("THz", 1e12), ("GHz", 1e9), ("MHz", 1e6), ("kHz", 1e3), ("Hz", 1.0)],
+        "Hz" => &[("PHz", 1e15), ("THz", 1e12), ("GHz", 1e9), ("MHz", 1e6), ("kHz", 1e3), ("mHz", 1e-3), ("Hz", 1.0)],
         "s" => &[("fs", 1e-15), ("ps", 1e-12), ("ns", 1e-9), ("us", 1e-6), ("ms", 1e-3), ("s", 1.0)],
         _ => &[],
     }
@@ -350,6 +445,36 @@ pub fn parse_medium(place: &str, text: &str) -> Result<Medium, Fault> {
     }
     Ok(Medium::Constant(index))
 }
+
+/// Reads `ε_r/μ_r/σ` (σ in S/m) or a substance's name.
+///
+/// # Errors
+/// A fault at `place`, which says what would be valid.
+pub fn parse_conductor(place: &str, text: &str) -> Result<Conductor, Fault> {
+    let text = text.trim();
+    if let Some(found) = substance::named(text) {
+        return Ok(Conductor::Substance(found));
+    }
+    let numbers: Option<Vec<f64>> = text.split('/').map(|part| part.trim().parse().ok()).collect();
+    let Some(&[epsilon_r, mu_r, sigma]) = numbers.as_deref() else {
+        let names = substance::SUBSTANCES.iter().map(|found| found.name).collect();
+        let message = format!("`{}` is neither ε_r/μ_r/σ (80/1/4) nor a medium", excerpt(text));
+        return Err(Fault::unknown(place, text, message, names));
+    };
+    let held = |value: f64, (min, max): (f64, f64)| (min..=max).contains(&value);
+    if !(held(epsilon_r, RELATIVE) && held(mu_r, RELATIVE) && held(sigma, CONDUCTIVITY)) {
+        return Err(Fault::new(place, format!("{} is out of range; {CONDUCTOR_DOMAIN}", excerpt(text))));
+    }
+    let medium = waves::Medium::relative(epsilon_r, mu_r, sigma);
+    medium.map(Conductor::Constant).map_err(|invalid| Fault::new(place, invalid.to_string()))
+}
+
+/// Relative permittivities and permeabilities taken [1].
+pub const RELATIVE: (f64, f64) = (1e-9, 1e9);
+/// Conductivities taken [S/m].
+pub const CONDUCTIVITY: (f64, f64) = (0.0, 1e30);
+const CONDUCTOR_DOMAIN: &str =
+    "valid: ε_r/μ_r/σ such as 80/1/4, with ε_r and μ_r from 1e-9 to 1e9 and σ from 0 to 1e30 S/m, or a medium by name";
 
 /// Smallest real part of an index taken [1].
 pub const INDEX_MIN: f64 = 1e-9;
@@ -422,6 +547,29 @@ mod tests {
         for bad in ["", "i", "+i", "1.5x", "1e-3i", "1+i+2"] {
             assert_eq!(parse_index(bad), None, "{bad}");
         }
+    }
+
+    #[test]
+    fn conductors_are_numbers_or_names() {
+        let sea = waves::Medium::relative(80.0, 1.0, 4.0).unwrap();
+        assert_eq!(parse_conductor("medium", "80 / 1/4"), Ok(Conductor::Constant(sea)));
+        let copper = parse_conductor("medium", "Copper").unwrap();
+        assert!(copper.wave(1e9).unwrap().skin_depth < 3e-6 && copper.wave(1e13).is_err());
+        let bad =
+            ["", "80/1", "0/1/1", "-1/1/1", "1/0/1", "1/1/-1", "1/1/nan", "nan/1/0", "1/1/inf", "1/1/1/1", "cooper"];
+        for bad in bad {
+            let fault = parse_conductor("medium", bad).unwrap_err();
+            assert!(fault.place == "medium" && !fault.message.is_empty(), "{bad}");
+        }
+        assert!(parse_conductor("medium", "1/1/-1").unwrap_err().message.contains("σ from 0"));
+    }
+
+    #[test]
+    fn frequencies_take_their_units() {
+        assert_eq!(parse_quantity("1GHz", "Hz"), Ok(1e9));
+        assert_eq!(parse_quantity("50 Hz", "Hz"), Ok(50.0));
+        assert_eq!(parse_quantity("2mHz", "Hz"), Ok(2e-3));
+        assert_eq!(FREQUENCY.parse("0GHz").unwrap_err().message, "0GHz is out of range; valid: 1e-12GHz to 1e7GHz");
     }
 
     #[test]

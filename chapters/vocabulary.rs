@@ -344,6 +344,17 @@ pub struct Lane {
 }
 
 impl Lane {
+    /// A lane without chance in it: one run makes its error.
+    pub const fn once(
+        id: &'static str,
+        label: &'static str,
+        works: &'static [u64],
+        expects: Expects,
+        prepare: fn(&mut Bench, u64) -> Heat,
+    ) -> Self {
+        Self { id, label, works, expects, repeats: 1, prepare }
+    }
+
     /// The independent runs whose errors make one RMS error at `work`, each on a stream of its own, set up one by one.
     /// `address` is the lane's.
     pub fn heats(&self, setting: &Setting, address: &str, work: u64) -> impl Iterator<Item = Heat> {

@@ -21,7 +21,7 @@ pub fn plot(race: &RaceReport) -> Plot {
     for (lane, at) in race.lanes.iter().zip(0..) {
         let points = curve(lane, whole);
         if let Expects::Order { order, .. } = lane.asserted {
-            chart.marks.extend(guide(&points, order).filter(|_| works_for_time(lane)));
+            chart.marks.extend(guide(lane, &points, order).filter(|_| works_for_time(lane)));
         }
         chart = chart.with(Mark::Points {
             label: legend(lane),
@@ -74,16 +74,18 @@ fn legend(lane: &LaneReport) -> String {
     }
 }
 
-/// The asserted order as a dotted line through the lane's last point, up to its first: what small amounts of work
-/// cost besides would tilt it from there.
-fn guide(points: &[[f64; 2]], order: f64) -> Option<Mark> {
-    let drawn: Vec<_> =
-        points.iter().filter(|point| point[0] > 0.0 && point[1].is_finite() && point[1] > 0.0).collect();
-    let (first, last) = (drawn.first()?, drawn.last()?);
-    if last[0] <= first[0] || order <= 0.0 {
+/// The asserted order as a dotted line through the lane's last point. An order is one in the work: each amount of work
+/// stands at the time that it took, whether that grows with it, with its square or from a start-up cost. None beside a
+/// lane that bends away from it, as those do that are faster than any power.
+fn guide(lane: &LaneReport, points: &[[f64; 2]], order: f64) -> Option<Mark> {
+    let drawn: Vec<_> = lane.points.iter().zip(points).filter(|(_, [x, y])| *x > 0.0 && y.is_finite()).collect();
+    let (last, [_, error]) = drawn.last()?;
+    let due = |work: u64| error * (last.work as f64 / work as f64).powf(order);
+    let follows = drawn.iter().all(|(point, [_, error])| (0.1..=10.0).contains(&(due(point.work) / error)));
+    if drawn.len() < 2 || order <= 0.0 || !follows {
         return None;
     }
-    let points = vec![[first[0], last[1] * (last[0] / first[0]).powf(order)], **last];
+    let points = drawn.iter().map(|(point, [time, _])| [*time, due(point.work)]).collect();
     Some(Mark::Line { label: String::new(), hue: Hue::Reference, dash: Dash::Dotted, points })
 }
 
@@ -150,7 +152,17 @@ mod tests {
     fn an_asserted_order_is_drawn_beside_its_lane() {
         let marks = marks(&race(&[1.0, 0.25, 0.0625], Expects::Order { order: 2.0, tolerance: 0.1 }));
         let Mark::Line { points, .. } = &marks[0] else { panic!("{marks:?}") };
-        assert!((points[0][1] - 1.0).abs() < 1e-12 && (points[1][0] / 4.0 - 1.0).abs() < 1e-12, "{points:?}");
+        let due = [[1.0, 1.0], [2.0, 0.25], [4.0, 0.0625]];
+        assert!(
+            points.iter().flatten().zip(due.iter().flatten()).all(|(a, b)| (a / b - 1.0).abs() < 1e-12),
+            "{points:?}"
+        );
+    }
+
+    #[test]
+    fn a_lane_that_bends_has_no_order_drawn_beside_it() {
+        let marks = marks(&race(&[1.0, 0.1, 1e-4, 1e-10], Expects::Order { order: 11.0, tolerance: 1.0 }));
+        assert!(matches!(&marks[..], [Mark::Points { .. }]));
     }
 
     #[test]

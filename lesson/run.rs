@@ -99,16 +99,18 @@ fn parameters(setting: &Setting) -> Vec<ParameterReport> {
     let entries = setting.entries().map(|(parameter, text, value)| {
         let number = match value {
             Value::Number(number) => Some(Number(*number)),
-            Value::Medium(_) => None,
+            Value::Medium(_) | Value::Conductor(_) => None,
         };
         let index = match value {
             Value::Medium(medium) => medium.index(wavelength).ok(),
-            Value::Number(_) => None,
+            Value::Number(_) | Value::Conductor(_) => None,
         };
         let unit = match parameter.kind {
             Kind::Number { unit, .. } => unit,
             Kind::Count { .. } => "1",
             Kind::Medium | Kind::ClearMedium => "1",
+            // Three numbers, each with a unit of its own.
+            Kind::Conductor => "",
         };
         ParameterReport {
             name: parameter.name,

@@ -4,7 +4,7 @@ use crate::run::Parts;
 use crate::stop::{Stop, plain};
 use chapters::lecture::LECTURE;
 use chapters::setting::{
-    DEFAULT_WAVELENGTH, Fault, Kind, Parameter, Setting, Value, WAVELENGTH, excerpt, parse_medium,
+    DEFAULT_WAVELENGTH, FREQUENCY, Fault, Kind, Parameter, Setting, Value, WAVELENGTH, excerpt, parse_medium,
 };
 use chapters::{CURRICULUM, Chapter, Step};
 
@@ -61,9 +61,18 @@ impl Chosen {
             let text = kept.iter().rev().find(|(name, _)| *name == fault.place).map(|(_, text)| text.as_str());
             let must_be_clear =
                 self.parameter(&fault.place).is_some_and(|parameter| parameter.kind == Kind::ClearMedium);
+            let conducts = |place: &str| self.parameter(place).is_some_and(|known| known.kind == Kind::Conductor);
+            let sets = |name: &str| kept.iter().any(|(kept, _)| kept == name);
             let (name, why) = match text {
                 Some(text) if must_be_clear && absorbs(text, wavelength(&kept)) => {
                     (fault.place.clone(), format!("it needs a clear medium, not {text}"))
+                }
+                // A medium that is not known at the frequency at which this step starts out.
+                Some(text) if conducts(&fault.place) && !sets(FREQUENCY.name) => {
+                    (fault.place.clone(), format!("{text} is not known there: {fault}"))
+                }
+                None if conducts(&fault.place) && sets(FREQUENCY.name) => {
+                    (FREQUENCY.name.to_owned(), format!("there, {fault}"))
                 }
                 // Only the wavelength can have made a default invalid.
                 None if kept.iter().any(|(name, _)| name == WAVELENGTH.name) => {

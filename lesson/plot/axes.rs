@@ -48,6 +48,7 @@ pub struct Axes<'a> {
     pub band: Option<Frame>,
     marks: &'a [Mark],
     room: Frame,
+    is_bare: bool,
     x_label: Label,
     y_label: Label,
     /// Ticks of the horizontal axis.
@@ -95,7 +96,8 @@ impl<'a> Axes<'a> {
             let bottom = lines - NAME_GAP - text::DESCENT * TEXT - name.row as f64 * LINE;
             name.place = Frame { bottom, top: bottom - text::CAPITAL * TEXT, ..name.place };
         }
-        Self { frame, plane, band, marks, room: *room, x_label, y_label, x_ticks, y_ticks, names }
+        let is_bare = x.is_bare() && y.is_bare();
+        Self { frame, plane, band, marks, room: *room, is_bare, x_label, y_label, x_ticks, y_ticks, names }
     }
 
     /// Gives pairs of axes the same ticks where they show the same extents: as many as all have room for.
@@ -118,7 +120,9 @@ impl<'a> Axes<'a> {
     /// Frame, ticks, labels and names, for over the curves.
     pub fn draw(&self, canvas: &Canvas) {
         let frame = &self.frame;
-        canvas.outline(frame, INK, 1.0);
+        if !self.is_bare {
+            canvas.outline(frame, INK, 1.0);
+        }
         for tick in &self.x_ticks {
             let (x, y) = frame.place(tick.at, 0.0);
             canvas.line((x, y), (x, y + tick_length(tick)), INK, 1.0);
@@ -211,6 +215,9 @@ pub enum Direction {
 
 /// As many ticks as `length` has room for without their labels touching.
 pub fn ticks(extent: &Extent, axis: &Axis, length: f64, direction: Direction) -> Vec<Tick> {
+    if axis.is_bare() {
+        return Vec::new();
+    }
     let (pitch, gap) = if direction == Direction::Across { (66.0, 12.0) } else { (38.0, 5.0) };
     let size = |tick: &Tick| if direction == Direction::Across { tick_width(tick) } else { TEXT };
     let apart = |a: &Tick, b: &Tick| (b.at - a.at) * length >= (size(a) + size(b)) / 2.0 + gap;

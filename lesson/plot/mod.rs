@@ -222,6 +222,9 @@ fn description(plot: &Plot) -> String {
 }
 
 fn describe_chart(Chart { title, x, y, marks }: &Chart) -> String {
+    if x.is_bare() && y.is_bare() {
+        return format!("{}Drawing in perspective{}.", heading(title), describe_marks(marks));
+    }
     format!("{}{} against {}{}.", heading(title), label::full(y), label::full(x), describe_marks(marks))
 }
 

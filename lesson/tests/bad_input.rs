@@ -54,6 +54,19 @@ fn values_outside_their_domain() {
 }
 
 #[test]
+fn unphysical_media_and_frequencies() {
+    refused("plane-wave conductor --set medium=cooper", &["medium", "did you mean `copper`", "sea-water"]);
+    refused("plane-wave conductor --set medium=0/1/1", &["medium", "valid", "ε_r/μ_r/σ"]);
+    refused("plane-wave conductor --set medium=1/-1/1", &["medium", "valid"]);
+    refused("plane-wave conductor --set medium=1/1/-1", &["medium", "σ from 0"]);
+    refused("plane-wave conductor --set medium=1/1/nan", &["medium", "valid"]);
+    refused("plane-wave conductor --set freq=0GHz", &["freq", "valid: 1e-12GHz to 1e7GHz"]);
+    refused("plane-wave conductor --set freq=nan", &["freq", "valid"]);
+    refused("plane-wave conductor --set medium=copper --set freq=10THz", &["copper at 1e13 Hz", "hold"]);
+    refused("plane-wave --set medium=copper --set freq=10THz", &["copper at 1e13 Hz", "hold"]);
+}
+
+#[test]
 fn folders_and_formats_are_for_figures() {
     refused("fresnel brewster --out figures", &["--out", "needs --plot"]);
     refused("fresnel brewster --check --format svg", &["--format", "needs --plot"]);

@@ -24,7 +24,16 @@ fn contents_list_written_and_coming_chapters() {
 
 #[test]
 fn text_fits_eighty_columns_and_carries_no_escapes_into_a_pipe() {
-    for arguments in ["", "fresnel", "fresnel --check", "fresnel brewster --stress", "coverage", "eval --list"] {
+    for arguments in [
+        "",
+        "plane-wave",
+        "poynting --stress",
+        "fresnel",
+        "fresnel --check",
+        "fresnel brewster --stress",
+        "coverage",
+        "eval --list",
+    ] {
         let run = lesson(arguments);
         assert!(!run.out.contains('\x1b'), "{arguments}");
         for line in run.out.lines() {

@@ -1,0 +1,459 @@
+//! E18: waves where there is a current.
+
+use super::perspective::{span, travelling};
+use super::symbols::{AMPLITUDE, B, DELTA, E, EPSILON, H, J, K, K_VECTOR, MU, OMEGA, SIGMA, T, Z, Z_C};
+use super::transverse::{oblique, solves_maxwell};
+use super::wave_equation::twice;
+use super::{described, quantity, wave};
+use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::setting::{Conductor, FREQUENCY, MEDIUM, Setting};
+use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
+use light::Complex64;
+use light::equation::derivation::Chain;
+use light::equation::expr::{curl, divergence, dot, exp, i, laplacian, partial, pi, ratio, sqrt, tan, vector};
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::evidence::waves::{NAMES, PlaneWave, flat};
+use light::precise;
+use light::waves::constants::EPSILON_0;
+use light::waves::substance::{self, SUBSTANCES};
+use light::waves::{Medium, Wave, textbook};
+use std::f64::consts::{PI, TAU};
+
+/// The angle by which H lags E.
+const PHI: Symbol = Symbol::scalar("phi", Dimension::ONE).real(0.1, 0.7);
+/// A wave number that may be complex.
+const K_C: Symbol = Symbol::scalar("k", Dimension::RADIAN_PER_METRE).within(0.5, 2.0);
+
+pub(super) const STEP: Step = Step {
+    id: "conductor",
+    title: "Where there is a current",
+    says: "A current makes k and Z complex: the wave decays as it runs, and H lags E by up to an eighth of a period.",
+    rows: &["E18"],
+    parameters: &[MEDIUM, FREQUENCY],
+    statements: &[
+        Statement {
+            id: "wave_number",
+            says: "the square of the complex wave number",
+            rows: &["E18"],
+            equation: || Equation::new(K.pow(2), EPSILON * MU * OMEGA.pow(2) + i() * MU * SIGMA * OMEGA),
+        },
+        Statement {
+            id: "impedance",
+            says: "the complex impedance, E over H",
+            rows: &["E18"],
+            equation: || Equation::new(Z_C, OMEGA * MU / K),
+        },
+        Statement {
+            id: "lag",
+            says: "twice the angle by which H lags E",
+            rows: &["E18"],
+            equation: || Equation::new(tan(2 * PHI), SIGMA / (OMEGA * EPSILON)),
+        },
+        Statement {
+            id: "skin_depth",
+            says: "the depth at which the field has fallen to 1/e, in a good conductor",
+            rows: &["E18"],
+            equation: || Equation::approximate(DELTA, sqrt(2 / (OMEGA * MU * SIGMA))),
+        },
+    ],
+    derivations: &[
+        Derivation {
+            id: "telegraph",
+            says: "Ampère's law with J = σE, and the curl of Faraday's",
+            rows: &["E18"],
+            chain: || telegraph(MU * SIGMA * partial(E, T)),
+            spoiled: || telegraph(-(MU * SIGMA * partial(E, T))),
+            slip: "the current that the field drives is taken for one that drives the field",
+        },
+        Derivation {
+            id: "dispersion",
+            says: "a wave e^{i(k·r − ωt)} in that equation",
+            rows: &["E18"],
+            chain: || dispersion(i() * MU * SIGMA * OMEGA),
+            spoiled: || dispersion(-(i() * MU * SIGMA * OMEGA)),
+            slip: "the sign that belongs to e^{+iωt}: the wave would grow",
+        },
+        Derivation {
+            id: "all_four",
+            says: "with that k the wave obeys all four equations, whatever the direction",
+            rows: &["E18"],
+            chain: || solves_maxwell(Some(SIGMA), EPSILON * MU * partial(E, T)),
+            spoiled: || solves_maxwell(Some(SIGMA), -(EPSILON * MU * partial(E, T))),
+            slip: "the displacement current runs backwards",
+        },
+        Derivation {
+            id: "ohms",
+            says: "Faraday's law ties H to E",
+            rows: &["E18"],
+            chain: || ohms(OMEGA * MU / K_C),
+            spoiled: || ohms(-(OMEGA * MU / K_C)),
+            slip: "H on the other side of E: that wave runs back",
+        },
+        Derivation {
+            id: "good_conductor",
+            says: "k = (1 + i)/δ where the displacement current is nothing beside σE",
+            rows: &["E18"],
+            chain: || good_conductor(sqrt(2 / (OMEGA * MU * SIGMA))),
+            spoiled: || good_conductor(sqrt(1 / (OMEGA * MU * SIGMA))),
+            slip: "the two under the root is lost",
+        },
+        Derivation {
+            id: "eighth_of_a_period",
+            says: "and there H lags E by 45°",
+            rows: &["E18"],
+            chain: || eighth_of_a_period(ratio(1, 4)),
+            spoiled: || eighth_of_a_period(ratio(1, 2)),
+            slip: "a quarter of a period, as in a coil",
+        },
+    ],
+    readout: Some(readout),
+    checks: &[HANDBOOK, INTEGRATED],
+    stress: &[Stress {
+        id: "any_medium",
+        claim: "from the best insulator to the best conductor, 1 mHz to 1e16 Hz, every output stays within 16 ε(1+κ)",
+        rows: &["E18"],
+        textbook: "√(√(1 + τ²) ∓ 1)",
+        reference: "k = √(ω²εμ + iωμσ) in 256 bits; κ from difference quotients with a relative step of 1e−30",
+        cases: |_| families().iter().flat_map(|(name, inputs)| worst_cases(name, inputs)).collect(),
+    }],
+    races: &[],
+    figures: &[
+        Figure {
+            id: "perspective",
+            says: "E and B of a wave that decays, in perspective: B trails behind E.",
+            rows: &["E18"],
+            plot: perspective,
+        },
+        Figure {
+            id: "decay",
+            says: "E and H against depth at one instant, between their envelopes, and S, which falls twice as fast.",
+            rows: &["E18"],
+            plot: decay,
+        },
+        Figure {
+            id: "skin_depths",
+            says: "Skin depth against frequency over fifteen decades, as far as each medium was measured; metals appear again as light meets them.",
+            rows: &["E18"],
+            plot: skin_depths,
+        },
+        Figure {
+            id: "lags",
+            says: "By how much H lags E, and how much of the field is lost over a wavelength, against σ/(ωε).",
+            rows: &["E18"],
+            plot: lags,
+        },
+    ],
+};
+
+/// Maxwell's equations with J = σE and no charges.
+fn telegraph(conduction: Expr) -> Chain {
+    Chain::new(curl(curl(E)))
+        .given(divergence(E), 0, "∇·E = 0")
+        .given(divergence(B), 0, "∇·B = 0")
+        .given(J, SIGMA * E, "J = σE")
+        .given(partial(B, T), -curl(E), "∇×E = −∂B/∂t")
+        .given(partial(E, T), curl(B) / (EPSILON * MU) - J / EPSILON, "∇×B = μJ + εμ ∂E/∂t")
+        .then(-partial(curl(B), T), ["∇×E = −∂B/∂t", "derivatives commute"])
+        .then(-(MU * partial(J, T)) - EPSILON * MU * twice(E, T), ["∇×B = μJ + εμ ∂E/∂t"])
+        .then(-(MU * SIGMA * partial(E, T)) - EPSILON * MU * twice(E, T), ["J = σE"])
+        .then(Equation::new(laplacian(E), conduction + EPSILON * MU * twice(E, T)), ["∇×∇× = ∇∇· − ∇²", "∇·E = 0"])
+}
+
+/// A e^{i(kz − ωt)}
+fn wave_along_z() -> Expr {
+    AMPLITUDE * exp(i() * (K_C * Z - OMEGA * T))
+}
+
+fn dispersion(loss: Expr) -> Chain {
+    let square = EPSILON * MU * OMEGA.pow(2) + loss;
+    oblique(laplacian(E) - MU * SIGMA * partial(E, T) - EPSILON * MU * twice(E, T))
+        .because("nought, by the wave equation with a current")
+        .then((square - dot(K_VECTOR, K_VECTOR)) * E, ["∇ = ik, ∂/∂t = −iω"])
+        .because("so the factor in front of E vanishes")
+}
+
+fn ohms(impedance: Expr) -> Chain {
+    Chain::new(Equation::new(curl(E), -(MU * partial(H, T))))
+        .because("Faraday's law")
+        .given(E, vector(wave_along_z(), 0, 0), "E = A e^{i(kz − ωt)} along x")
+        .given(H, vector(0, wave_along_z() / Z_C, 0), "H = E/Z along y")
+        .given(Z_C, impedance, "Z = ωμ/k")
+        .then(Equation::new(Z_C, OMEGA * MU / K_C), ["∂/∂z = ik, ∂/∂t = −iω", "divide by E"])
+}
+
+fn good_conductor(depth: Expr) -> Chain {
+    Chain::new(((1 + i()) / DELTA).pow(2))
+        .because("k² with k = (1 + i)/δ: a wave that turns by a radian while it falls to 1/e")
+        .given(DELTA, depth, "δ = √(2/(ωμσ))")
+        .then(2 * i() / DELTA.pow(2), ["(1 + i)² = 2i"])
+        .then(i() * MU * SIGMA * OMEGA, ["δ = √(2/(ωμσ))"])
+}
+
+fn eighth_of_a_period(share: Expr) -> Chain {
+    Chain::new(OMEGA * MU / ((1 + i()) / DELTA))
+        .because("Z = ωμ/k with k = (1 + i)/δ")
+        .given(MU, 2 / (OMEGA * SIGMA * DELTA.pow(2)), "δ = √(2/(ωμσ))")
+        .then((1 - i()) / (SIGMA * DELTA), ["δ = √(2/(ωμσ))", "conjugate"])
+        .then(sqrt(Expr::from(2)) / (SIGMA * DELTA) * exp(-(i() * pi() * share)), ["e^{−iπ/4} = (1 − i)/√2"])
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let wave = wave(setting);
+    let tangent = setting.conductor("medium").loss_tangent(setting.frequency());
+    let tangent =
+        tangent.map(|value| quantity("loss_tangent", "σ/(ωε)", "conduction over displacement current", value, "1"));
+    let depth = wave.skin_depth;
+    let depth = quantity("skin_depth", "δ", "depth at which the field has fallen to 1/e", depth, "m");
+    let rest = vec![
+        quantity("k_re", "Re k", "phase per metre", wave.k.re, "rad/m"),
+        quantity("k_im", "Im k", "decay per metre", wave.k.im, "1/m"),
+        quantity("attenuation", "A", "the decay in decibels", wave.attenuation_db(), "dB/m"),
+        quantity("Z_re", "Re Z", "E over H, the part in phase", wave.impedance.re, "Ω"),
+        quantity("Z_im", "Im Z", "E over H, the part out of phase", wave.impedance.im, "Ω"),
+        quantity("phase_lag", "φ", "by which H lags E", wave.phase_lag, "rad"),
+        quantity("wavelength", "λ", "wavelength in the medium", wave.wavelength, "m"),
+        quantity("v_phase", "v", "speed of the phase", wave.v_phase, "m/s"),
+    ];
+    tangent.into_iter().chain(Some(depth).filter(|depth| depth.value.is_finite())).chain(rest).collect()
+}
+
+const HANDBOOK: Check = Check {
+    id: "handbook",
+    claim: "the skin depths of four metals at 10 GHz are those of the handbooks",
+    rows: &["E18"],
+    route: "Pozar, Microwave Engineering (4th ed.), example 1.2",
+    bound: Bound::AtMost { limit: 1.5e-3, unit: "1", why: "printed to three digits, from a constant that has three" },
+    measure: |_| handbook(TAU),
+    spoiled: |_| handbook(1.0),
+    slip: "f taken for ω",
+};
+
+fn handbook(radians: f64) -> Measured {
+    let printed = [
+        ("aluminium", 3.816e7, 8.14e-7),
+        ("copper", 5.813e7, 6.60e-7),
+        ("gold", 4.098e7, 7.86e-7),
+        ("silver", 6.173e7, 6.40e-7),
+    ];
+    Measured::worst(printed.map(|(name, sigma, depth)| {
+        let metal = Medium::relative(1.0, 1.0, sigma).expect("a metal");
+        let wave = Wave::new(&metal, radians * 10e9).expect("a positive frequency");
+        (wave.skin_depth / depth - 1.0, name.to_owned())
+    }))
+}
+
+/// Whatever a wave is like deep inside, on the way to the surface the part that decays inwards outgrows the other.
+const INTEGRATED: Check = Check {
+    id: "integrated",
+    claim: "k and Z are those of the two curl equations, integrated from deep inside to the surface",
+    rows: &["E18"],
+    route: "dE/dz = iωμH and dH/dz = (iωε − σ)E by Runge and Kutta's fourth-order rule, from a wall at E = H",
+    bound: Bound::AtMost {
+        limit: 1e-9,
+        unit: "1",
+        why: "steps of a few thousandths of 1/|k|, over which the rule errs by |kh|⁵/120; what runs back is e^(−50)",
+    },
+    measure: |_| integrated(1.0),
+    spoiled: |_| integrated(-1.0),
+    slip: "the displacement current runs backwards",
+};
+
+fn integrated(displacement: f64) -> Measured {
+    let tangents = [0.3, 1.0, 5.0, 100.0, 1e6, 1e12];
+    Measured::worst(tangents.map(|tangent| {
+        let omega = 1e9;
+        let medium = Medium::relative(4.0, 2.0, tangent * omega * 4.0 * EPSILON_0).expect("a medium");
+        let wave = Wave::new(&medium, omega).expect("a positive frequency");
+        let (scale, depths) = (wave.k.norm(), 26.0);
+        // Dimensionless: z in 1/|k|, H in E/|Z|, so that dE/dz = iaH and dH/dz = (ib − c)E.
+        let ohms = wave.impedance.norm();
+        let a = Complex64::new(0.0, omega * medium.mu() / (scale * ohms));
+        let b = Complex64::new(-medium.sigma(), displacement * omega * medium.epsilon()) * (ohms / scale);
+        let slope = |[e, h]: [Complex64; 2]| [a * h, b * e];
+        let total = depths * scale / wave.k.im;
+        let per_unit = 250.0;
+        let steps = (total * per_unit).ceil() as usize;
+        let mut fields = [Complex64::ONE; 2];
+        let mut halfway = fields;
+        let marker = (per_unit * 0.5) as usize;
+        for step in 0..steps {
+            if steps - step == marker {
+                halfway = fields;
+            }
+            fields = runge_kutta(fields, -1.0 / per_unit, slope);
+            // The decaying wave grows towards the surface; only ratios matter.
+            let size = fields[0].norm();
+            if size > 1e3 {
+                fields = fields.map(|field| field / size);
+                halfway = halfway.map(|field| field / size);
+            }
+        }
+        let impedance = fields[0] / fields[1] * ohms;
+        let k = Complex64::new(0.0, -1.0) * (halfway[0] / fields[0]).ln() / (marker as f64 / per_unit) * scale;
+        let off = ((impedance - wave.impedance) / wave.impedance).norm().max(((k - wave.k) / wave.k).norm());
+        (off, format!("σ/(ωε) = {tangent}"))
+    }))
+}
+
+fn runge_kutta(y: [Complex64; 2], h: f64, slope: impl Fn([Complex64; 2]) -> [Complex64; 2]) -> [Complex64; 2] {
+    let moved = |by: [Complex64; 2], share: f64| [y[0] + by[0] * (h * share), y[1] + by[1] * (h * share)];
+    let first = slope(y);
+    let second = slope(moved(first, 0.5));
+    let third = slope(moved(second, 0.5));
+    let fourth = slope(moved(third, 1.0));
+    [0, 1].map(|at| y[at] + (first[at] + 2.0 * (second[at] + third[at]) + fourth[at]) * (h / 6.0))
+}
+
+/// Inputs with what they have in common.
+type Family = (&'static str, Vec<(Medium, f64)>);
+
+fn families() -> Vec<Family> {
+    let frequencies = [1e-3, 1.0, 50.0, 1e6, 1e9, 5.45e14, 1e16];
+    let with = |parameters: &[(f64, f64, f64)]| -> Vec<(Medium, f64)> {
+        let media =
+            parameters.iter().filter_map(|&(epsilon_r, mu_r, sigma)| Medium::relative(epsilon_r, mu_r, sigma).ok());
+        media.flat_map(|medium| frequencies.map(|f| (medium, TAU * f))).collect()
+    };
+    let powers = |from: i32, to: i32| (from..=to).map(|power| 10f64.powi(power));
+    let traces: Vec<_> = powers(-30, -9).step_by(3).map(|sigma| (2.1, 1.0, sigma)).collect();
+    let between: Vec<_> = powers(-6, 3).flat_map(|sigma| [(80.0, 1.0, sigma), (1.0, 1.0, sigma)]).collect();
+    let metals: Vec<_> = powers(4, 12).flat_map(|sigma| [(1.0, 1.0, sigma), (1.0, 5000.0, sigma)]).collect();
+    let beyond: Vec<_> = powers(20, 300).step_by(40).map(|sigma| (1.0, 1.0, sigma)).collect();
+    let known =
+        SUBSTANCES.iter().flat_map(|known| frequencies.map(|f| Some((known.medium(f).ok()?, TAU * f)))).flatten();
+    vec![
+        ("a trace of conduction", with(&traces)),
+        ("neither one nor the other", with(&between)),
+        ("metals", with(&metals)),
+        ("towards the perfect conductor", with(&beyond)),
+        ("lossless", with(&[(1.0, 1.0, 0.0), (2.1, 1.0, 0.0), (1e-6, 1e6, 0.0)])),
+        ("media by name", known.collect()),
+    ]
+}
+
+/// For every output the input of a family at which the program uses up most of what it is allowed, and the one at which
+/// the textbook loses most.
+fn worst_cases(name: &str, inputs: &[(Medium, f64)]) -> Vec<Extreme> {
+    let mut worst: Vec<Option<(f64, Extreme)>> = vec![None; NAMES.len()];
+    let mut lost: Vec<Option<(f64, Extreme)>> = vec![None; NAMES.len()];
+    for (medium, omega) in inputs {
+        let Ok(wave) = Wave::new(medium, *omega) else { continue };
+        let exact = PlaneWave::new(medium, *omega);
+        let (ours, written, conditions) = (flat(&wave), flat(&textbook::wave(medium, *omega)), exact.conditions());
+        for at in 0..NAMES.len() {
+            let Some(reference) = &exact.outputs[at] else { continue };
+            let extreme = || Extreme {
+                input: format!("{name}: {}", describe(medium, *omega)),
+                quantity: NAMES[at],
+                reference: reference.clone(),
+                textbook: written[at],
+                ours: ours[at],
+                condition: conditions[at],
+                worst_of: inputs.len(),
+            };
+            let keep = |slot: &mut Option<(f64, Extreme)>, value: f64| {
+                let value = if value.is_nan() { f64::INFINITY } else { value };
+                if slot.as_ref().is_none_or(|(most, _)| value > *most) {
+                    *slot = Some((value, extreme()));
+                }
+            };
+            keep(&mut worst[at], precise::relative_error(ours[at], reference) / (1.0 + conditions[at]));
+            keep(&mut lost[at], precise::relative_error(written[at], reference));
+        }
+    }
+    // One row of the two where they are the same.
+    let both = worst.into_iter().zip(lost).flat_map(|(worst, lost)| {
+        let same = worst.as_ref().zip(lost.as_ref()).is_some_and(|(a, b)| a.1.input == b.1.input);
+        [worst, lost.filter(|_| !same)]
+    });
+    both.flatten().map(|(_, extreme)| extreme).collect()
+}
+
+fn describe(medium: &Medium, omega: f64) -> String {
+    let relative = medium.epsilon() / EPSILON_0;
+    format!("ε_r = {relative:.3e}, σ = {:e} S/m, f = {:e} Hz", medium.sigma(), omega / TAU)
+}
+
+fn perspective(setting: &Setting) -> Plot {
+    let wave = wave(setting);
+    let shown = format!("{} wavelengths", crate::setting::number((100.0 * span(&wave)).round() / 100.0));
+    Plot::of(format!("E, upright, and B, across, in {}", described(setting)), travelling(shown, &wave, 0.0))
+}
+
+fn decay(setting: &Setting) -> Plot {
+    let wave = wave(setting);
+    let title = format!("Decay and lag in {}", described(setting));
+    let (rate, turn, far) = (wave.k.im / wave.k.re, TAU, span(&wave));
+    let curve = |value: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
+        (0..=600).map(|at| far * f64::from(at) / 600.0).map(|z| [z, value(z)]).collect()
+    };
+    let envelope = |z: f64| (-rate * turn * z).exp();
+    let lag = wave.phase_lag;
+    let chart = Chart::new(
+        "",
+        Axis::linear("depth z / λ", "").range(0.0, far),
+        Axis::linear("field over its amplitude at z = 0", "").range(-1.05, 1.05),
+    )
+    .line(Hue::S, "E", curve(&|z| envelope(z) * (turn * z).cos()))
+    .line(Hue::P, "H", curve(&|z| envelope(z) * (turn * z + lag).cos()))
+    .line(
+        Hue::Transmitted,
+        "S over |E||H| at z = 0",
+        curve(&|z| envelope(z).powi(2) * (turn * z).cos() * (turn * z + lag).cos()),
+    )
+    .dashed(Hue::Reference, "e^{−z/δ}", curve(&envelope))
+    .dashed(Hue::Reference, "", curve(&|z| -envelope(z)))
+    .at_y(0.0, "");
+    Plot::of(title, chart)
+}
+
+/// Substances whose skin depths are drawn.
+const DRAWN: [&str; 6] = ["copper", "aluminium", "iron", "graphite", "sea-water", "soil"];
+
+fn skin_depths(setting: &Setting) -> Plot {
+    let depths = |medium: Conductor| -> Vec<[f64; 2]> {
+        let frequencies = (0..=600).map(|at| 10f64.powf(f64::from(at) / 40.0));
+        let depth = |f: f64| medium.wave(f).map_or(f64::NAN, |wave| wave.skin_depth);
+        frequencies.map(|f| [f, depth(f)]).collect()
+    };
+    let mut chart = Chart::new(
+        "",
+        Axis::log("frequency f", "Hz").range(1.0, 1e15),
+        Axis::log("skin depth δ", "m").range(1e-9, 1e4),
+    );
+    let known: Vec<_> = DRAWN.iter().filter_map(|name| substance::named(name)).collect();
+    for (at, known) in known.iter().enumerate() {
+        chart = chart.line(Hue::Nth(at as u8), known.name, depths(Conductor::Substance(known)));
+    }
+    let own = setting.conductor("medium");
+    if known.iter().all(|known| Conductor::Substance(known) != own) {
+        chart = chart.dashed(Hue::Natural, setting.text("medium"), depths(own));
+    }
+    Plot::of("Skin depth, as far as each medium is known", chart.at_x(setting.frequency(), "f"))
+}
+
+fn lags(setting: &Setting) -> Plot {
+    let tangents = || (0..=400).map(|at| 10f64.powf(f64::from(at) / 25.0 - 6.0));
+    let wave_at = |tangent: f64| {
+        let medium = Medium::relative(1.0, 1.0, tangent * EPSILON_0).expect("a medium");
+        Wave::new(&medium, 1.0).expect("a positive frequency")
+    };
+    let own = setting.conductor("medium").loss_tangent(setting.frequency()).unwrap_or(f64::NAN);
+    let axis = || Axis::log("σ/(ωε)", "").range(1e-6, 1e10);
+    let mark = |chart: Chart| if (1e-6..=1e10).contains(&own) { chart.at_x(own, "the setting") } else { chart };
+    let lag = Chart::new("Lag", axis(), Axis::linear("lag of H behind E, φ", "°").range(0.0, 55.0).tick(15.0))
+        .line(Hue::Ours, "", tangents().map(|tangent| [tangent, wave_at(tangent).phase_lag.to_degrees()]).collect())
+        .at_y(45.0, "45°");
+    let lost = Chart::new("Decay", axis(), Axis::log("1 − E(λ)/E(0)", "").range(1e-6, 10.0))
+        .line(
+            Hue::Ours,
+            "",
+            tangents()
+                .map(wave_at)
+                .zip(tangents())
+                .map(|(wave, t)| [t, -(-TAU * wave.k.im / wave.k.re).exp_m1()])
+                .collect(),
+        )
+        .dashed(Hue::Reference, "π σ/(ωε)", tangents().map(|t| [t, PI * t]).collect());
+    Plot::grid("A conductor is what has σ ≫ ωε", 2, vec![mark(lag).into(), mark(lost).into()])
+}

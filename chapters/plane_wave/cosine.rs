@@ -1,0 +1,221 @@
+//! E14, E19: one frequency, its wavelength and its wave number.
+
+use super::perspective::travelling;
+use super::symbols::{AMPLITUDE, AMPLITUDE_B, E, EPSILON, K, K_VECTOR, LAMBDA, MU, OMEGA, T, V, WAVE, Z};
+use super::transverse::oblique;
+use super::wave_equation::twice;
+use super::{GREEN, VACUUM, described, quantity, wave};
+use crate::figure::Plot;
+use crate::setting::Setting;
+use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
+use light::Complex64;
+use light::equation::derivation::Chain;
+use light::equation::expr::{cos, dot, laplacian, pi, sqrt};
+use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::optics::Incidence;
+use light::optics::film::{Layer, Polarisation, Stack};
+use light::waves::constants::C;
+use light::waves::{Medium, Wave};
+use std::f64::consts::{PI, TAU};
+
+const WAVE_B: Symbol = Symbol::scalar("B_y", Dimension::TESLA);
+
+pub(super) const STEP: Step = Step {
+    id: "cosine",
+    title: "One frequency",
+    says: "The simplest shape is a cosine: it repeats after λ in space and after 1/f in time, and k counts radians per metre.",
+    rows: &["E14", "E19"],
+    parameters: &[VACUUM, GREEN],
+    statements: &[
+        Statement {
+            id: "electric",
+            says: "the electric field of a harmonic wave",
+            rows: &["E14"],
+            equation: || Equation::new(WAVE.at([Z.into(), T.into()]), AMPLITUDE * cos(by_wavelength())),
+        },
+        Statement {
+            id: "magnetic",
+            says: "and its magnetic field, with an amplitude of its own",
+            rows: &["E14"],
+            equation: || Equation::new(WAVE_B.at([Z.into(), T.into()]), AMPLITUDE_B * cos(by_wavelength())),
+        },
+        Statement {
+            id: "wave_number",
+            says: "the wave number",
+            rows: &["E19"],
+            equation: || Equation::new(K, OMEGA / V),
+        },
+        Statement {
+            id: "phase",
+            says: "the wave by its wave number and its frequency",
+            rows: &["E19"],
+            equation: || Equation::new(WAVE.at([Z.into(), T.into()]), AMPLITUDE * cos(K * Z - OMEGA * T)),
+        },
+    ],
+    derivations: &[
+        Derivation {
+            id: "is_a_wave",
+            says: "a cosine of z − vt is one of d'Alembert's shapes",
+            rows: &["E14"],
+            chain: || is_a_wave(1 / sqrt(EPSILON * MU)),
+            spoiled: || is_a_wave(1 / (2 * sqrt(EPSILON * MU))),
+            slip: "a speed that is not the medium's",
+        },
+        Derivation {
+            id: "radians",
+            says: "a whole turn over a wavelength, and ω/v radians per metre",
+            rows: &["E19"],
+            chain: || radians(2 * pi() * V / OMEGA),
+            spoiled: || radians(V / OMEGA),
+            slip: "ω taken for f: λ = v/ω",
+        },
+        Derivation {
+            id: "any_direction",
+            says: "a wave e^{i(k·r − ωt)} in any direction obeys the wave equation if k² = εμω²",
+            rows: &["E19"],
+            chain: || any_direction(dot(K_VECTOR, K_VECTOR)),
+            spoiled: || any_direction(-dot(K_VECTOR, K_VECTOR)),
+            slip: "∂²/∂z² taken for k², not −k²",
+        },
+    ],
+    readout: Some(readout),
+    checks: &[NUMEROV, FRINGES],
+    stress: &[],
+    races: &[],
+    figures: &[Figure {
+        id: "perspective",
+        says: "E and B of a travelling wave in perspective, at four instants a sixth of a period apart.",
+        rows: &["E14"],
+        plot: perspective,
+    }],
+};
+
+fn by_wavelength() -> Expr {
+    2 * pi() / LAMBDA * (Z - V * T)
+}
+
+fn is_a_wave(speed: Expr) -> Chain {
+    let field = AMPLITUDE * cos(by_wavelength());
+    let slope = (2 * pi() / LAMBDA).pow(2);
+    Chain::new(twice(&field, Z))
+        .given(V, speed, "v = 1/√(εμ)")
+        .then(-(&slope * &field), ["∂²cos = −cos"])
+        .then(EPSILON * MU * twice(&field, T), ["∂²cos = −cos", "v = 1/√(εμ)"])
+}
+
+fn radians(wavelength: Expr) -> Chain {
+    Chain::new(AMPLITUDE * cos(by_wavelength()))
+        .given(LAMBDA, wavelength, "λ = 2πv/ω")
+        .given(K, OMEGA / V, "k = ω/v")
+        .then(AMPLITUDE * cos(OMEGA / V * (Z - V * T)), ["λ = 2πv/ω"])
+        .then(AMPLITUDE * cos(K * Z - OMEGA * T), ["k = ω/v"])
+}
+
+fn any_direction(k_squared: Expr) -> Chain {
+    oblique(laplacian(E) - EPSILON * MU * twice(E, T))
+        .because("nought, by the wave equation")
+        .then((EPSILON * MU * OMEGA.pow(2) - k_squared) * E, ["∇ = ik, ∂/∂t = −iω"])
+        .because("so the factor in front of E vanishes")
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let wave = wave(setting);
+    vec![
+        quantity("wavelength", "λ", "wavelength in the medium", wave.wavelength, "m"),
+        quantity("k_re", "k", "wave number (its real part)", wave.k.re, "rad/m"),
+        quantity("period", "1/f", "period", 1.0 / wave.frequency(), "s"),
+        quantity("v_phase", "v", "speed of the phase", wave.v_phase, "m/s"),
+    ]
+}
+
+/// The distance of two zeros is half a wavelength, and zeros can be found without knowing what a cosine is.
+const NUMEROV: Check = Check {
+    id: "zeros",
+    claim: "the field passes through zero every half wavelength",
+    rows: &["E14"],
+    route: "d²E/dz² = −ω²εμE integrated by Numerov's method; its zeros by interpolation",
+    bound: Bound::AtMost {
+        limit: 1e-10,
+        unit: "1",
+        why: "Numerov's phase error, (kh)⁴/480, at 1000 steps a wavelength is 3e−12; the zeros are interpolated by cubics",
+    },
+    measure: |_| zeros(|wave| wave.wavelength),
+    spoiled: |_| zeros(|wave| C / wave.frequency()),
+    slip: "the wavelength in the vacuum",
+};
+
+fn zeros(wavelength: fn(&Wave) -> f64) -> Measured {
+    let cases = [(1.0, 1.0, 1e9), (2.25, 1.0, TAU * 545e12), (80.0, 1.0, TAU * 50.0), (1.0, 100.0, 1e-3)];
+    Measured::worst(cases.map(|(epsilon_r, mu_r, omega)| {
+        let medium = Medium::relative(epsilon_r, mu_r, 0.0).expect("a clear medium");
+        let wave = Wave::new(&medium, omega).expect("a positive frequency");
+        // Steps of a thousandth of the wavelength in the medium, near enough: C/√(ε_r μ_r) is no part of the answer.
+        let h = C / (epsilon_r * mu_r).sqrt() * TAU / omega / 1000.0;
+        let found = numerov_zeros(omega * omega * medium.epsilon() * medium.mu() * h * h, 21);
+        let half = (found[20] - found[0]) * h / 20.0;
+        (2.0 * half / wavelength(&wave) - 1.0, format!("ε_r = {epsilon_r}, μ_r = {mu_r}, ω = {omega:e}"))
+    }))
+}
+
+/// The first `count` zeros, in steps, of u″ = −q u with u = 1 and u′ about 0 at the start; q per step squared.
+fn numerov_zeros(q: f64, count: usize) -> Vec<f64> {
+    let (weight, turn) = (1.0 + q / 12.0, 2.0 - 5.0 * q / 6.0);
+    let mut last = [1.0, 1.0, 1.0 - q / 2.0, 0.0];
+    last[3] = (turn * last[2] - weight * last[1]) / weight;
+    let (mut step, mut zeros) = (2.0, Vec::new());
+    while zeros.len() < count {
+        if (last[1] < 0.0) != (last[2] < 0.0) && step > 3.0 {
+            let cubic = |x: f64| {
+                let [a, b, c, d] = last;
+                -a * x * (x - 1.0) * (x - 2.0) / 6.0 + b * (x + 1.0) * (x - 1.0) * (x - 2.0) / 2.0
+                    - c * (x + 1.0) * x * (x - 2.0) / 2.0
+                    + d * (x + 1.0) * x * (x - 1.0) / 6.0
+            };
+            zeros.push(step + super::transverse::zero_of(cubic, 0.0, 1.0));
+        }
+        let next = (turn * last[3] - weight * last[2]) / weight;
+        last = [last[1], last[2], last[3], next];
+        step += 1.0;
+    }
+    zeros
+}
+
+const FRINGES: Check = Check {
+    id: "half_wave",
+    claim: "a film grown by π/k reflects as if nothing had been added",
+    rows: &["E19"],
+    route: "the film formulas of the chapter `fresnel`, which count in vacuum wavelengths",
+    bound: Bound::AtMost { limit: 1e-13, unit: "1", why: "a phase of up to 10π, rounded, and a reflectance below ½" },
+    measure: |_| fringes(|wave| wave.k.re),
+    spoiled: |_| fringes(|wave| wave.omega / C),
+    slip: "the wave number of the vacuum",
+};
+
+fn fringes(wave_number: fn(&Wave) -> f64) -> Measured {
+    let indices = [1.2, 1.38, 2.4, 4.0];
+    Measured::worst(indices.into_iter().flat_map(|n: f64| {
+        let lambda = 550e-9;
+        let medium = Medium::relative(n * n, 1.0, 0.0).expect("a clear medium");
+        let wave = Wave::new(&medium, TAU * C / lambda).expect("a positive frequency");
+        let reflectance = move |thickness: f64| {
+            let layers = [Layer { index: Complex64::from(n), thickness }];
+            let stack = Stack { n_i: 1.0, layers: &layers, substrate: 1.52.into() };
+            stack.response(lambda, Incidence::NORMAL, Polarisation::S).reflectance
+        };
+        let bare = reflectance(30e-9);
+        (1..=5).map(move |order| {
+            let grown = reflectance(30e-9 + f64::from(order) * PI / wave_number(&wave));
+            (grown - bare, format!("n = {n}, {order} half waves"))
+        })
+    }))
+}
+
+fn perspective(setting: &Setting) -> Plot {
+    let wave = wave(setting);
+    let panel = |step: u32| {
+        let turn = TAU * f64::from(step) / 6.0;
+        travelling(format!("ωt = {}°", 60 * step), &wave, turn).into()
+    };
+    let title = format!("E, upright, and B, across, in {}", described(setting));
+    Plot::grid(title, 2, (0..4).map(panel).collect())
+}

@@ -1,0 +1,73 @@
+//! Waves: rows E5–E19. One module a step, in teaching order.
+
+mod conductor;
+mod cosine;
+mod dalembert;
+pub(crate) mod fields;
+mod functions;
+mod grid;
+mod harmonics;
+mod one_way;
+mod perspective;
+mod relaxation;
+mod source_free;
+mod speed;
+pub(crate) mod symbols;
+pub(crate) mod transverse;
+mod wave_equation;
+
+use crate::setting::{FREQUENCY, MEDIUM, Parameter, Setting};
+use crate::vocabulary::{Chapter, Quantity, rms};
+use light::waves::Wave;
+
+/// The chapter.
+pub const CHAPTER: Chapter = Chapter {
+    id: "plane-wave",
+    title: "Waves",
+    says: "From Maxwell's equations to a wave of one frequency in any medium: its speed, its shape, its decay.",
+    builds_on: &["maxwell"],
+    prose: include_str!("prose.md"),
+    steps: &[
+        source_free::STEP,
+        wave_equation::STEP,
+        dalembert::STEP,
+        speed::STEP,
+        one_way::STEP,
+        harmonics::STEP,
+        cosine::STEP,
+        transverse::STEP,
+        conductor::STEP,
+        relaxation::STEP,
+    ],
+    functions: functions::FUNCTIONS,
+};
+
+/// The medium of the steps where nothing is lost.
+pub(crate) const VACUUM: Parameter = Parameter { default: "vacuum", ..MEDIUM };
+/// The frequency of green light, 550 nm.
+pub(crate) const GREEN: Parameter = Parameter { default: "545THz", ..FREQUENCY };
+
+/// The wave of the setting's frequency in its medium.
+pub(crate) fn wave(setting: &Setting) -> Wave {
+    setting.conductor("medium").wave(setting.frequency()).expect("validated when it was set")
+}
+
+/// `copper at 1GHz`: the setting as a heading.
+pub(crate) fn described(setting: &Setting) -> String {
+    format!("{} at {}", setting.text("medium"), setting.text("freq"))
+}
+
+/// The root of the mean square of what two lists differ by, place by place.
+fn rms_difference(found: &[f64], exact: &[f64]) -> f64 {
+    rms(&found.iter().zip(exact).map(|(found, exact)| found - exact).collect::<Vec<_>>())
+}
+
+pub(crate) const fn quantity(
+    key: &'static str,
+    symbol: &'static str,
+    says: &'static str,
+    value: f64,
+    unit: &'static str,
+) -> Quantity {
+    Quantity { key, symbol, says, value, unit }
+}

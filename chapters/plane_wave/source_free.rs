@@ -1,0 +1,145 @@
+//! E5: Maxwell's equations where there is nothing but a uniform medium.
+
+use super::fields::{Patch, Plane, crowd, outflows, over_time};
+use super::symbols::{B, D, E, EPSILON, H, J, MU, RHO, T};
+use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Statement, Step};
+use glam::DVec3;
+use light::equation::derivation::Chain;
+use light::equation::expr::{curl, divergence, partial};
+use light::equation::{Equation, Expr, Symbol};
+use light::sampling::uniform;
+use light::waves::Medium;
+use light::waves::constants::C;
+use std::f64::consts::TAU;
+
+pub(super) const STEP: Step = Step {
+    id: "source_free",
+    title: "Nothing but a medium",
+    says: "Without charges and currents four equations in two fields are left, and each field feeds the other.",
+    rows: &["E5"],
+    parameters: &[],
+    statements: &[
+        Statement {
+            id: "no_charge",
+            says: "no electric field line begins or ends",
+            rows: &["E5"],
+            equation: || Equation::new(divergence(E), 0),
+        },
+        Statement {
+            id: "no_pole",
+            says: "and no magnetic one, ever",
+            rows: &["E5"],
+            equation: || Equation::new(divergence(B), 0),
+        },
+        Statement {
+            id: "faraday",
+            says: "a changing magnetic field winds an electric one round itself",
+            rows: &["E5"],
+            equation: || Equation::new(curl(E), -partial(B, T)),
+        },
+        Statement {
+            id: "ampere",
+            says: "a changing electric field winds a magnetic one round itself",
+            rows: &["E5"],
+            equation: || Equation::new(curl(B), EPSILON * MU * partial(E, T)),
+        },
+    ],
+    derivations: &[
+        Derivation {
+            id: "gauss",
+            says: "∇·D = ρ in a uniform medium without charges",
+            rows: &["E5"],
+            chain: || gauss(EPSILON),
+            spoiled: || gauss(EPSILON.field()),
+            slip: "∇·D = ε ∇·E also where ε changes from place to place",
+        },
+        Derivation {
+            id: "displacement",
+            says: "∇×H = J + ∂D/∂t in a uniform medium without currents",
+            rows: &["E5"],
+            chain: || displacement(EPSILON * MU * partial(E, T)),
+            spoiled: || displacement(-(EPSILON * MU * partial(E, T))),
+            slip: "the displacement current runs backwards, as ∂B/∂t does in Faraday's law",
+        },
+    ],
+    readout: None,
+    checks: &[INTEGRAL_FORM],
+    stress: &[],
+    races: &[],
+    figures: &[],
+};
+
+fn gauss(permittivity: Symbol) -> Chain {
+    Chain::new(divergence(E))
+        .given(E, D / &permittivity, "D = εE")
+        .given(divergence(D), RHO, "∇·D = ρ")
+        .given(RHO, 0, "no charges")
+        .then(divergence(D) / &permittivity, ["D = εE", "ε is the same everywhere"])
+        .then(RHO / permittivity, ["∇·D = ρ"])
+        .then(Equation::new(divergence(E), 0), ["no charges"])
+}
+
+fn displacement(last: Expr) -> Chain {
+    Chain::new(curl(B))
+        .given(B, MU * H, "B = μH")
+        .given(E, D / EPSILON, "D = εE")
+        .given(partial(D, T), curl(H) - J, "∇×H = J + ∂D/∂t")
+        .given(J, 0, "no currents")
+        .then(MU * curl(H), ["B = μH"])
+        .then(MU * (J + partial(D, T)), ["∇×H = J + ∂D/∂t"])
+        .then(last, ["D = εE", "no currents"])
+}
+
+/// No derivative is taken: what winds round the edge of a patch is what changes inside.
+const INTEGRAL_FORM: Check = Check {
+    id: "integral_form",
+    claim: "the program's plane waves obey all four laws, twenty at once in glass",
+    rows: &["E5"],
+    route: "the laws in integral form, by Gauss's rule: flux through cubes, circulation round patches over a stretch of time",
+    bound: Bound::AtMost {
+        limit: 1e-12,
+        unit: "1",
+        why: "14 points over at most half a wavelength are exact to rounding; sums of a few thousand rounded cosines",
+    },
+    measure: |bench| integral_form(bench, |plane| plane),
+    spoiled: |bench| integral_form(bench, |plane| Plane { b: plane.b / GLASS, ..plane }),
+    slip: "|E|/|B| = c in glass too",
+};
+
+/// Index of the glass.
+const GLASS: f64 = 1.5;
+
+fn integral_form(bench: &mut Bench, amend: fn(Plane) -> Plane) -> Measured {
+    let glass = Medium::relative(GLASS * GLASS, 1.0, 0.0).expect("a clear medium");
+    let wavelength = 550e-9;
+    let omega = TAU * C / wavelength;
+    let waves: Vec<Plane> = crowd(&mut bench.stream, &glass, omega, 20).into_iter().map(amend).collect();
+    let e = |place, time| waves.iter().map(|wave| wave.at(place, time).0).sum::<DVec3>();
+    let b = |place, time| waves.iter().map(|wave| wave.at(place, time).1).sum::<DVec3>();
+    let size = (waves.len() as f64).sqrt();
+    let size_b = size * waves[0].b.length();
+    let mut cases = Vec::new();
+    for round in 0..6 {
+        let mut length = |most: f64| uniform(&mut bench.stream, -most, most) * wavelength;
+        let corner = DVec3::new(length(3.0), length(3.0), length(3.0));
+        let mut side = || DVec3::new(length(0.2), length(0.2), length(0.2));
+        let patch = Patch { corner, sides: [side(), side()] };
+        let (from, to) = (0.1 * f64::from(round) / omega, (1.0 + 0.3 * f64::from(round)) / omega);
+        let edge = patch.sides[0].length() + patch.sides[1].length();
+        let changed = |field| patch.flux(field, to) - patch.flux(field, from);
+        let wound = |field| over_time(from, to, |time| patch.circulation(field, time));
+        let cube = 0.2 * wavelength;
+        let out = |field| outflows(field, corner, cube, from).iter().sum::<f64>();
+        let at = format!("round {round}");
+        cases.extend([
+            (out(&e) / (size * cube * cube), format!("∇·E, {at}")),
+            (out(&b) / (size_b * cube * cube), format!("∇·B, {at}")),
+            ((wound(&e) + changed(&b)) / (size * edge * (to - from)), format!("Faraday, {at}")),
+            (
+                (wound(&b) - glass.epsilon() * glass.mu() * changed(&e)) / (size_b * edge * (to - from)),
+                format!("Ampère, {at}"),
+            ),
+        ]);
+    }
+    Measured::worst(cases)
+}

@@ -1,0 +1,202 @@
+//! E6–E8: the two first-order laws made one of second order, for either field.
+
+use super::fields::{Dipole, Field, acceleration, curl as curl_of, direction, laplacian as laplacian_of, rate};
+use super::symbols::{B, E, EPSILON, MU, T};
+use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Statement, Step, fitted_order, rms};
+use glam::DVec3;
+use light::equation::derivation::Chain;
+use light::equation::expr::{curl, divergence, gradient, laplacian, partial};
+use light::equation::{Equation, Expr, Symbol};
+use light::sampling::uniform;
+
+pub(super) const STEP: Step = Step {
+    id: "wave_equation",
+    title: "The wave equation",
+    says: "Each field drives the other; take one of them out and what is left is an equation of waves.",
+    rows: &["E6", "E7", "E8"],
+    parameters: &[],
+    statements: &[
+        Statement {
+            id: "curl_twice",
+            says: "Faraday's law, wound round once more",
+            rows: &["E6"],
+            equation: || Equation::new(curl(curl(E)), -partial(curl(B), T)),
+        },
+        Statement {
+            id: "curl_twice_e",
+            says: "and Ampère's law put in",
+            rows: &["E6"],
+            equation: || Equation::new(-partial(curl(B), T), -(EPSILON * MU * twice(E, T))),
+        },
+        Statement {
+            id: "wave_e",
+            says: "the wave equation of the electric field",
+            rows: &["E7"],
+            equation: || wave(&E, EPSILON * MU),
+        },
+        Statement {
+            id: "wave_b",
+            says: "the wave equation of the magnetic field",
+            rows: &["E8"],
+            equation: || wave(&B, EPSILON * MU),
+        },
+    ],
+    derivations: &[
+        Derivation {
+            id: "from_e5",
+            says: "the curl of Faraday's law, and Ampère's law for the curl of B",
+            rows: &["E6"],
+            chain: || curl_twice(-(EPSILON * MU * twice(E, T))),
+            spoiled: || curl_twice(EPSILON * MU * twice(E, T)),
+            slip: "the minus of Faraday's law is lost on the way",
+        },
+        Derivation {
+            id: "electric",
+            says: "∇×∇× = ∇∇· − ∇², and no charges",
+            rows: &["E7"],
+            chain: || electric(EPSILON * MU),
+            spoiled: || electric(-(EPSILON * MU)),
+            slip: "the sign of Laplace's equation in four dimensions",
+        },
+        Derivation {
+            id: "magnetic",
+            says: "the same way round for B",
+            rows: &["E8"],
+            chain: || magnetic(EPSILON * MU),
+            spoiled: || magnetic(2 * EPSILON * MU),
+            slip: "each of the two laws counted with its own εμ",
+        },
+    ],
+    readout: None,
+    checks: &[CURL_TWICE, DIPOLE_E, DIPOLE_B],
+    stress: &[],
+    races: &[],
+    figures: &[],
+};
+
+/// ∂²f/∂x²
+pub(super) fn twice(f: impl Into<Expr>, x: Symbol) -> Expr {
+    partial(partial(f, &x), x)
+}
+
+/// (∇² − `slowness` ∂²/∂t²) F = 0
+fn wave(field: &Symbol, slowness: Expr) -> Equation {
+    Equation::new(laplacian(field) - slowness * twice(field, T), 0)
+}
+
+/// E5 as hypotheses: each law says what its derivative is.
+fn source_free(chain: Chain) -> Chain {
+    chain
+        .given(divergence(E), 0, "∇·E = 0")
+        .given(divergence(B), 0, "∇·B = 0")
+        .given(partial(B, T), -curl(E), "∇×E = −∂B/∂t")
+        .given(partial(E, T), curl(B) / (EPSILON * MU), "∇×B = εμ ∂E/∂t")
+}
+
+fn curl_twice(last: Expr) -> Chain {
+    source_free(Chain::new(curl(curl(E))))
+        .then(-curl(partial(B, T)), ["∇×E = −∂B/∂t"])
+        .then(-partial(curl(B), T), ["derivatives commute"])
+        .then(last, ["∇×B = εμ ∂E/∂t"])
+}
+
+fn electric(slowness: Expr) -> Chain {
+    source_free(Chain::new(Equation::new(curl(curl(E)), gradient(divergence(E)) - laplacian(E))))
+        .because("true of every vector field")
+        .then(-laplacian(E), ["∇·E = 0"])
+        .then(wave(&E, slowness), ["∇×(∇×E) = −εμ ∂²E/∂t²"])
+}
+
+fn magnetic(slowness: Expr) -> Chain {
+    source_free(Chain::new(curl(curl(B))))
+        .then(EPSILON * MU * partial(curl(E), T), ["∇×B = εμ ∂E/∂t", "derivatives commute"])
+        .then(-(EPSILON * MU * twice(B, T)), ["∇×E = −∂B/∂t"])
+        .then(Equation::new(curl(curl(B)), gradient(divergence(B)) - laplacian(B)), ["true of every vector field"])
+        .then(-laplacian(B), ["∇·B = 0"])
+        .then(wave(&B, slowness), ["∇×(∇×B) = −εμ ∂²B/∂t²"])
+}
+
+const SECOND_ORDER: Bound = Bound::Order {
+    order: 2.0,
+    tolerance: 0.1,
+    why: "central differences err by h²; the next term, h⁴, still shows at the widest of the four steps",
+};
+
+const CURL_TWICE: Check = Check {
+    id: "curl_twice_of_a_dipole",
+    claim: "∇×(∇×E), −∂(∇×B)/∂t and −εμ ∂²E/∂t² are one and the same in the field of a dipole",
+    rows: &["E6"],
+    route: "Jackson's dipole field (9.18), far from plane, by central differences that shrink",
+    bound: SECOND_ORDER,
+    measure: |bench| differences(bench, |dipole, place, time, h| curl_twice_residual(dipole, place, time, h, 1.0)),
+    spoiled: |bench| differences(bench, |dipole, place, time, h| curl_twice_residual(dipole, place, time, h, -1.0)),
+    slip: "the minus of Faraday's law is lost on the way",
+};
+
+const DIPOLE_E: Check = Check {
+    id: "dipole_e",
+    claim: "the electric field of a dipole obeys the wave equation, near field included",
+    rows: &["E7"],
+    route: "Jackson's dipole field (9.18), by central differences that shrink",
+    bound: SECOND_ORDER,
+    measure: |bench| {
+        differences(bench, |dipole, place, time, h| {
+            wave_residual(&|r, t| dipole.e(r, t), place, time, h, dipole.speed.powi(-2))
+        })
+    },
+    spoiled: |bench| {
+        differences(bench, |dipole, place, time, h| {
+            wave_residual(&|r, t| dipole.e(r, t), place, time, h, dipole.speed.powi(-1))
+        })
+    },
+    slip: "1/v for 1/v²",
+};
+
+const DIPOLE_B: Check = Check {
+    id: "dipole_b",
+    claim: "so does its magnetic field",
+    rows: &["E8"],
+    route: "Jackson's dipole field (9.18), by central differences that shrink",
+    bound: SECOND_ORDER,
+    measure: |bench| {
+        differences(bench, |dipole, place, time, h| {
+            wave_residual(&|r, t| dipole.b(r, t), place, time, h, dipole.speed.powi(-2))
+        })
+    },
+    spoiled: |bench| {
+        differences(bench, |dipole, place, time, h| {
+            wave_residual(&|r, t| dipole.b(r, t), place, time, h, -dipole.speed.powi(-2))
+        })
+    },
+    slip: "the sign of Laplace's equation in four dimensions",
+};
+
+/// How fast the residual of a law falls as the differences shrink, over places about the dipole.
+fn differences(bench: &mut Bench, residual: fn(&Dipole, DVec3, f64, f64) -> f64) -> Measured {
+    let dipole = Dipole { speed: 0.7 };
+    let places: Vec<(DVec3, f64)> = (0..12)
+        .map(|_| {
+            let distance = uniform(&mut bench.stream, 1.0, 6.0);
+            (direction(&mut bench.stream) * distance, uniform(&mut bench.stream, 0.0, 9.0))
+        })
+        .collect();
+    let widths = [0.1, 0.05, 0.025, 0.0125];
+    let points = widths.map(|h| {
+        let residuals: Vec<f64> = places.iter().map(|(place, time)| residual(&dipole, *place, *time, h)).collect();
+        (1.0 / h, rms(&residuals))
+    });
+    let value = fitted_order(&points).unwrap_or(f64::NAN);
+    Measured { value, at: format!("h = {} … {}", widths[0], widths[3]), cases: places.len() * widths.len() }
+}
+
+fn curl_twice_residual(dipole: &Dipole, place: DVec3, time: f64, h: f64, sign: f64) -> f64 {
+    let (e, b) = (|r: DVec3, t: f64| dipole.e(r, t), |r: DVec3, t: f64| dipole.b(r, t));
+    let twice = curl_of(&|r, t| curl_of(&e, r, t, h), place, time, h);
+    let by_b = -sign * rate(&|r, t| curl_of(&b, r, t, h), place, time, h);
+    let by_e = -sign * dipole.speed.powi(-2) * acceleration(&e, place, time, h);
+    (twice - by_b).length().max((twice - by_e).length())
+}
+
+fn wave_residual(field: Field, place: DVec3, time: f64, h: f64, epsilon_mu: f64) -> f64 {
+    (laplacian_of(field, place, time, h) - epsilon_mu * acceleration(field, place, time, h)).length()
+}

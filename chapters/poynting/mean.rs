@@ -1,0 +1,274 @@
+//! E23: the mean over a period.
+
+use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::plane_wave::symbols::{AMPLITUDE, E, EPSILON, H, K, OMEGA, PERIOD, S, T, V, Z};
+use crate::plane_wave::transverse::harmonic;
+use crate::plane_wave::{GREEN, VACUUM, described, quantity, wave};
+use crate::setting::Setting;
+use crate::vocabulary::{
+    Bound, Check, Derivation, Expects, Extreme, Figure, Heat, Lane, Measured, Race, Statement, Step, Stress,
+};
+use light::equation::derivation::Chain;
+use light::equation::expr::{abs, cos, cross, dot, integral_between, mean, pi, ratio, sin, vector};
+use light::equation::{Equation, Expr};
+use light::evidence::quadrature::{gauss_legendre, simpson, trapezoid};
+use light::evidence::waves::phase;
+use light::precise;
+use light::sampling::uniform;
+use light::waves::flux::{mean_of_pulse_train, pulse_train};
+use light::waves::phase::{cis, cycles};
+use light::waves::textbook::cos_of_time;
+use light::waves::{Medium, Wave};
+
+pub(super) const STEP: Step = Step {
+    id: "mean",
+    title: "The mean over a period",
+    says: "A squared cosine is a half on average, so the mean flow is ½vεA².",
+    rows: &["E23"],
+    parameters: &[VACUUM, GREEN],
+    statements: &[
+        Statement {
+            id: "average",
+            says: "the mean flow",
+            rows: &["E23"],
+            equation: || Equation::new(mean(abs(S)), 1 / PERIOD * integral_between(abs(S), T, 0, PERIOD)),
+        },
+        Statement {
+            id: "half",
+            says: "of a harmonic wave of amplitude A",
+            rows: &["E23"],
+            equation: || Equation::new(mean(abs(S)), ratio(1, 2) * V * EPSILON * AMPLITUDE.pow(2)),
+        },
+    ],
+    derivations: &[
+        Derivation {
+            id: "cosine_squared",
+            says: "⟨cos²⟩ = ½, by its antiderivative",
+            rows: &["E23"],
+            chain: || cosine_squared(ratio(1, 2)),
+            spoiled: || cosine_squared(2 / pi()),
+            slip: "the mean of |cos| for that of cos²",
+        },
+        Derivation {
+            id: "half_v_epsilon",
+            says: "S of a harmonic wave, averaged",
+            rows: &["E23"],
+            chain: || half(ratio(1, 2) * V * EPSILON * AMPLITUDE.pow(2)),
+            spoiled: || half(V * EPSILON * AMPLITUDE.pow(2)),
+            slip: "the peak for the mean",
+        },
+    ],
+    readout: Some(|setting| {
+        let wave = wave(setting);
+        vec![
+            quantity("S_avg", "⟨S⟩", "mean flow at an amplitude of 1 V/m", wave.mean_flux, "W/m²"),
+            quantity("A_sun", "A", "amplitude that carries 1 kW/m²", (1000.0 / wave.mean_flux).sqrt(), "V/m"),
+        ]
+    }),
+    checks: &[QUADRATURE],
+    stress: &[Stress {
+        id: "late",
+        claim: "the flow of light keeps its digits a nanosecond, a second and a year after the start",
+        rows: &["E23"],
+        textbook: "cos² of the rounded product 2πft",
+        reference: "the exact product f·t less its whole cycles, in 256 bits; f and t are taken as exact, so κ is 0",
+        cases: |_| late(),
+    }],
+    races: &[AVERAGES],
+    figures: &[Figure {
+        id: "period",
+        says: "E, H and their product over two periods, with the mean of the product; below zero energy flows back.",
+        rows: &["E23"],
+        plot: period,
+    }],
+};
+
+fn phase_at(z: Expr) -> Expr {
+    z - OMEGA * T
+}
+
+fn cosine_squared(last: Expr) -> Chain {
+    let square = cos(phase_at(K * Z)).pow(2);
+    let over_a_period = 1 / PERIOD * integral_between(&square, T, 0, PERIOD);
+    Chain::new(mean(&square))
+        .given(mean(square), &over_a_period, "mean over a period")
+        .given(PERIOD, 2 * pi() / OMEGA, "T = 2π/ω")
+        .primitive(T / 2 - sin(2 * phase_at(K * Z)) / (4 * OMEGA), T)
+        .then(over_a_period, ["mean over a period"])
+        .then(last, ["2 cos²α = 1 + cos 2α", "T = 2π/ω"])
+}
+
+fn half(last: Expr) -> Chain {
+    let flow = || dot(vector(0, 0, 1), S);
+    let over_a_period = 1 / PERIOD * integral_between(flow(), T, 0, PERIOD);
+    let angle = || phase_at(OMEGA / V * Z);
+    let power = || V * EPSILON * AMPLITUDE.pow(2);
+    harmonic(mean(flow()))
+        .because("S runs along z")
+        .given(S, cross(E, H), "S = E×H")
+        .given(mean(flow()), &over_a_period, "mean over a period")
+        .given(PERIOD, 2 * pi() / OMEGA, "T = 2π/ω")
+        .primitive(power() * (T / 2 - sin(2 * angle()) / (4 * OMEGA)), T)
+        .then(over_a_period, ["mean over a period"])
+        .then(1 / PERIOD * integral_between(power() * cos(angle()).pow(2), T, 0, PERIOD), ["S = E×H", "v = 1/√(εμ)"])
+        .then(last, ["⟨cos²⟩ = ½"])
+}
+
+const QUADRATURE: Check = Check {
+    id: "quadrature",
+    claim: "the program's mean flow is ½vεA² in clear media",
+    rows: &["E23"],
+    route: "E·B/μ of the two cosines, averaged over a period by Gauss's rule; neither v nor ½ is put in",
+    bound: Bound::AtMost { limit: 64.0, unit: "ε", why: "forty terms, and a dozen roundings in k and Z" },
+    measure: |_| averaged(|wave| wave.mean_flux),
+    spoiled: |_| averaged(|wave| 2.0 * wave.mean_flux),
+    slip: "the peak for the mean",
+};
+
+fn averaged(program: fn(&Wave) -> f64) -> Measured {
+    let media = [(1.0, 1.0), (2.25, 1.0), (80.0, 1.0), (1.0, 1000.0), (1e-3, 1e-3)];
+    let rule = gauss_legendre(40);
+    Measured::worst(media.map(|(epsilon_r, mu_r)| {
+        let medium = Medium::relative(epsilon_r, mu_r, 0.0).expect("a clear medium");
+        let wave = Wave::new(&medium, 3e15).expect("a positive frequency");
+        // B of Faraday's law, k/ω times E.
+        let flow = |share: f64| cis(share).re.powi(2) * (wave.k.re / wave.omega) / medium.mu();
+        let mean: f64 = rule.iter().map(|(share, weight)| weight * flow(*share)).sum();
+        ((program(&wave) / mean - 1.0) / f64::EPSILON, format!("ε_r = {epsilon_r}, μ_r = {mu_r}"))
+    }))
+}
+
+fn late() -> Vec<Extreme> {
+    let frequencies = [50.0, 1e9, 4.736_123_536_04e14, 5.45e14, 1e16];
+    let times = [1e-15, 1e-9, 1e-6, 0.02, 1.0, 3.155_76e7];
+    let each = frequencies.into_iter().flat_map(|f| times.map(|t| (f, t)));
+    each.map(|(f, t)| {
+        let exact = phase(f, t).cos;
+        Extreme {
+            input: format!("f = {f:e} Hz, t = {t:e} s"),
+            quantity: "S/S_{max}",
+            reference: &exact * &exact,
+            textbook: cos_of_time(f, t).powi(2),
+            ours: cis(cycles(f, t)).re.powi(2),
+            condition: 0.0,
+            worst_of: 1,
+        }
+    })
+    .filter(|case| precise::to_f64(&case.reference) > f64::MIN_POSITIVE)
+    .collect()
+}
+
+/// How peaked the pulses of the race are.
+const SHARPNESS: f64 = 5.0;
+
+/// The error of the trapezoid with n points over a period is Σ 2I_{jn}(10)/I₀(10), j = 1, 2, …: the harmonics that it
+/// takes for the mean. That of Simpson's rule is (4 of it − the one with n/2)/3. Both fall faster than any power; the
+/// orders below are the slopes of these sums over the works raced.
+const AVERAGES: Race = Race {
+    id: "averages",
+    claim: "over a whole period the plainest rule is the best: the trapezoid gains digits in proportion to its points",
+    rows: &["E23"],
+    work: "evaluations of S",
+    error: "relative error of the mean",
+    reference: "relative error of the mean of a train of pulses e^(10(cos 2πx − 1)), against e^(−10) I₀(10) by its series",
+    lanes: &[
+        Lane {
+            id: "monte_carlo",
+            label: "Monte Carlo",
+            works: &[16, 64, 256, 1024, 4096, 16384],
+            expects: Expects::Order { order: 0.5, tolerance: 0.15 },
+            repeats: 32,
+            prepare: |bench, work| {
+                let weight = 1.0 / work as f64;
+                summed((0..work).map(|_| (uniform(&mut bench.stream, 0.0, 1.0), weight)).collect())
+            },
+        },
+        Lane::once(
+            "simpson_half",
+            "Simpson, over 0.4 of the period",
+            &[16, 32, 64, 128, 256],
+            Expects::Order { order: 4.0, tolerance: 0.4 },
+            |_, work| part_of_a_period(simpson(work as usize)),
+        ),
+        Lane::once(
+            "trapezoid_half",
+            "trapezoid, over 0.4 of the period",
+            &[16, 32, 64, 128, 256],
+            Expects::Order { order: 2.0, tolerance: 0.2 },
+            |_, work| part_of_a_period(trapezoid(work as usize)),
+        ),
+        Lane::once(
+            "simpson",
+            "Simpson",
+            &[8, 16, 24, 32, 48],
+            Expects::Order { order: 11.46, tolerance: 0.1 },
+            |_, work| summed(simpson(work as usize)),
+        ),
+        // No closed form is known: that it is faster than rules of fixed order are is all that is asserted.
+        Lane::once(
+            "gauss",
+            "Gauss",
+            &[8, 12, 16, 24, 32],
+            Expects::Order { order: 14.0, tolerance: 6.0 },
+            |_, work| summed(gauss_legendre(work as usize)),
+        ),
+        Lane::once(
+            "trapezoid",
+            "trapezoid",
+            &[4, 8, 12, 16, 24],
+            Expects::Order { order: 11.68, tolerance: 0.1 },
+            |_, work| summed(trapezoid(work as usize)),
+        ),
+        Lane {
+            id: "trapezoid_enough",
+            label: "trapezoid, 32 points and more",
+            works: &[32, 64, 128],
+            expects: Expects::Within {
+                limit: 1e-13,
+                why: "the harmonics that it takes for the mean are below rounding",
+            },
+            repeats: 1,
+            prepare: |_, work| summed(trapezoid(work as usize)),
+        },
+    ],
+};
+
+fn total(rule: &[(f64, f64)], from: f64, to: f64) -> f64 {
+    let flow = |share: f64| pulse_train(SHARPNESS, from + (to - from) * share);
+    rule.iter().map(|(share, weight)| weight * flow(*share)).sum()
+}
+
+/// The mean over the period by a rule on 0 … 1, timed.
+fn summed(rule: Vec<(f64, f64)>) -> Heat {
+    Heat {
+        run: Box::new(move || vec![total(&rule, 0.0, 1.0)]),
+        error: Box::new(|mean| (mean[0] / mean_of_pulse_train(SHARPNESS) - 1.0).abs()),
+    }
+}
+
+/// The mean over a part of the period by a rule on 0 … 1, timed: a cut anywhere takes the trapezoid's gift away.
+fn part_of_a_period(rule: Vec<(f64, f64)>) -> Heat {
+    let (from, to) = (0.1, 0.5);
+    Heat {
+        run: Box::new(move || vec![total(&rule, from, to)]),
+        error: Box::new(move |mean| (mean[0] / total(&gauss_legendre(64), from, to) - 1.0).abs()),
+    }
+}
+
+fn period(setting: &Setting) -> Plot {
+    let flux = super::flux(setting);
+    let peak = 2.0 * flux.swing;
+    let times = || (0..=600).map(|at| f64::from(at) / 300.0);
+    let curve = |value: &dyn Fn(f64) -> f64| times().map(|x| [x, value(x)]).collect::<Vec<_>>();
+    let chart = Chart::new(
+        "",
+        Axis::linear("time t / T", "").range(0.0, 2.0).tick(0.25),
+        Axis::linear("over the amplitude, S over |E||H|", "").range(-1.1, 1.1),
+    )
+    .line(Hue::S, "E", curve(&|x| cis(x).re))
+    .dashed(Hue::P, "H", curve(&|x| cis(x - flux.lag).re))
+    .line(Hue::Transmitted, "S", curve(&|x| flux.at(x / flux.frequency) / peak))
+    .at_y(flux.mean / peak, "⟨S⟩")
+    .at_y(0.0, "");
+    Plot::of(format!("The flow over two periods in {}", described(setting)), chart)
+}

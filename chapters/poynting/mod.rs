@@ -1,0 +1,29 @@
+//! Energy flow: rows E20–E24 and C3–C5. One module a step, in teaching order.
+
+mod flow;
+mod mean;
+mod orders;
+mod phasor;
+mod theorem;
+mod window;
+
+use crate::plane_wave::wave;
+use crate::setting::Setting;
+use crate::vocabulary::Chapter;
+use light::waves::flux::Flux;
+
+/// The chapter.
+pub const CHAPTER: Chapter = Chapter {
+    id: "poynting",
+    title: "The flow of energy",
+    says: "From the fields to what a detector reads: the Poynting vector, its balance and its average.",
+    builds_on: &["plane-wave"],
+    prose: include_str!("prose.md"),
+    steps: &[flow::STEP, theorem::STEP, orders::STEP, mean::STEP, phasor::STEP, window::STEP],
+    functions: &[],
+};
+
+/// The flow at z = 0 of the setting's wave, of amplitude 1 V/m.
+fn flux(setting: &Setting) -> Flux {
+    Flux::at_depth(&wave(setting), 1.0, 0.0)
+}

@@ -1,0 +1,267 @@
+//! C3: which way the energy flows, and that none is lost on the books.
+
+use crate::plane_wave::fields::{Plane, crowd, direction, outflows, over_time};
+use crate::plane_wave::symbols::{A_VECTOR, B, E, EPSILON, H, J, K_VECTOR, MU, OMEGA, S, T, U_DENSITY};
+use crate::plane_wave::transverse::across_k;
+use crate::plane_wave::{quantity, wave};
+use crate::setting::{FREQUENCY, MEDIUM, Setting};
+use crate::vocabulary::{Bench, Bound, Check, Derivation, Extreme, Measured, Quantity, Statement, Step, Stress};
+use glam::DVec3;
+use light::equation::derivation::Chain;
+use light::equation::expr::{cross, curl, divergence, dot, partial};
+use light::equation::{Equation, Expr};
+use light::evidence::quadrature::gauss_legendre;
+use light::evidence::waves::{NAMES, PlaneWave};
+use light::precise::{self, Real};
+use light::sampling::uniform;
+use light::waves::constants::{C, EPSILON_0};
+use light::waves::energy::Running;
+use light::waves::{Medium, Wave};
+use std::f64::consts::TAU;
+
+pub(super) const STEP: Step = Step {
+    id: "theorem",
+    title: "The balance",
+    says: "What flows into a box is stored there or turned to heat; the flow runs with the wave.",
+    rows: &["C3"],
+    parameters: &[MEDIUM, FREQUENCY],
+    statements: &[
+        Statement {
+            id: "density",
+            says: "the energy that the fields hold",
+            rows: &["C3"],
+            equation: || Equation::new(U_DENSITY, density()),
+        },
+        Statement {
+            id: "balance",
+            says: "Poynting's theorem",
+            rows: &["C3"],
+            equation: || Equation::new(divergence(S) + partial(U_DENSITY, T), -dot(J, E)),
+        },
+        Statement {
+            id: "direction",
+            says: "the flow of a plane wave in a clear medium runs along k",
+            rows: &["C3"],
+            equation: || Equation::new(S, dot(E, E) / (OMEGA * MU) * K_VECTOR),
+        },
+    ],
+    derivations: &[
+        Derivation {
+            id: "poynting",
+            says: "from the two curls of Maxwell's equations",
+            rows: &["C3"],
+            chain: || balance(-dot(J, E)),
+            spoiled: || balance(dot(J, E)),
+            slip: "the work of the field on the current counted as a gain",
+        },
+        Derivation {
+            id: "along_k",
+            says: "B is k×E/ω, and E stands across k",
+            rows: &["C3"],
+            chain: || along_k(dot(E, E) / (OMEGA * MU) * K_VECTOR),
+            spoiled: || along_k(-(dot(E, E) / (OMEGA * MU) * K_VECTOR)),
+            slip: "the two factors of E×B interchanged",
+        },
+    ],
+    readout: Some(readout),
+    checks: &[BOX, SLAB, ALONG_K],
+    stress: &[Stress {
+        id: "thin_and_weak",
+        claim: "what a slab takes from the flow keeps its digits however thin or clear it is",
+        rows: &["C3"],
+        textbook: "the flow at the far face less that at the near one",
+        reference: "⟨S⟩(e^(−2 Im k d) − 1) in 256 bits, from ε, μ, σ and ω",
+        cases: |_| thin_and_weak(),
+    }],
+    races: &[],
+    figures: &[],
+};
+
+fn density() -> Expr {
+    (EPSILON * dot(E, E) + MU * dot(H, H)) / 2
+}
+
+fn balance(work: Expr) -> Chain {
+    Chain::new(divergence(S))
+        .given(S, cross(E, H), "S = E×H")
+        .given(U_DENSITY, density(), "u = ½(εE² + μH²)")
+        .given(partial(H, T), -curl(E) / MU, "∇×E = −∂B/∂t")
+        .given(partial(E, T), (curl(H) - J) / EPSILON, "∇×H = J + ∂D/∂t")
+        .then(dot(H, curl(E)) - dot(E, curl(H)), ["∇·(E×H)"])
+        .then(
+            -(MU * dot(H, partial(H, T))) - EPSILON * dot(E, partial(E, T)) - dot(J, E),
+            ["∇×E = −∂B/∂t", "∇×H = J + ∂D/∂t"],
+        )
+        .then(-partial(U_DENSITY, T) - dot(J, E), ["u = ½(εE² + μH²)"])
+        .then(Equation::new(divergence(S) + partial(U_DENSITY, T), work), ["to the left"])
+}
+
+fn along_k(last: Expr) -> Chain {
+    let chain = Chain::new(cross(E, B) / MU)
+        .because("S of a wave in the direction k, where and when E = A")
+        .given(E, A_VECTOR, "E at this place and time")
+        .given(B, cross(K_VECTOR, E) / OMEGA, "B = k×E/ω");
+    across_k(chain)
+        .then((dot(E, E) * K_VECTOR - dot(K_VECTOR, E) * E) / (OMEGA * MU), ["a×(b×a)"])
+        .then(last, ["k·A = 0"])
+}
+
+fn readout(setting: &Setting) -> Vec<Quantity> {
+    let wave = wave(setting);
+    let depth = if wave.skin_depth.is_finite() { wave.skin_depth } else { wave.wavelength };
+    let heat = -wave.mean_flux * (-2.0 * wave.k.im * depth).exp_m1();
+    vec![
+        quantity("slab", "d", "a slab one skin depth thick; a wavelength where there is none", depth, "m"),
+        quantity("entering", "⟨S⟩", "what enters it, at 1 V/m", wave.mean_flux, "W/m²"),
+        quantity("heat", "Q", "what it turns to heat", heat, "W/m²"),
+        quantity("leaving", "⟨S⟩(d)", "what leaves it", wave.mean_flux - heat, "W/m²"),
+    ]
+}
+
+const BOX: Check = Check {
+    id: "box",
+    claim: "in a tangle of twenty waves, what a box gains is what flows in",
+    rows: &["C3"],
+    route: "the energy in the box at two times, against the flow through its faces in between, by Gauss's rule",
+    bound: Bound::AtMost {
+        limit: 1e-11,
+        unit: "1",
+        why: "Gauss's rule is exact to rounding here; the flow is a small difference of what twenty waves carry",
+    },
+    measure: |bench| tangled(bench, 1.0),
+    spoiled: |bench| tangled(bench, 0.5),
+    slip: "half of the magnetic energy forgotten",
+};
+
+fn tangled(bench: &mut Bench, magnetic: f64) -> Measured {
+    let glass = Medium::relative(2.25, 1.2, 0.0).expect("a clear medium");
+    let lambda = 550e-9;
+    let omega = TAU * C / lambda;
+    let waves: Vec<Plane> = crowd(&mut bench.stream, &glass, omega, 20);
+    let fields = |place, time| {
+        let both = waves.iter().map(|wave| wave.at(place, time));
+        both.fold((DVec3::ZERO, DVec3::ZERO), |(e, b), (more_e, more_b)| (e + more_e, b + more_b))
+    };
+    let flow = |place, time| {
+        let (e, b) = fields(place, time);
+        e.cross(b) / glass.mu()
+    };
+    let density = |place, time| {
+        let (e, b) = fields(place, time);
+        0.5 * (glass.epsilon() * e.length_squared() + magnetic * b.length_squared() / glass.mu())
+    };
+    let rule = gauss_legendre(10);
+    let side = 0.25 * lambda;
+    Measured::worst((0..3).map(|round| {
+        let mut length = || uniform(&mut bench.stream, -3.0, 3.0) * lambda;
+        let corner = DVec3::new(length(), length(), length());
+        let held = |time: f64| {
+            let mut total = 0.0;
+            for (x, a) in &rule {
+                for (y, b) in &rule {
+                    for (z, c) in &rule {
+                        total += a * b * c * density(corner + side * DVec3::new(*x, *y, *z), time);
+                    }
+                }
+            }
+            total * side.powi(3)
+        };
+        let (from, to) = (0.0, 0.7 / omega);
+        let out = |time: f64| outflows(&flow, corner, side, time);
+        let lost = over_time(from, to, |time| out(time).iter().sum());
+        let crossed = over_time(from, to, |time| out(time).iter().map(|flow| flow.abs()).sum());
+        ((held(to) - held(from) + lost) / crossed, format!("round {round}"))
+    }))
+}
+
+const SLAB: Check = Check {
+    id: "slab",
+    claim: "in a conductor what does not come out is heat, at every instant and on average",
+    rows: &["C3"],
+    route: "σE² and the stored energy integrated by Gauss's rule, against the flow at the two faces",
+    bound: Bound::AtMost { limit: 1e-11, unit: "1", why: "sixty points a slab; the smooth rest is rounding" },
+    measure: |_| slabs(1.0),
+    spoiled: |_| slabs(0.0),
+    slip: "the heat left out",
+};
+
+fn slabs(heat: f64) -> Measured {
+    let omega = 1e9;
+    let tangents = [0.0, 1e-3, 1.0, 30.0, 1e9];
+    Measured::worst(tangents.into_iter().flat_map(|tangent| {
+        let medium = Medium::relative(3.0, 1.0, tangent * omega * 3.0 * EPSILON_0).expect("a medium");
+        let running = Running::new(medium, omega, 2.0).expect("a positive frequency");
+        let (near, far) = (0.1 * running.wave().wavelength, 0.8 * running.wave().wavelength);
+        let rule = gauss_legendre(60);
+        let over = |f: &dyn Fn(f64) -> f64| -> f64 {
+            rule.iter().map(|(u, weight)| weight * (far - near) * f(near + u * (far - near))).sum()
+        };
+        let scale = running.balance(near, far, 0.0).scale;
+        (0..4)
+            .map(move |quarter| {
+                // A stretch of time that is no part of a period, so that storing, heating and flowing all count.
+                let (from, to) = (1.3 * f64::from(quarter) / omega, (1.3 * f64::from(quarter) + 0.9) / omega);
+                let stored = |time| over(&|z| running.energy_density(z, time));
+                let heated = over_time(from, to, |time| over(&|z| running.heating(z, time)));
+                let out = over_time(from, to, |time| running.flux(far, time) - running.flux(near, time));
+                let missing = stored(to) - stored(from) + heat * heated + out;
+                (missing / (scale * (to - from)), format!("σ/(ωε) = {tangent}, stretch {quarter}"))
+            })
+            .collect::<Vec<_>>()
+    }))
+}
+
+const ALONG_K: Check = Check {
+    id: "flows_along_k",
+    claim: "S points along the propagation, whatever the direction and the moment",
+    rows: &["C3"],
+    route: "E×B of waves in random directions, against k; the sign too",
+    bound: Bound::AtMost { limit: 16.0, unit: "ε", why: "two cross products of unit vectors" },
+    measure: |bench| along(bench, |e, b| e.cross(b)),
+    spoiled: |bench| along(bench, |e, b| b.cross(e)),
+    slip: "B×E",
+};
+
+fn along(bench: &mut Bench, flow: fn(DVec3, DVec3) -> DVec3) -> Measured {
+    let medium = Medium::relative(2.25, 1.0, 0.0).expect("a clear medium");
+    Measured::worst((0..200).map(|_| {
+        let (run, swing) = (direction(&mut bench.stream), direction(&mut bench.stream));
+        let time = uniform(&mut bench.stream, 0.0, 1e-14);
+        let (e, b) = Plane::new(&medium, 3e15, run, swing, 0.0).at(DVec3::ZERO, time);
+        let off = (flow(e, b).normalize() - run).length();
+        (off / f64::EPSILON, format!("k along {run:.3}"))
+    }))
+}
+
+fn thin_and_weak() -> Vec<Extreme> {
+    let media = [(1.0, 5.8e7), (80.0, 4.0), (2.1, 1e-12), (2.1, 1e-20), (1.0006, 1e-15)];
+    let depths = [1e-12, 1e-9, 1e-6, 1e-3, 1.0];
+    let each = media.into_iter().flat_map(|medium| [1e9, 5.45e14].map(|f| (medium, f)));
+    let each = each.flat_map(|case| depths.map(|depth| (case, depth)));
+    each.map(|(((epsilon_r, sigma), f), depth)| {
+        let medium = Medium::relative(epsilon_r, 1.0, sigma).expect("a medium");
+        let wave = Wave::new(&medium, TAU * f).expect("a positive frequency");
+        let exact = PlaneWave::new(&medium, TAU * f);
+        let conditions = exact.conditions();
+        let at = |name: &str| NAMES.iter().position(|known| *known == name).expect("an output");
+        let (flux, decay) = (at("S_avg"), at("k_im"));
+        let finite = |at: usize| exact.outputs[at].clone().expect("a finite output");
+        let fall: Real = finite(decay) * precise::real(2.0) * precise::real(depth);
+        let reference = finite(flux) * (-&fall).exp_m1();
+        let running = Running::new(medium, TAU * f, 1.0).expect("a finite conductivity");
+        let flow = |z: f64| wave.mean_flux * (-2.0 * wave.k.im * z).exp();
+        // d ln(1 − e^(−x))/d ln x = x/(e^x − 1).
+        let x = precise::to_f64(&fall);
+        let steepness = if x == 0.0 { 1.0 } else { x / x.exp_m1() };
+        Extreme {
+            input: format!("ε_r = {epsilon_r}, σ = {sigma:e} S/m, f = {f:e} Hz, d = {depth:e} m"),
+            quantity: "ΔS",
+            reference,
+            textbook: flow(depth) - flow(0.0),
+            ours: running.mean_balance(0.0, depth).outflow,
+            condition: conditions[flux] + steepness * (1.0 + conditions[decay]),
+            worst_of: 1,
+        }
+    })
+    .collect()
+}

@@ -1,0 +1,256 @@
+//! C5: a detector averages over many periods, but not over a whole number of them.
+
+use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
+use crate::plane_wave::{GREEN, VACUUM, described, quantity};
+use crate::setting::{Kind, Parameter, Setting};
+use crate::vocabulary::{Bound, Check, Expects, Figure, Heat, Lane, Measured, Race, Step, fitted_order};
+use light::evidence::quadrature::gauss_legendre;
+use light::evidence::waves::phase;
+use light::precise;
+use light::waves::flux::{Flux, Window};
+
+const PERIODS: Parameter = Parameter {
+    name: "periods",
+    symbol: "N",
+    says: "how many periods the detector looks",
+    default: "2.3",
+    kind: Kind::Number { min: 0.1, max: 1e12, unit: "1" },
+};
+
+pub(super) const STEP: Step = Step {
+    id: "window",
+    title: "What a detector reads",
+    says: "A shutter that cuts a period in two leaves an error that falls as 1/T; a soft one does far better.",
+    rows: &["C5"],
+    parameters: &[VACUUM, GREEN, PERIODS],
+    statements: &[],
+    derivations: &[],
+    readout: Some(|setting| {
+        let flux = super::flux(setting);
+        let duration = setting.number("periods") / flux.frequency;
+        let off = |window: Window| flux.average(window, 0.0, duration) / flux.mean - 1.0;
+        vec![
+            quantity("duration", "T", "how long it looks", duration, "s"),
+            quantity("box", "Δ(box)", "error of a shutter, over the mean", off(Window::Box), "1"),
+            quantity("hann", "Δ(Hann)", "error of a window 1 − cos", off(Window::Hann), "1"),
+            quantity("nuttall", "Δ(Nuttall)", "error of Nuttall's window", off(Window::Nuttall), "1"),
+        ]
+    }),
+    checks: &[CLOSED_FORM, BOX_FALLS, HANN_FALLS, BILLION],
+    stress: &[],
+    races: &[SAMPLED],
+    figures: &[
+        Figure {
+            id: "windows",
+            says: "The flow as the detector weighs it through a shutter and through soft windows, with what it then reads.",
+            rows: &["C5"],
+            plot: windows,
+        },
+        Figure {
+            id: "error",
+            says: "Error of the average against its length in periods: the shutter is right after whole half periods, the rest falls as 1/T or faster.",
+            rows: &["C5"],
+            plot: errors,
+        },
+    ],
+};
+
+/// A clear wave of one period a second whose mean flow is 1.
+const CLEAR: Flux = Flux { mean: 1.0, swing: 1.0, frequency: 1.0, phase: 0.0, lag: 0.0 };
+
+const CLOSED_FORM: Check = Check {
+    id: "closed_form",
+    claim: "what is left of the swing is the window's response at twice the frequency",
+    rows: &["C5"],
+    route: "the weighed flow integrated by Gauss's rule, for clear and lossy waves and odd lengths of time",
+    bound: Bound::AtMost { limit: 1e-13, unit: "1", why: "96 points on at most eighteen swings are exact to rounding" },
+    measure: |_| closed_form(1.0),
+    spoiled: |_| closed_form(0.5),
+    slip: "the frequency of the field for that of the flow",
+};
+
+fn closed_form(share: f64) -> Measured {
+    let rule = gauss_legendre(96);
+    let fluxes = [CLEAR, Flux { mean: 0.5f64.sqrt(), swing: 1.0, frequency: 1.3, phase: 0.2, lag: 0.125 }];
+    let cases = fluxes.into_iter().flat_map(|flux| Window::ALL.map(|window| (flux, window)));
+    let cases = cases.flat_map(|case| [0.1, 0.5, 1.0, 2.3, 4.25, 6.9].map(|duration| (case, duration)));
+    Measured::worst(cases.map(|((flux, window), duration)| {
+        let start = 0.37;
+        let seen: f64 = rule.iter().map(|(u, weight)| weight * window.weight(*u) * flux.at(start + u * duration)).sum();
+        let slow = Flux { frequency: share * flux.frequency, ..flux };
+        (slow.average(window, start, duration) - seen, format!("{window:?}, {duration} s"))
+    }))
+}
+
+const BOX_FALLS: Check = Check {
+    id: "box_falls",
+    claim: "a shutter's error falls as 1/T",
+    rows: &["C5"],
+    route: "the slope of the error at the worst lengths, an eighth of a period beyond the whole ones",
+    bound: Bound::Order {
+        order: 1.0,
+        tolerance: 1e-6,
+        why: "at these lengths the sine is 1 and the error exactly 1/(4πN)",
+    },
+    measure: |_| falls(Window::Box),
+    spoiled: |_| falls(Window::Hann),
+    slip: "the soft window for the shutter",
+};
+
+const HANN_FALLS: Check = Check {
+    id: "hann_falls",
+    claim: "a window that opens and closes gently has one that falls as 1/T³",
+    rows: &["C5"],
+    route: "the slope of the error at the worst lengths",
+    bound: Bound::Order {
+        order: 3.0,
+        tolerance: 0.02,
+        why: "the next term is smaller by 1/(2N)², and N is 10 and more",
+    },
+    measure: |_| falls(Window::Hann),
+    spoiled: |_| falls(Window::Box),
+    slip: "the shutter for the soft window",
+};
+
+fn falls(window: Window) -> Measured {
+    let swing = Flux { mean: 0.0, ..CLEAR };
+    let lengths = [10.125, 100.125, 1000.125, 10_000.125];
+    let points = lengths.map(|duration| (duration, swing.average(window, 0.0, duration).abs()));
+    let value = fitted_order(&points).unwrap_or(f64::NAN);
+    Measured { value, at: "10 to 10⁴ periods".into(), cases: points.len() }
+}
+
+const BILLION: Check = Check {
+    id: "a_billion_periods",
+    claim: "after a billion periods of light the last cut is still where it belongs",
+    rows: &["C5"],
+    route: "sin(4πfT)/(4πfT) from the exact product of f and T in 256 bits",
+    bound: Bound::AtMost {
+        limit: 16.0,
+        unit: "ε",
+        why: "a few roundings of the small error itself, which is looked at relative to its own size",
+    },
+    measure: |_| billion(|flux, duration| flux.average(Window::Box, 0.0, duration)),
+    spoiled: |_| {
+        billion(|flux, duration| {
+            let swing = 4.0 * std::f64::consts::PI * flux.frequency * duration;
+            flux.swing * swing.sin() / swing
+        })
+    },
+    slip: "the sine of the rounded product",
+};
+
+fn billion(average: fn(Flux, f64) -> f64) -> Measured {
+    let cases = [(5.45e14, 1.834e-6), (4.736_123_536_04e14, 2.1e-6), (5.45e14, 0.01), (7.89e14, 1.1), (1e16, 3600.0)];
+    Measured::worst(cases.map(|(frequency, duration)| {
+        let flux = Flux { frequency, mean: 0.0, ..CLEAR };
+        // ∫cos 4πft dt = sin 4πfT/(4πf), and sin 2α = 2 sin α cos α.
+        let exact = phase(frequency, duration);
+        let two = precise::real(2.0);
+        let cycles = precise::real(frequency) * precise::real(duration);
+        let left = &exact.sin * &exact.cos / (precise::pi(precise::BITS) * two * cycles);
+        (
+            precise::relative_error(average(flux, duration), &left) / f64::EPSILON,
+            format!("f = {frequency:e} Hz, T = {duration:e} s"),
+        )
+    }))
+}
+
+const SAMPLED: Race = Race {
+    id: "sampled",
+    claim: "sampled sixteen times a period, the average gets better with its length, and how fast the window decides",
+    rows: &["C5"],
+    work: "samples",
+    error: "error over the mean",
+    reference: "the mean over whole periods, which is known",
+    lanes: &[
+        Lane::once("shutter", "shutter", &[18, 66, 258, 1026, 4098], order(1.0), |_, work| sampled(Window::Box, work)),
+        Lane::once("hann", "Hann", &[18, 66, 258, 1026], order(3.0), |_, work| sampled(Window::Hann, work)),
+        Lane::once("nuttall", "Nuttall", &[50, 82, 130, 210, 338], order(7.0), |_, work| {
+            sampled(Window::Nuttall, work)
+        }),
+    ],
+};
+
+/// The order at which a window's last response falls, to the slope that its first ones still bend.
+const fn order(order: f64) -> Expects {
+    Expects::Order { order, tolerance: 0.15 * order }
+}
+
+/// The midpoint rule at sixteen samples a period of the field, over a length that leaves an eighth of it.
+fn sampled(window: Window, work: u64) -> Heat {
+    let rate = 16.0;
+    let duration = work as f64 / rate;
+    Heat {
+        run: Box::new(move || {
+            let at = |sample: u64| (sample as f64 + 0.5) / work as f64;
+            let sum: f64 = (0..work).map(|sample| window.weight(at(sample)) * CLEAR.at(at(sample) * duration)).sum();
+            vec![sum / work as f64]
+        }),
+        error: Box::new(|mean| (mean[0] - CLEAR.mean).abs()),
+    }
+}
+
+fn windows(setting: &Setting) -> Plot {
+    let flux = super::flux(setting);
+    // More than a few dozen periods would be a grey bar.
+    let periods = setting.number("periods").min(12.0);
+    let (peak, duration) = (2.0 * flux.swing, periods / flux.frequency);
+    let most = Window::ALL.map(|window| window.weight(0.5)).into_iter().fold(0.0, f64::max);
+    let panel = |(at, window): (usize, Window)| {
+        let curve = |value: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
+            (0..=1200).map(|at| f64::from(at) / 1200.0).map(|u| [u * periods, value(u)]).collect()
+        };
+        let (seen, mean) = (flux.average(window, 0.0, duration), flux.mean);
+        // One key for all.
+        let name = |name: &str| if at == 0 { name.to_owned() } else { String::new() };
+        Chart::new(
+            format!("{}: off by {}", name_of(window), power(seen / mean - 1.0)),
+            Axis::linear("time in periods", "").range(0.0, periods),
+            Axis::linear("weight, and S over its peak", "").range(-0.3, 1.1 * most),
+        )
+        .dashed(Hue::Reference, name("weight"), curve(&|u| window.weight(u)))
+        .line(Hue::Transmitted, name("S, weighed"), curve(&|u| window.weight(u) * flux.at(u * duration) / peak))
+        .at_y(seen / peak, "")
+        .into()
+    };
+    let title = format!("{} periods in {}", crate::setting::number(periods), described(setting));
+    Plot::grid(title, 2, Window::ALL.into_iter().enumerate().map(panel).collect())
+}
+
+fn name_of(window: Window) -> &'static str {
+    match window {
+        Window::Box => "shutter",
+        Window::Hann => "Hann",
+        Window::BlackmanHarris => "Blackman–Harris",
+        Window::Nuttall => "Nuttall",
+    }
+}
+
+/// `−2.03·10^{−2}`, in the markup of labels.
+fn power(x: f64) -> String {
+    let text = format!("{x:+.2e}").replace('-', "−");
+    text.split_once('e').map_or(text.clone(), |(digits, power)| format!("{digits}·10^{{{power}}}"))
+}
+
+fn errors(setting: &Setting) -> Plot {
+    let flux = Flux { phase: 0.0, ..super::flux(setting) };
+    let share = flux.swing / flux.mean;
+    let chart = Chart::new(
+        "",
+        Axis::log("length of the average in periods", "").range(0.3, 1e4),
+        Axis::log("error over the mean", "").range(1e-16, 10.0),
+    );
+    // Everywhere while the curves can be told apart, then at the worst lengths alone.
+    let near = || (60..=2000).map(|at| f64::from(at) / 200.0);
+    let far = || (20..=80).map(|at| (10f64.powf(f64::from(at) / 20.0)).floor() + 0.25);
+    let chart = Window::ALL.into_iter().enumerate().fold(chart, |chart, (at, window)| {
+        let left = |periods: f64| [periods, (share * window.response(2.0, periods)).abs()];
+        let hue = Hue::Nth(at as u8);
+        let envelope = far().map(left).filter(|point| point[1] > 1e-16);
+        chart.line(hue, name_of(window), near().map(left).filter(|point| point[1] > 1e-16).collect()).with(
+            Mark::Points { label: String::new(), hue, shape: Shape::Disc, joined: false, points: envelope.collect() },
+        )
+    });
+    Plot::of("How long must one look?", chart.at_x(setting.number("periods"), "N"))
+}
