@@ -9,6 +9,7 @@ pub mod maxwell;
 pub mod plane_wave;
 pub mod poynting;
 pub mod setting;
+mod symbols;
 pub mod vocabulary;
 
 pub use vocabulary::{Chapter, Step};

@@ -1,8 +1,8 @@
 //! C2: conduction makes Ampère's law stiff in every cell.
 
-use super::symbols::{E, EPSILON, H, SIGMA, T};
 use crate::figure::{Axis, Chart, Dash, Hue, Mark, Plot, Shape};
 use crate::setting::{Kind, Parameter, Setting};
+use crate::symbols::{E, EPSILON, H, SIGMA, T};
 use crate::vocabulary::{Derivation, Expects, Extreme, Figure, Heat, Lane, Quantity, Race, Statement, Step, Stress};
 use light::em::Conduction;
 use light::em::medium::Relaxation;
@@ -17,7 +17,7 @@ const TANGENT: Parameter = Parameter {
     name: "tau",
     symbol: "σ/(ωε)",
     says: "conduction over displacement current",
-    default: "1000",
+    default: "20",
     kind: Kind::Number { min: 1e-6, max: 1e12, unit: "1" },
 };
 const STEPS: Parameter = Parameter {
@@ -32,7 +32,7 @@ pub(super) const STEP: Step = Step {
     id: "conduction",
     title: "Stiff cells",
     says: "Charge relaxes within ε/σ while the wave takes its time: only some ways to step E survive the ratio of the two.",
-    rows: &["C2"],
+    rows: &["C2", "E18"],
     parameters: &[TANGENT, STEPS],
     statements: &[
         Statement {
@@ -81,12 +81,20 @@ pub(super) const STEP: Step = Step {
         },
         Race { id: "metal", claim: "a metal, σ/(ωε) = 10¹²: the same, only more so", lanes: &METAL, ..RACE },
     ],
-    figures: &[Figure {
-        id: "stiffness",
-        says: "The error of each way to step E over 18 decades of conduction, and what it does to a transient.",
-        rows: &["C2"],
-        plot: stiffness,
-    }],
+    figures: &[
+        Figure {
+            id: "stiffness",
+            says: "The error of each way to step E over 18 decades of conduction, and what it does to a transient.",
+            rows: &["C2"],
+            plot: stiffness,
+        },
+        Figure {
+            id: "ringing",
+            says: "E of a cell, from a start that is not its own, at four steps a radian.",
+            rows: &["C2"],
+            plot: ringing,
+        },
+    ],
 };
 
 const START: Symbol = Symbol::scalar("E_0", Dimension::VOLT_PER_METRE);
@@ -175,7 +183,7 @@ fn coefficients() -> Vec<Extreme> {
 const RACE: Race = Race {
     id: "",
     claim: "",
-    rows: &["C2"],
+    rows: &["C2", "E18"],
     work: "steps (Radau: its tolerance is (10/N)⁵)",
     error: "|ΔE| over the final amplitude",
     reference: "the closed form of a cell driven from rest by a harmonic curl, at ωt = 5",
@@ -209,7 +217,7 @@ const METAL: [Lane; 5] = lanes::<FASTEST>([
 /// Every way to step a cell whose σ/(ωε) is 10^`EXPONENT`.
 const fn lanes<const EXPONENT: i32>([euler, semi, exponential, backward]: [Expects; 4]) -> [Lane; 5] {
     const fn lane(id: &'static str, label: &'static str, expects: Expects, prepare: Prepare) -> Lane {
-        Lane { id, label, works: &[64, 128, 256, 512, 1024, 2048], expects, repeats: 1, prepare }
+        Lane::once(id, label, &[64, 128, 256, 512, 1024, 2048], expects, prepare)
     }
     [
         lane("forward_euler", "forward Euler", euler, |_, n| march::<EXPONENT>(Scheme::ForwardEuler, n)),
@@ -271,3 +279,34 @@ fn stiffness(setting: &Setting) -> Plot {
     });
     Plot::grid("A conducting cell, driven from rest", 2, vec![errors.into(), transient.into()])
 }
+
+fn ringing(setting: &Setting) -> Plot {
+    let tangent = setting.number("tau");
+    let of = cell(tangent);
+    let (start, step) = (1.5, 0.25);
+    let fine = (0..=600).map(|at| f64::from(at) / 100.0).map(|theta| [theta, of.exact(start, theta)]);
+    let mut chart = Chart::new(
+        format!("σ/(ωε) = {}", crate::setting::number(tangent)),
+        Axis::linear("ωt", "rad").range(0.0, 6.0),
+        Axis::linear("E over its final amplitude", "").range(-2.0, 2.0),
+    )
+    .line(Hue::Natural, "exact", fine.collect());
+    for (at, (scheme, name)) in NAMES.into_iter().enumerate() {
+        let stepped = (0..=24u64).map(|steps| {
+            let theta = step * steps as f64;
+            [theta, if steps == 0 { start } else { of.march(scheme, start, theta, steps) }]
+        });
+        // What has left the chart only flashes across it from then on.
+        let points = stepped.take_while(|point| point[1].abs() < 10.0);
+        chart = chart.with(Mark::Points {
+            label: name.into(),
+            hue: Hue::Nth(at as u8),
+            shape: SHAPES[at],
+            joined: true,
+            points: points.collect(),
+        });
+    }
+    Plot::of("A conducting cell, stepped", chart)
+}
+
+const SHAPES: [Shape; 4] = [Shape::Triangle, Shape::Square, Shape::Disc, Shape::Diamond];

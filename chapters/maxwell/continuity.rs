@@ -1,7 +1,7 @@
 //! E2: charge is conserved, because a curl has no divergence.
 
-use super::symbols::{D, E, EPSILON, H, J, RHO, SIGMA, T};
 use crate::setting::Setting;
+use crate::symbols::{D, E, EPSILON, H, J, RHO, SIGMA, T};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step};
 use light::em::plane::{Plane, Polarisation, Region, Setup, Sides};
 use light::em::{C, Medium, Pulse, Stepping};

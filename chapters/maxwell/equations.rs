@@ -1,8 +1,8 @@
 //! E1: the four laws, and a solution that carries charge and current.
 
-use super::symbols::{B, D, E, H, J, RHO, T};
 use crate::figure::{Axis, Dash, Hue, Map, Mark, Panel, Plot, Ramp};
 use crate::setting::{Kind, Parameter, Setting};
+use crate::symbols::{B, D, E, H, J, RHO, T};
 use crate::vocabulary::{Bench, Bound, Check, Figure, Measured, Quantity, Statement, Step};
 use light::equation::Equation;
 use light::equation::expr::{curl, divergence, partial};

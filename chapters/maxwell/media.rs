@@ -1,8 +1,8 @@
 //! E3: what matter adds, as numbers or as tensors.
 
-use super::symbols::{B, D, E, EPSILON, H, J, MU, SIGMA};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Kind, Parameter, Setting};
+use crate::symbols::{B, D, E, EPSILON, H, J, MU, SIGMA};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
 use light::equation::derivation::Chain;
 use light::equation::expr::vector;

@@ -9,10 +9,10 @@ mod grid;
 mod interface;
 mod left_out;
 mod media;
-mod methods;
 mod scattering;
 mod surface_current;
 mod symbols;
+mod throughput;
 
 use crate::vocabulary::Chapter;
 
@@ -31,7 +31,6 @@ pub const CHAPTER: Chapter = Chapter {
         surface_current::STEP,
         grid::STEP,
         agreement::STEP,
-        methods::STEP,
         conduction::STEP,
         left_out::STEP,
     ],

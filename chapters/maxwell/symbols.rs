@@ -1,29 +1,7 @@
-//! The quantities of the chapter as symbols. Letters without an index are fields; 1 is the side from which the normal n
-//! points, 2 the side to which it points.
+//! The quantities at an interface as symbols: 1 is the side from which the normal n points, 2 the side to which it points.
 
 use light::equation::{Dimension, Symbol};
 
-/// Electric field.
-pub const E: Symbol = Symbol::vector("E", Dimension::VOLT_PER_METRE).field();
-/// Magnetic flux density.
-pub const B: Symbol = Symbol::vector("B", Dimension::TESLA).field();
-/// Electric flux density.
-pub const D: Symbol = Symbol::vector("D", Dimension::COULOMB_PER_SQUARE_METRE).field();
-/// Magnetic field.
-pub const H: Symbol = Symbol::vector("H", Dimension::AMPERE_PER_METRE).field();
-/// Current density.
-pub const J: Symbol = Symbol::vector("J", Dimension::AMPERE_PER_SQUARE_METRE).field();
-/// Charge density.
-pub const RHO: Symbol = Symbol::scalar("rho", Dimension::COULOMB_PER_CUBIC_METRE).field();
-
-/// Time.
-pub const T: Symbol = Symbol::scalar("t", Dimension::SECOND).real(0.25, 1.25);
-/// Permittivity.
-pub const EPSILON: Symbol = Symbol::scalar("epsilon", Dimension::FARAD_PER_METRE).real(0.5, 2.0);
-/// Permeability.
-pub const MU: Symbol = Symbol::scalar("mu", Dimension::HENRY_PER_METRE).real(0.5, 2.0);
-/// Conductivity.
-pub const SIGMA: Symbol = Symbol::scalar("sigma", Dimension::SIEMENS_PER_METRE).real(0.5, 2.0);
 /// Impedance of the vacuum.
 pub const Z_0: Symbol = Symbol::scalar("Z_0", Dimension::OHM).real(0.5, 2.0);
 

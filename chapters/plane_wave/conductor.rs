@@ -1,12 +1,12 @@
 //! E18: waves where there is a current.
 
 use super::perspective::{span, travelling};
-use super::symbols::{AMPLITUDE, B, DELTA, E, EPSILON, H, J, K, K_VECTOR, MU, OMEGA, SIGMA, T, Z, Z_C};
 use super::transverse::{oblique, solves_maxwell};
 use super::wave_equation::twice;
 use super::{described, quantity, wave};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Conductor, FREQUENCY, MEDIUM, Setting};
+use crate::symbols::{AMPLITUDE, B, DELTA, E, EPSILON, H, J, K, K_VECTOR, MU, OMEGA, SIGMA, T, Z, Z_C};
 use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
 use light::Complex64;
 use light::equation::derivation::Chain;

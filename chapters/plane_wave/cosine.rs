@@ -1,12 +1,12 @@
 //! E14, E19: one frequency, its wavelength and its wave number.
 
 use super::perspective::travelling;
-use super::symbols::{AMPLITUDE, AMPLITUDE_B, E, EPSILON, K, K_VECTOR, LAMBDA, MU, OMEGA, T, V, WAVE, Z};
 use super::transverse::oblique;
 use super::wave_equation::twice;
 use super::{GREEN, VACUUM, described, quantity, wave};
 use crate::figure::Plot;
 use crate::setting::Setting;
+use crate::symbols::{AMPLITUDE, AMPLITUDE_B, E, EPSILON, K, K_VECTOR, LAMBDA, MU, OMEGA, T, V, WAVE, Z};
 use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
 use light::Complex64;
 use light::equation::derivation::Chain;

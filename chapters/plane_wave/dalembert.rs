@@ -1,18 +1,17 @@
 //! E9, E10: one dimension, and d'Alembert's solution.
 
-use super::grid::{Ring, Stencil};
 use super::rms_difference;
-use super::symbols::{E, EPSILON, F_1, F_2, MU, T, WAVE, Z};
 use super::wave_equation::twice;
 use crate::figure::{Axis, Chart, Hue, Map, Plot, Ramp};
 use crate::setting::Setting;
-use crate::vocabulary::{
-    Bound, Check, Derivation, Expects, Figure, Heat, Lane, Measured, Race, Statement, Step, fitted_order,
-};
+use crate::symbols::{E, EPSILON, F_1, F_2, MU, T, WAVE, Z};
+use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Statement, Step, fitted_order};
+use light::em::line::{Ends, Line, Setup};
+use light::em::wave::{Problem, Scheme};
+use light::em::{ETA_0, Stepping};
 use light::equation::derivation::Chain;
 use light::equation::expr::{laplacian, sqrt, vector};
 use light::equation::{Equation, Expr};
-use light::waves::harmonics::Spectrum;
 
 pub(super) const STEP: Step = Step {
     id: "dalembert",
@@ -55,7 +54,7 @@ pub(super) const STEP: Step = Step {
     readout: None,
     checks: &[DIFFERENCES, ONE_CELL_A_STEP],
     stress: &[],
-    races: &[SMOOTH, SQUARE],
+    races: &[],
     figures: &[
         Figure {
             id: "space_time",
@@ -90,73 +89,39 @@ fn chain_rule(shapes: Expr) -> Chain {
         .then(Equation::new(operator(&shapes, EPSILON * MU), 0), ["d'Alembert", "chain rule"])
 }
 
-/// Length of the line, in metres of a string whose waves run at 1 m/s.
-const LENGTH: f64 = 1.0;
-/// How long pulses are followed [s]: not once round, where all harmonics are in step again and errors of speed hide.
-const DURATION: f64 = 0.625;
-
-/// A smooth pulse of width 1/20 about ¼, repeated with the ring.
+/// A smooth pulse of width 1/20 of the line about its quarter, repeated with the line.
 fn smooth(z: f64) -> f64 {
-    let away = (z - 0.25).rem_euclid(LENGTH);
-    let away = away.min(LENGTH - away) * 20.0;
+    let away = (z - 0.25).rem_euclid(1.0);
+    let away = away.min(1.0 - away) * 20.0;
     (-away * away).exp()
 }
 
-/// A square pulse between 0.15 and 0.35, repeated with the ring.
+/// A square pulse between 0.65 and 0.85 of the line, repeated with the line.
 fn square(z: f64) -> f64 {
-    if (0.15..0.35).contains(&z.rem_euclid(LENGTH)) { 1.0 } else { 0.0 }
-}
-
-/// Half of the shape runs each way.
-fn dalembert(shape: fn(f64) -> f64, z: f64, t: f64) -> f64 {
-    0.5 * (shape(z - t) + shape(z + t))
-}
-
-/// d'Alembert's solution on a ring of `cells` places, half a cell off so that no place lies on an edge.
-fn sampled(shape: fn(f64) -> f64, cells: usize, t: f64) -> Vec<f64> {
-    (0..cells).map(|i| dalembert(shape, (i as f64 + 0.5) / cells as f64, t)).collect()
-}
-
-/// `shape`, let go, stepped for [`DURATION`].
-fn stepped(shape: fn(f64) -> f64, cells: usize, courant: f64, stencil: Stencil) -> Vec<f64> {
-    let mut ring = Ring::at_rest(sampled(shape, cells, 0.0), courant, stencil);
-    let steps = (DURATION / LENGTH * cells as f64 / courant).round() as usize;
-    (0..steps).for_each(|_| ring.step());
-    ring.now
-}
-
-/// Root mean square difference from d'Alembert.
-fn error(shape: fn(f64) -> f64, found: &[f64]) -> f64 {
-    let exact = sampled(shape, found.len(), DURATION);
-    rms_difference(found, &exact)
+    if (0.65..0.85).contains(&z.rem_euclid(1.0)) { 1.0 } else { 0.0 }
 }
 
 const DIFFERENCES: Check = Check {
     id: "differences",
-    claim: "the one-dimensional equation, solved in small steps, gives d'Alembert's pulses",
+    claim: "the one-dimensional equation, solved in small steps, gives d'Alembert's pulse",
     rows: &["E9"],
-    route: "three-point differences in z and t at half a cell a step, on finer and finer grids",
+    route: "the solver of chapter maxwell at half a cell a step, on finer and finer grids",
     bound: Bound::Order {
         order: 2.0,
         tolerance: 0.1,
-        why: "both differences err by the square of their step; the next order still shows on the coarsest of the grids",
+        why: "its differences err by the square of their step; the next order still shows on the coarsest of the grids",
     },
     measure: |_| convergence(1.0),
-    spoiled: |_| convergence(-1.0),
-    slip: "the pulses start the wrong way",
+    spoiled: |_| convergence(0.99),
+    slip: "a shape that runs one per cent too slowly",
 };
 
 fn convergence(speed: f64) -> Measured {
     let cells = [320, 640, 1280];
+    let problem = |distance| Problem { profile: &smooth, length: 1.0, distance };
     let points = cells.map(|cells| {
-        let (courant, shape) = (0.5, smooth as fn(f64) -> f64);
-        let dt = courant * LENGTH / cells as f64;
-        let one_way = |t: f64| (0..cells).map(|i| shape((i as f64 + 0.5) / cells as f64 - t)).collect::<Vec<_>>();
-        let mut ring = Ring::new(one_way(-speed * dt), one_way(0.0), courant, Stencil::Three);
-        let count = 3 * cells / 4;
-        (0..count).for_each(|_| ring.step());
-        let exact = one_way(count as f64 * dt);
-        (cells as f64, rms_difference(&ring.now, &exact))
+        let found = Scheme::Yee.carry(&problem(0.375), cells, 0.5).expect("a stable step").e;
+        (cells as f64, rms_difference(&found, &problem(0.375 * speed).exact(cells)))
     });
     let value = fitted_order(&points).unwrap_or(f64::NAN);
     Measured { value, at: format!("{} … {} cells", cells[0], cells[2]), cases: cells.len() }
@@ -166,147 +131,32 @@ const ONE_CELL_A_STEP: Check = Check {
     id: "one_cell_a_step",
     claim: "two different shapes run through each other and come out unchanged",
     rows: &["E10"],
-    route: "three-point differences at one cell a step, where their errors in z and t cancel exactly",
-    bound: Bound::AtMost {
-        limit: 1e-11,
-        unit: "1",
-        why: "a thousand steps, each adding a few roundings that the recurrence carries on in proportion to the steps left",
-    },
+    route: "the solver of chapter maxwell at one cell a step, where its errors in z and t cancel exactly",
+    bound: Bound::AtMost { limit: 1e-12, unit: "1", why: "a thousand steps, each adding a few roundings" },
     measure: |_| one_cell_a_step(1.0),
     spoiled: |_| one_cell_a_step(-1.0),
     slip: "both shapes run to the right",
 };
 
-fn one_cell_a_step(direction: f64) -> Measured {
-    let cells = 1000;
-    let level = |step: f64| {
-        let place = |i: usize, way: f64| (i as f64 + 0.5 - way * step) / cells as f64;
-        (0..cells).map(|i| smooth(place(i, 1.0)) + square(place(i, -direction) + 0.5)).collect::<Vec<f64>>()
-    };
-    let mut ring = Ring::new(level(-1.0), level(0.0), 1.0, Stencil::Three);
-    let exact = |step: f64| {
-        let place = move |i: usize, way: f64| (i as f64 + 0.5 - way * step) / cells as f64;
-        (0..cells).map(move |i| smooth(place(i, 1.0)) + square(place(i, -1.0) + 0.5))
-    };
-    let mut cases = Vec::new();
-    for step in 1..=cells {
-        ring.step();
-        if step % 50 == 25 {
-            let differences =
-                ring.now.iter().zip(exact(step as f64)).map(|(found, exact)| (found - exact, String::new()));
-            cases.push((Measured::worst(differences).value, format!("after {step} steps")));
-        }
-    }
-    Measured::worst(cases)
-}
-
-const SMOOTH: Race = Race {
-    id: "smooth_pulse",
-    claim: "a smooth pulse, let go: order pays, harmonics pay more, and what needs no steps pays most",
-    rows: &["E10"],
-    work: "places; a stepped lane's steps grow with them, and its time with their square",
-    error: "rms error of E",
-    reference: "root mean square over the places, against d'Alembert evaluated at each; d'Alembert itself against one cell a step",
-    lanes: &[
-        Lane::once(
-            "second_order",
-            "three points, ½ cell a step",
-            &[256, 512, 1024, 2048],
-            order(2.0, 0.15),
-            |_, work| steps_of(smooth, work, 0.5, Stencil::Three),
-        ),
-        Lane::once(
-            "fourth_order",
-            "five points, ½ cell a step",
-            &[128, 256, 512, 1024],
-            order(4.0, 0.3),
-            |_, work| steps_of(smooth, work, 0.5, Stencil::Five),
-        ),
-        Lane::once("one_cell_a_step", "three points, 1 cell a step", &[256, 512, 1024, 2048], EXACT, |_, work| {
-            steps_of(smooth, work, 1.0, Stencil::Three)
-        }),
-        HARMONICS,
-        Lane::once("dalembert", "d'Alembert", &[256, 512, 1024, 2048], EXACT, |_, work| evaluated(smooth, work)),
-    ],
-};
-
-const fn order(order: f64, tolerance: f64) -> Expects {
-    Expects::Order { order, tolerance }
-}
-
-/// What a pulse holds beyond the harmonics that its samples can carry is laid on the others and lost: for this one
-/// √(2Σ|c_m|²) over 2m > N with c_m ∝ e^(−(πm/20)²). The order is the slope of that over these places, which are odd in
-/// number, so that the pulses do not come to rest on samples.
-const HARMONICS: Lane =
-    Lane::once("harmonics", "by its harmonics", &[25, 33, 39, 49, 57], order(19.9, 0.6), |_, work| {
-        by_harmonics(smooth, work)
+/// Largest difference of the solver from both shapes, the second of which is expected to run `backwards`.
+fn one_cell_a_step(backwards: f64) -> Measured {
+    const CELLS: usize = 1000;
+    let shapes = |z: f64, on: f64, back: f64| (smooth((z - on) / CELLS as f64), square((z + back) / CELLS as f64));
+    let mut line = Line::new(Setup::vacuum(CELLS, 1.0, Ends::Periodic, Stepping::at(1.0))).expect("a stable step");
+    // Half a cell off, so that no node lies on an edge. H is half a step later and that of a wave to the left negative.
+    let electric = |z: f64| shapes(z + 0.5, 0.0, 0.0);
+    let magnetic = |z: f64| shapes(z + 0.5, 0.5, 0.5);
+    line.set(|z| electric(z).0 + electric(z).1, |z| (magnetic(z).0 - magnetic(z).1) / ETA_0);
+    let cases = (0..20).map(|_| {
+        line.run(50).expect("some steps");
+        let steps = line.steps() as f64;
+        let off = line.e()[..CELLS].iter().enumerate().map(|(node, found)| {
+            let (on, back) = shapes(node as f64 + 0.5, steps, backwards * steps);
+            (found - on - back, String::new())
+        });
+        (Measured::worst(off).value, format!("after {steps} steps"))
     });
-
-const EXACT: Expects = Expects::Within {
-    limit: 1e-11,
-    why: "nothing but rounding: a few units a step, carried on in proportion to the steps left",
-};
-
-/// At a jump a scheme of order p makes ripples over a length that goes with h^(p/(p+1)); the rms error is its root.
-const SQUARE: Race = Race {
-    id: "square_pulse",
-    claim: "a square pulse, let go: order is worth little where there is no derivative",
-    rows: &["E10"],
-    lanes: &[
-        Lane::once(
-            "second_order",
-            "three points, ½ cell a step",
-            &[256, 512, 1024, 2048],
-            order(0.333, 0.12),
-            |_, work| steps_of(square, work, 0.5, Stencil::Three),
-        ),
-        Lane::once(
-            "fourth_order",
-            "five points, ½ cell a step",
-            &[256, 512, 1024, 2048],
-            order(0.4, 0.12),
-            |_, work| steps_of(square, work, 0.5, Stencil::Five),
-        ),
-        Lane::once("one_cell_a_step", "three points, 1 cell a step", &[256, 512, 1024, 2048], EXACT, |_, work| {
-            steps_of(square, work, 1.0, Stencil::Three)
-        }),
-        Lane {
-            works: &[255, 513, 1025, 2049],
-            // Each edge leaves an error of its own height over a few places: one over the root of their number.
-            expects: order(0.5, 0.1),
-            prepare: |_, work| by_harmonics(square, work),
-            ..HARMONICS
-        },
-        Lane::once("dalembert", "d'Alembert", &[256, 512, 1024, 2048], EXACT, |_, work| evaluated(square, work)),
-    ],
-    ..SMOOTH
-};
-
-fn steps_of(shape: fn(f64) -> f64, work: u64, courant: f64, stencil: Stencil) -> Heat {
-    Heat {
-        run: Box::new(move || stepped(shape, work as usize, courant, stencil)),
-        error: Box::new(move |found| error(shape, found)),
-    }
-}
-
-/// The samples as a sum of harmonics, each moved by itself both ways.
-fn by_harmonics(shape: fn(f64) -> f64, work: u64) -> Heat {
-    let samples = sampled(shape, work as usize, 0.0);
-    let moved = move || {
-        let spectrum = Spectrum::of_samples(&samples, LENGTH).expect("finite samples");
-        let [on, back] = [DURATION, -DURATION].map(|way| spectrum.shifted(way).samples(samples.len()));
-        let both = on.expect("a number of places").into_iter().zip(back.expect("a number of places"));
-        both.map(|(on, back)| 0.5 * (on + back)).collect()
-    };
-    Heat { run: Box::new(moved), error: Box::new(move |found| error(shape, found)) }
-}
-
-fn evaluated(shape: fn(f64) -> f64, work: u64) -> Heat {
-    Heat {
-        run: Box::new(move || sampled(shape, work as usize, DURATION)),
-        // Of the other lanes one is exact too.
-        error: Box::new(move |found| rms_difference(found, &stepped(shape, found.len(), 1.0, Stencil::Three))),
-    }
+    Measured::worst(cases.collect::<Vec<_>>())
 }
 
 /// A tall smooth pulse from the left and a lower square one from the right, z and t in units of their own.

@@ -1,10 +1,10 @@
 //! E13: a pulse is a sum of harmonics.
 
 use super::rms_difference;
-use super::symbols::{K, OMEGA, T, WAVE, Z};
 use crate::figure::Mark;
 use crate::figure::{Axis, Chart, Hue, Plot, Shape};
 use crate::setting::{Kind, Parameter, Setting};
+use crate::symbols::{K, OMEGA, T, WAVE, Z};
 use crate::vocabulary::{Bench, Bound, Check, Expects, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step};
 use light::equation::expr::{Range, exp, i, integral};
 use light::equation::{Dimension, Equation, Symbol};

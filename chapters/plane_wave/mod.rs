@@ -5,14 +5,12 @@ mod cosine;
 mod dalembert;
 pub(crate) mod fields;
 mod functions;
-mod grid;
 mod harmonics;
+mod methods;
 mod one_way;
 mod perspective;
-mod relaxation;
 mod source_free;
 mod speed;
-pub(crate) mod symbols;
 pub(crate) mod transverse;
 mod wave_equation;
 
@@ -31,13 +29,13 @@ pub const CHAPTER: Chapter = Chapter {
         source_free::STEP,
         wave_equation::STEP,
         dalembert::STEP,
+        methods::STEP,
         speed::STEP,
         one_way::STEP,
         harmonics::STEP,
         cosine::STEP,
         transverse::STEP,
         conductor::STEP,
-        relaxation::STEP,
     ],
     functions: functions::FUNCTIONS,
 };

@@ -1,7 +1,7 @@
 //! E5: Maxwell's equations where there is nothing but a uniform medium.
 
 use super::fields::{Patch, Plane, crowd, outflows, over_time};
-use super::symbols::{B, D, E, EPSILON, H, J, MU, RHO, T};
+use crate::symbols::{B, D, E, EPSILON, H, J, MU, RHO, T};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Statement, Step};
 use glam::DVec3;
 use light::equation::derivation::Chain;

@@ -1,6 +1,6 @@
 //! E11: the speed of light, from two constants of electricity.
 
-use super::symbols::{C, EPSILON_0, MU_0};
+use crate::symbols::{C, EPSILON_0, MU_0};
 use crate::vocabulary::{Bound, Check, Measured, Quantity, Statement, Step};
 use light::equation::Equation;
 use light::equation::expr::sqrt;

@@ -1,10 +1,10 @@
 //! E15–E17: how E, B and the propagation stand to each other, in direction and in size.
 
 use super::fields::{Plane, direction};
-use super::grid::Grid;
-use super::symbols::{A_VECTOR, AMPLITUDE, B, E, EPSILON, H, K, K_VECTOR, MU, OMEGA, R, T, V, Z, Z_C};
+use super::one_way::at_one_cell_a_step;
 use super::{VACUUM, quantity};
 use crate::setting::{FREQUENCY, Setting};
+use crate::symbols::{A_VECTOR, AMPLITUDE, B, E, EPSILON, H, K, K_VECTOR, MU, OMEGA, R, T, V, Z, Z_C};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step};
 use light::Complex64;
 use light::equation::derivation::{Chain, Claim};
@@ -228,7 +228,7 @@ const SPLIT: Check = Check {
     id: "split_pulse",
     claim: "a pulse of E without B splits into two halves, in each of which |E|/|B| = v",
     rows: &["E16"],
-    route: "Faraday's and Ampère's laws on a grid, from a start with B = 0",
+    route: "the solver of chapter maxwell, from a start with B = 0",
     bound: Bound::AtMost {
         limit: 1e-12,
         unit: "1",
@@ -244,12 +244,11 @@ fn split(speed: fn(&Wave) -> f64) -> Measured {
     Measured::worst(media.map(|(epsilon_r, mu_r)| {
         let medium = Medium::relative(epsilon_r, mu_r, 0.0).expect("a clear medium");
         let wave = Wave::new(&medium, 1e9).expect("a positive frequency");
-        let (cells, width) = (1200, 40.0);
-        let e = (0..=cells).map(|i| (-((f64::from(i) - 600.0) / width).powi(2)).exp()).collect();
-        let mut grid = Grid::new(e, vec![0.0; cells as usize], medium.epsilon() * medium.mu());
-        (0..300).for_each(|_| grid.step());
+        let mut line = at_one_cell_a_step(1200, epsilon_r, mu_r);
+        line.set(|z| (-((z - 600.0) / 40.0).powi(2)).exp(), |_| 0.0);
+        line.run(300).expect("some steps");
         let most = |values: &[f64]| values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-        let ratio = most(&grid.e[600..]) / most(&grid.b[600..]);
+        let ratio = most(&line.e()[600..]) / (medium.mu() * most(&line.h()[600..]));
         (ratio / speed(&wave) - 1.0, format!("ε_r = {epsilon_r}, μ_r = {mu_r}"))
     }))
 }

@@ -1,7 +1,7 @@
 //! E6–E8: the two first-order laws made one of second order, for either field.
 
 use super::fields::{Dipole, Field, acceleration, curl as curl_of, direction, laplacian as laplacian_of, rate};
-use super::symbols::{B, E, EPSILON, MU, T};
+use crate::symbols::{B, E, EPSILON, MU, T};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Statement, Step, fitted_order, rms};
 use glam::DVec3;
 use light::equation::derivation::Chain;

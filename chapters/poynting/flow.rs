@@ -2,9 +2,9 @@
 
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::plane_wave::fields::Dipole;
-use crate::plane_wave::symbols::{B, E, MU, S};
 use crate::plane_wave::{GREEN, VACUUM, described, quantity, wave};
 use crate::setting::Setting;
+use crate::symbols::{B, E, MU, S};
 use crate::vocabulary::{Bound, Check, Figure, Measured, Statement, Step};
 use glam::DVec3;
 use light::equation::Equation;

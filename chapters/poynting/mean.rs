@@ -1,10 +1,10 @@
 //! E23: the mean over a period.
 
 use crate::figure::{Axis, Chart, Hue, Plot};
-use crate::plane_wave::symbols::{AMPLITUDE, E, EPSILON, H, K, OMEGA, PERIOD, S, T, V, Z};
 use crate::plane_wave::transverse::harmonic;
 use crate::plane_wave::{GREEN, VACUUM, described, quantity, wave};
 use crate::setting::Setting;
+use crate::symbols::{AMPLITUDE, E, EPSILON, H, K, OMEGA, PERIOD, S, T, V, Z};
 use crate::vocabulary::{
     Bound, Check, Derivation, Expects, Extreme, Figure, Heat, Lane, Measured, Race, Statement, Step, Stress,
 };

@@ -1,8 +1,8 @@
 //! E24: the mean from complex amplitudes.
 
-use crate::plane_wave::symbols::{AMPLITUDE, OMEGA, PERIOD, S, T};
 use crate::plane_wave::{quantity, wave};
 use crate::setting::{FREQUENCY, MEDIUM};
+use crate::symbols::{AMPLITUDE, OMEGA, PERIOD, S, T};
 use crate::vocabulary::{Bound, Check, Derivation, Measured, Statement, Step};
 use light::Complex64;
 use light::equation::derivation::Chain;

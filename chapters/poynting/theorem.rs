@@ -1,10 +1,10 @@
 //! C3: which way the energy flows, and that none is lost on the books.
 
 use crate::plane_wave::fields::{Plane, crowd, direction, outflows, over_time};
-use crate::plane_wave::symbols::{A_VECTOR, B, E, EPSILON, H, J, K_VECTOR, MU, OMEGA, S, T, U_DENSITY};
 use crate::plane_wave::transverse::across_k;
 use crate::plane_wave::{quantity, wave};
 use crate::setting::{FREQUENCY, MEDIUM, Setting};
+use crate::symbols::{A_VECTOR, B, E, EPSILON, H, J, K_VECTOR, MU, OMEGA, S, T, U_DENSITY};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Extreme, Measured, Quantity, Statement, Step, Stress};
 use glam::DVec3;
 use light::equation::derivation::Chain;

@@ -1,5 +1,5 @@
-//! The quantities of waves and of their energy as symbols. What holds on the real axis alone, because it is a
-//! statement about cosines and their amplitudes, is sampled there; the rest off it too.
+//! The quantities of fields, waves and their energy as symbols, for all chapters that speak of them. What holds on the
+//! real axis alone, because it is a statement about cosines and their amplitudes, is sampled there; the rest off it too.
 
 use light::equation::{Dimension, Symbol};
 
