@@ -1,9 +1,11 @@
 //! The command line: the only place that knows clap.
 
 use crate::figures::Format;
+use crate::proof::Question;
 use crate::run::Parts;
 use crate::stop::Stop;
-use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum, ValueHint};
+use crate::text::Details;
+use clap::{ArgAction, Args, CommandFactory, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
 use std::path::PathBuf;
 
@@ -22,6 +24,8 @@ pub enum Request {
     EvalLines { function: String },
     /// What can be called.
     Functions { json: bool },
+    /// Whether one expression or equation leads to another.
+    Prove(Question),
     /// A script for the shell.
     Completions(Vec<u8>),
 }
@@ -41,6 +45,8 @@ pub struct Lesson {
     pub format: Format,
     /// `--set`, in order.
     pub changes: Vec<(String, String)>,
+    /// What is shown of derivations.
+    pub details: Details,
     /// One JSON document instead of text.
     pub json: bool,
 }
@@ -56,6 +62,7 @@ pub fn parse() -> Result<Request, Stop> {
         None => cli.lesson.into_request(),
         Some(Command::Coverage { json }) => Ok(Request::Coverage { json }),
         Some(Command::Eval(eval)) => eval.into_request(),
+        Some(Command::Prove(prove)) => Ok(Request::Prove(prove.into())),
         Some(Command::Completions { shell }) => Ok(Request::Completions(completions(shell))),
     }
 }
@@ -81,6 +88,8 @@ Examples:
   lesson all --check                       does it all still hold?
   lesson eval fresnel n1=1 n2=1.5 theta1=56.3deg
   lesson eval fresnel --json-lines < inputs.jsonl > outputs.jsonl
+  lesson fresnel r_s --units --unfold       every line with its unit and its steps
+  lesson prove \"sin(a)^2 - sin(b)^2\" \"sin(a+b)*sin(a-b)\"
   lesson coverage                          which rows of the lecture have what evidence
 
 On a terminal the walk is read screen by screen: Enter (or n, space) for the next,
@@ -109,6 +118,9 @@ enum Command {
     /// Call a checked function, once or for every line of JSON on standard input.
     #[command(after_help = EVAL_EXAMPLES)]
     Eval(EvalArgs),
+    /// Prove that two expressions are equal, or that one equation follows from another; or find where it fails.
+    #[command(after_help = PROVE_EXAMPLES, disable_help_flag = true)]
+    Prove(ProveArgs),
     /// Print a completion script for a shell.
     ///
     /// For bash: lesson completions bash > ~/.local/share/bash-completion/completions/lesson
@@ -130,6 +142,52 @@ Examples:
 Every output is printed as `name value` with 17 significant digits, so that the
 double survives. With --json-lines a bad line gives {\"error\": …} in its place,
 and the exit status is 2 at the end.";
+
+const PROVE_EXAMPLES: &str = "\
+Examples:
+  lesson prove \"sin(a)^2 - sin(b)^2\" \"sin(a+b)*sin(a-b)\"
+  lesson prove \"n1*cos(t1)\" \"n2*cos(t2)\" --given \"n1*sin(t1)=n2*sin(t2)\"
+  lesson prove \"x + y = 2\" \"y = 2 - x\"
+
+Written as on paper: + - * / ^, brackets, 2x, sin 2x, sqrt(x), |x|, conj(z), Re(z),
+e^(i x), pi, i; names theta_1, theta1, θ₁, E_1'. What could mean two things is refused.
+
+Every name stands for a positive number, unless --given says otherwise. Proved
+means for all of them, where what the answer names is not zero; a refutation
+names a point. Undecided are nested
+roots, and relations between sines of different numbers.
+
+Exit status: 0 if proved, 1 if refuted, 2 if undecided or unreadable.";
+
+#[derive(Debug, Args)]
+struct ProveArgs {
+    /// An expression, or an equation.
+    #[arg(allow_hyphen_values = true)]
+    from: String,
+    /// What it is equal to; or the equation that follows.
+    #[arg(allow_hyphen_values = true)]
+    to: String,
+    /// An equation that holds besides.
+    #[arg(long, value_name = "EQUATION", allow_hyphen_values = true)]
+    given: Vec<String>,
+    /// The single steps inside the lines.
+    #[arg(long)]
+    unfold: bool,
+    /// The answer as one JSON document.
+    #[arg(long)]
+    json: bool,
+    // No -h: it would be taken out of -theta.
+    /// Print help.
+    #[arg(long, action = ArgAction::HelpLong)]
+    help: Option<bool>,
+}
+
+impl From<ProveArgs> for Question {
+    fn from(args: ProveArgs) -> Self {
+        let ProveArgs { from, to, given, unfold, json, help: _ } = args;
+        Self { from, to, given, unfold, json }
+    }
+}
 
 /// Where figures go if nothing else is said.
 const FOLDER: &str = "lesson-out";
@@ -162,6 +220,12 @@ struct LessonArgs {
     /// Change a parameter of the selected steps: n_t=2.4, n_t=gold, theta=56.3deg, wavelength=550nm.
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     set: Vec<(String, String)>,
+    /// Show the unit of every line of a derivation.
+    #[arg(long)]
+    units: bool,
+    /// Show the single steps inside the lines of a derivation.
+    #[arg(long)]
+    unfold: bool,
     /// The report as one JSON document on standard output.
     #[arg(long)]
     json: bool,
@@ -169,7 +233,7 @@ struct LessonArgs {
 
 impl LessonArgs {
     fn is_bare(&self) -> bool {
-        let flags = self.check || self.stress || self.race || self.plot || self.json;
+        let flags = self.check || self.stress || self.race || self.plot || self.units || self.unfold || self.json;
         !flags && self.set.is_empty() && self.out.is_none() && self.format.is_none()
     }
 
@@ -189,6 +253,7 @@ impl LessonArgs {
                 Some(FormatArg::Png) | None => Format::Png,
             },
             changes: self.set,
+            details: Details { units: self.units, unfold: self.unfold },
             json: self.json,
         }))
     }

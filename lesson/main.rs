@@ -8,6 +8,7 @@ mod out;
 mod page;
 mod plot;
 mod progress;
+mod proof;
 mod prove;
 mod race_plot;
 mod report;
@@ -55,6 +56,7 @@ fn serve(request: Request) -> Result<ExitCode, Stop> {
             eval::list(&mut page);
             out::print(page.into_text().as_bytes())?;
         }
+        Request::Prove(question) => return proof::serve(&question),
         Request::Completions(script) => out::print(&script)?,
     }
     Ok(ExitCode::SUCCESS)

@@ -1,6 +1,7 @@
 //! Text set to a width: wrapped by display columns, coloured by meaning or not at all.
 
 use console::Term;
+use light::equation::face::Block;
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 use std::borrow::Cow;
 use std::io::{IsTerminal, stdout};
@@ -150,6 +151,25 @@ impl Page {
     /// A paragraph in one tone at column `indent`.
     pub fn line(&mut self, indent: usize, tone: Tone, text: &str) {
         self.wrap(indent, indent, &[(tone, text)]);
+    }
+
+    /// `block` at column `indent`, with `beside` after its middle line, if the page is wide enough; otherwise `flat` as
+    /// a paragraph.
+    pub fn formula(&mut self, indent: usize, block: &Block, flat: &str, beside: &str) {
+        let gap = if beside.is_empty() { "" } else { "  " };
+        if indent + block.width() + gap.len() + beside.width() > self.width {
+            return self.wrap(indent, indent + 2, &[(Tone::Equation, flat), (Tone::Dim, gap), (Tone::Dim, beside)]);
+        }
+        for (at, row) in block.rows().iter().enumerate() {
+            let mut line = Line { page: self, column: indent, tone: Tone::Plain };
+            line.page.spaces(indent);
+            line.put(Tone::Equation, row);
+            if at == block.baseline() {
+                line.put(Tone::Dim, gap);
+                line.put(Tone::Dim, beside);
+            }
+            line.end();
+        }
     }
 
     /// A line that is not wrapped, because a script may want it whole.

@@ -1,5 +1,6 @@
 //! What a run found, as plain data: terminal and JSON are views of it.
 
+use light::equation::face::Block;
 use light::precise::Real;
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
@@ -85,6 +86,8 @@ pub struct StatementReport {
     pub rows: &'static [&'static str],
     pub latex: String,
     pub unicode: String,
+    #[serde(skip)]
+    pub layout: Block,
     /// The SI dimension of both sides, or how they differ.
     pub dimension: String,
     pub verdict: Verdict,
@@ -97,6 +100,9 @@ pub struct DerivationReport {
     pub rows: &'static [&'static str],
     pub hypotheses: Vec<LineReport>,
     pub lines: Vec<LineReport>,
+    /// What must not be zero.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub conditions: Vec<String>,
     /// How the units of a line disagree.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mismatch: Option<String>,
@@ -108,12 +114,19 @@ pub struct DerivationReport {
 pub struct LineReport {
     pub latex: String,
     pub unicode: String,
+    #[serde(skip)]
+    pub layout: Block,
+    /// Its SI dimension (of both sides, if it has two), or how they differ.
+    pub dimension: String,
     /// The rules that justify it.
     pub by: Vec<Cow<'static, str>>,
     #[serde(skip_serializing_if = "str::is_empty")]
     pub says: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hop: Option<HopReport>,
+    /// The single steps that it sums up.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub unfolded: Vec<LineReport>,
 }
 
 /// How a hop was verified.

@@ -8,6 +8,15 @@ use chapters::vocabulary::Expects;
 use chapters::{CURRICULUM, Chapter, Step};
 use unicode_width::UnicodeWidthStr;
 
+/// What is shown of equations and derivations besides themselves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Details {
+    /// The dimension of every line.
+    pub units: bool,
+    /// The single steps inside the lines.
+    pub unfold: bool,
+}
+
 /// The contents: every chapter, its steps, and what each checks.
 pub fn contents(page: &mut Page) {
     page.line(0, Tone::Plain, "A lecture on the physics of rendering that proves itself.");
@@ -87,7 +96,7 @@ pub fn section<'a>(prose: &'a str, id: &str) -> &'a str {
 }
 
 /// A step as the walk shows it: text, equations, derivations, numbers, verdicts, and where to look next.
-pub fn lecture(page: &mut Page, chapter: &Chapter, step: &Step, found: &StepReport) {
+pub fn lecture(page: &mut Page, chapter: &Chapter, step: &Step, found: &StepReport, details: Details) {
     page.section();
     heading(page, found);
     page.line(0, Tone::Emphasis, found.says);
@@ -99,7 +108,7 @@ pub fn lecture(page: &mut Page, chapter: &Chapter, step: &Step, found: &StepRepo
     }
     for derivation in &found.derivations {
         page.section();
-        show_derivation(page, derivation);
+        show_derivation(page, derivation, details);
     }
     page.section();
     numbers(page, found);
@@ -113,8 +122,9 @@ pub fn lecture(page: &mut Page, chapter: &Chapter, step: &Step, found: &StepRepo
     page.gap();
 }
 
-/// A step as `--check`, `--stress`, `--race` and `--plot` show it: what was found, and nothing else.
-pub fn findings(page: &mut Page, found: &StepReport, parts: Parts) {
+/// A step as `--check`, `--stress`, `--race` and `--plot` show it: what was found, and nothing else. Derivations with
+/// their lines if `whole`, because one was asked for by its address.
+pub fn findings(page: &mut Page, found: &StepReport, parts: Parts, whole: Option<Details>) {
     let figures = !found.figures.is_empty();
     if found.verdicts().next().is_none() && !figures {
         return;
@@ -130,7 +140,10 @@ pub fn findings(page: &mut Page, found: &StepReport, parts: Parts) {
             verdict(page, statement.verdict, &statement.address, &spans);
         }
         for derivation in &found.derivations {
-            show_derivation_verdict(page, derivation);
+            match whole {
+                Some(details) => show_derivation(page, derivation, details),
+                None => show_derivation_verdict(page, derivation),
+            }
         }
         for check in &found.checks {
             show_check(page, check);
@@ -170,7 +183,7 @@ fn verdict(page: &mut Page, verdict: Verdict, address: &str, spans: &[Span]) {
 }
 
 fn show_statement(page: &mut Page, statement: &StatementReport) {
-    page.wrap(4, 6, &[(Tone::Equation, &statement.unicode)]);
+    page.formula(4, &statement.layout, &statement.unicode, "");
     let unit = match statement.verdict {
         Verdict::Passed => (Tone::Dim, format!("[{}]", statement.dimension)),
         Verdict::Failed => (Tone::Bad, statement.dimension.clone()),
@@ -197,29 +210,56 @@ fn show_derivation_verdict(page: &mut Page, derivation: &DerivationReport) {
     }
 }
 
-fn show_derivation(page: &mut Page, derivation: &DerivationReport) {
+/// A derivation line by line.
+pub fn show_derivation(page: &mut Page, derivation: &DerivationReport, details: Details) {
     verdict(page, derivation.verdict, &derivation.address, &[(Tone::Strong, derivation.says)]);
     if let Some(mismatch) = &derivation.mismatch {
         page.line(6, Tone::Bad, mismatch);
     }
-    for line in &derivation.lines {
-        page.wrap(6, 8, &[(Tone::Equation, &line.unicode)]);
-        if let Some(hop) = &line.hop {
-            let tone = if hop.verdict == Verdict::Passed { Tone::Good } else { Tone::Bad };
-            let by = if line.by.is_empty() { String::new() } else { format!("{}: ", line.by.join(", ")) };
-            page.wrap(10, 12, &[(Tone::Plain, &by), (tone, &hop.found)]);
-        }
-        if !line.says.is_empty() {
-            page.line(10, Tone::Dim, line.says);
-        }
-    }
+    show_lines(page, &derivation.lines, details);
+    conditions(page, &derivation.conditions);
     // The hypotheses as substitutions: they place the sample points, the lines above are the argument.
     let given = |line: &LineReport| format!("{} ({})", line.unicode, line.by.join(", "));
     let points: Vec<String> = derivation.hypotheses.iter().map(given).collect();
     if !points.is_empty() {
-        page.line(6, Tone::Dim, &format!("checked at points where {}", points.join(", ")));
+        page.line(6, Tone::Dim, &format!("under {}", points.join(", ")));
     }
     page.gap();
+}
+
+/// What must not be zero.
+fn conditions(page: &mut Page, conditions: &[String]) {
+    if !conditions.is_empty() {
+        page.line(6, Tone::Dim, &format!("where {}", conditions.join(", ")));
+    }
+}
+
+/// The lines of a chain, each with its rules and what was found.
+pub fn show_lines(page: &mut Page, lines: &[LineReport], details: Details) {
+    for line in lines {
+        show_line(page, 6, line, details);
+        for step in line.unfolded.iter().filter(|_| details.unfold) {
+            show_line(page, 10, step, details);
+        }
+    }
+}
+
+fn show_line(page: &mut Page, indent: usize, line: &LineReport, details: Details) {
+    let unit = if details.units { format!("[{}]", line.dimension) } else { String::new() };
+    page.formula(indent, &line.layout, &line.unicode, &unit);
+    let rules = line.by.join(", ");
+    match &line.hop {
+        Some(hop) => {
+            let tone = if hop.verdict == Verdict::Passed { Tone::Good } else { Tone::Bad };
+            let by = if rules.is_empty() { String::new() } else { format!("{rules}: ") };
+            page.wrap(indent + 4, indent + 6, &[(Tone::Plain, &by), (tone, &hop.found)]);
+        }
+        None if !rules.is_empty() => page.line(indent + 4, Tone::Plain, &rules),
+        None => {}
+    }
+    if !line.says.is_empty() {
+        page.line(indent + 4, Tone::Dim, line.says);
+    }
 }
 
 /// The setting and what the program computes at it.

@@ -9,7 +9,7 @@ use crate::report::Report;
 use crate::run::{self, Parts};
 use crate::select::{Chosen, Selection, select};
 use crate::stop::Stop;
-use crate::text;
+use crate::text::{self, Details};
 use chapters::Step;
 use console::{Key, Term};
 use std::io::{ErrorKind, IsTerminal, stdin, stdout};
@@ -50,7 +50,7 @@ pub fn serve(lesson: &Lesson) -> Result<ExitCode, Stop> {
         out::print(document.as_bytes())?;
         out::say(&tally);
     } else {
-        out::print(at_once(&selection, &report, view, parts, &tally).as_bytes())?;
+        out::print(at_once(&selection, &report, view, parts, lesson.details, &tally).as_bytes())?;
     }
     Ok(exit_code(report.failed))
 }
@@ -80,7 +80,7 @@ fn exit_code(failed: usize) -> ExitCode {
     ExitCode::from(u8::from(failed > 0))
 }
 
-fn at_once(selection: &Selection, report: &Report, view: View, parts: Parts, tally: &str) -> String {
+fn at_once(selection: &Selection, report: &Report, view: View, parts: Parts, details: Details, tally: &str) -> String {
     let mut page = Page::for_stdout();
     let steps = report.chapters.iter().flat_map(|chapter| &chapter.steps);
     if parts != Parts::default() && !report.is_empty() {
@@ -94,9 +94,9 @@ fn at_once(selection: &Selection, report: &Report, view: View, parts: Parts, tal
                     text::chapter(&mut page, chosen.chapter);
                     previous = chosen.chapter.id;
                 }
-                text::lecture(&mut page, chosen.chapter, chosen.step, step);
+                text::lecture(&mut page, chosen.chapter, chosen.step, step, details);
             }
-            View::Findings => text::findings(&mut page, step, parts),
+            View::Findings => text::findings(&mut page, step, parts, chosen.item.is_some().then_some(details)),
         }
     }
     if parts.races {
@@ -134,7 +134,7 @@ const KEYS: &str = "Keys: Enter, space or n for what comes next, b for what was 
 
 /// One screen after the other. Keys are read one at a time, and the terminal is itself again between any two.
 fn interactive(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> {
-    let mut walk = Walk::new(selection);
+    let mut walk = Walk::new(selection, lesson.details);
     let (mut at, mut screen) = (0, 0);
     while at < walk.steps.len() {
         let screens = walk.screens(at);
@@ -165,16 +165,17 @@ fn interactive(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> 
 
 /// The steps of a walk and what was found in those seen so far.
 struct Walk {
+    details: Details,
     term: Term,
     steps: Vec<Selection>,
     seen: Vec<Option<Report>>,
 }
 
 impl Walk {
-    fn new(selection: Selection) -> Self {
+    fn new(selection: Selection, details: Details) -> Self {
         let alone = |chosen| Selection { steps: vec![chosen] };
         let steps: Vec<_> = selection.steps.into_iter().map(alone).collect();
-        Self { term: Term::stdout(), seen: steps.iter().map(|_| None).collect(), steps }
+        Self { term: Term::stdout(), details, seen: steps.iter().map(|_| None).collect(), steps }
     }
 
     /// The step `at` as screens of the terminal as it is now, one line left for the prompt.
@@ -189,7 +190,7 @@ impl Walk {
         if at == 0 {
             text::legend(&mut page);
         }
-        text::lecture(&mut page, chosen.chapter, chosen.step, &report.chapters[0].steps[0]);
+        text::lecture(&mut page, chosen.chapter, chosen.step, &report.chapters[0].steps[0], self.details);
         page.into_screens(usize::from(self.term.size().0).saturating_sub(1))
     }
 

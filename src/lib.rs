@@ -23,6 +23,11 @@
 //! | Schlick and its descendants | [`optics::schlick`] | `fresnel/schlick` |
 //! | stacks of films | [`optics::film`] | `fresnel/films` |
 //! | real media | [`optics::material`] | every step, by name |
+//! | plane waves in lossy media, by name too | [`waves::plane`], [`waves::substance`] | `plane-wave` |
+//! | pulses by their spectra | [`waves::harmonics`] | `plane-wave` |
+//! | energy flow, its averages and its balance | [`waves::flux`], [`waves::energy`] | `poynting` |
+//! | phases after any number of periods | [`waves::phase`] | `poynting` |
+//! | conduction, a stiff equation | [`waves::conduction`] | `maxwell` |
 //! | equations, units, faces, derivations | [`equation`] | every step |
 //! | references, condition numbers, orders, quadrature | [`evidence`] | every check |
 
@@ -32,6 +37,7 @@ pub mod evidence;
 pub mod optics;
 pub mod precise;
 pub mod sampling;
+pub mod waves;
 mod wide;
 
 pub use num_complex::Complex64;

@@ -1,6 +1,6 @@
 //! Twice the digits of `f64` where a difference of nearly equal inputs would leave too few: an unevaluated sum of
 //! two `f64` (Dekker, *Numer. Math.* 18 (1971) 224; Knuth, TAOCP vol. 2, §4.2.2), about 31 decimal digits.
-//! Only what `optics` needs near critical angles; everything wider is [`crate::precise`].
+//! Only what `optics` needs near critical angles and `waves` after many periods; everything wider is [`crate::precise`].
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -84,6 +84,11 @@ impl Mul for Wide {
 }
 
 impl Wide {
+    /// The nearest `f64` and what is left.
+    pub fn parts(self) -> (f64, f64) {
+        (self.hi, self.lo)
+    }
+
     /// sin x and cos x for |x| ≤ π/2, absolute error below 1e−30.
     pub fn sin_cos(x: f64) -> (Self, Self) {
         // Taylor's series at x/8, then three times the double angle, kept as 1 − cos so that nothing cancels.

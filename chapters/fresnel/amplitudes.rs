@@ -1,8 +1,9 @@
 //! E36, E37, E39, E40: the four amplitude ratios. One measurement serves all: the equation on the page, evaluated in
 //! arbitrary precision, against the program's function.
 
+use super::boundary::bounded;
 use super::snell::with_snell;
-use super::symbols::{E_1, E_1R, N_1, N_2, R_P, R_S, T_P, T_S, THETA_1, THETA_2};
+use super::symbols::{E_1, E_1R, E_2, N_1, N_2, R_P, R_S, T_P, T_S, THETA_1, THETA_2};
 use super::{INTERFACE, extremes, incidence, interface, media, over_angle, over_angle_near};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
@@ -15,6 +16,7 @@ use light::equation::expr::{asin, cos, sin, tan};
 use light::equation::value::Bindings;
 use light::equation::{Equation, Expr};
 use light::evidence::fresnel::{Exact, Input};
+use light::optics::film::Polarisation;
 use light::optics::fresnel::{Amplitudes, amplitudes, brewster_angle, critical_angle};
 use light::optics::{Direction, Incidence};
 use light::precise;
@@ -92,7 +94,7 @@ pub(super) const T_S_STEP: Step = Step {
     }],
     derivations: &[Derivation {
         id: "from_boundary",
-        says: "E₂/E₁ = 1 + r_s, by the first line of E35",
+        says: "E35 solved for E₂/E₁, with H = nE/Z₀",
         rows: &["E37"],
         chain: || t_s_chain(t_s()),
         spoiled: || t_s_chain(2 * sin(THETA_1) * cos(THETA_2) / sin(THETA_1 + THETA_2)),
@@ -203,7 +205,7 @@ pub(super) const T_P_STEP: Step = Step {
     }],
     derivations: &[Derivation {
         id: "from_boundary",
-        says: "E₂/E₁ = (1 + r_p) n₁/n₂, by the second line of E38",
+        says: "E38 solved for E₂/E₁, with H = nE/Z₀",
         rows: &["E40"],
         chain: || t_p_chain(t_p()),
         spoiled: || t_p_chain(t_s()),
@@ -237,70 +239,58 @@ pub(super) const T_P_STEP: Step = Step {
     }],
 };
 
-fn r_s() -> Expr {
+/// E36
+pub(super) fn r_s() -> Expr {
     -(sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2))
 }
 
-fn t_s() -> Expr {
+/// E37
+pub(super) fn t_s() -> Expr {
     2 * sin(THETA_2) * cos(THETA_1) / sin(THETA_1 + THETA_2)
 }
 
-fn r_p() -> Expr {
+/// E39
+pub(super) fn r_p() -> Expr {
     tan(THETA_1 - THETA_2) / tan(THETA_1 + THETA_2)
 }
 
-fn t_p() -> Expr {
+/// E40
+pub(super) fn t_p() -> Expr {
     2 * sin(THETA_2) * cos(THETA_1) / (sin(THETA_1 + THETA_2) * cos(THETA_1 - THETA_2))
 }
 
-/// (a − b)/(a + b) in the products that the boundary conditions of s (`near` = n₁, `far` = n₂) and p give.
-fn contrast(near: Expr, far: Expr) -> Expr {
+/// (a − b)/(a + b), the form in which the boundary conditions give both reflected waves.
+pub(super) fn contrast(near: Expr, far: Expr) -> Expr {
     (&near - &far) / (near + far)
 }
 
+/// The amplitudes under the boundary conditions and Snell's law.
+fn solved(polarisation: Polarisation) -> Chain {
+    with_snell(bounded(polarisation)).solve_for([E_1R, E_2])
+}
+
 fn s_chain(last: Expr) -> Chain {
-    let solved = contrast(N_1 * cos(THETA_1), N_2 * cos(THETA_2));
-    with_snell(Equation::new(N_1 * (E_1 - E_1R) * cos(THETA_1), N_2 * (E_1 + E_1R) * cos(THETA_2)))
-        .because("E35 with H = nE/Z₀, and E₂ replaced by E₁ + E₁′")
-        .given(E_1R, E_1 * &solved, "linear solve")
-        .then(Equation::new(E_1R / E_1, solved), ["linear solve"])
-        .then(contrast(sin(THETA_2) * cos(THETA_1), sin(THETA_1) * cos(THETA_2)), ["Snell", "cancel k"])
-        .then(last, ["sines of sum and difference"])
+    solved(Polarisation::S)
+        .then(Equation::new(E_1R / E_1, contrast(N_1 * cos(THETA_1), N_2 * cos(THETA_2))), ["linear solve"])
+        .find(last)
 }
 
 fn t_s_chain(last: Expr) -> Chain {
-    with_snell(1 + R_S)
-        .because("E₁ + E₁′ = E₂, over E₁")
-        .given(R_S, r_s(), "E36")
-        .then((sin(THETA_1 + THETA_2) - sin(THETA_1 - THETA_2)) / sin(THETA_1 + THETA_2), ["E36", "common denominator"])
-        .then(last, ["sines of sum and difference"])
+    let (near, far) = (N_1 * cos(THETA_1), N_2 * cos(THETA_2));
+    solved(Polarisation::S).then(Equation::new(E_2 / E_1, 2 * &near / (&near + far)), ["linear solve"]).find(last)
 }
 
 fn p_chain(last: Expr) -> Chain {
-    let solved = contrast(N_2 * cos(THETA_1), N_1 * cos(THETA_2));
-    let (sum, difference) = (THETA_1 + THETA_2, THETA_1 - THETA_2);
-    with_snell(Equation::new((E_1 - E_1R) * cos(THETA_1), N_1 / N_2 * (E_1 + E_1R) * cos(THETA_2)))
-        .because("E38 with H = nE/Z₀, and E₂ replaced by (E₁ + E₁′) n₁/n₂")
-        .given(E_1R, E_1 * &solved, "linear solve")
-        .then(Equation::new(E_1R / E_1, solved), ["linear solve"])
-        .then(contrast(sin(THETA_1) * cos(THETA_1), sin(THETA_2) * cos(THETA_2)), ["Snell", "cancel k"])
-        .then(contrast(sin(2 * THETA_1), sin(2 * THETA_2)), ["double angle"])
-        .then(sin(&difference) * cos(&sum) / (sin(&sum) * cos(&difference)), ["sum to product"])
-        .then(last, ["tan = sin/cos"])
+    solved(Polarisation::P)
+        .then(Equation::new(E_1R / E_1, contrast(N_2 * cos(THETA_1), N_1 * cos(THETA_2))), ["linear solve"])
+        .find(last)
 }
 
 fn t_p_chain(last: Expr) -> Chain {
-    let (sum, difference) = (THETA_1 + THETA_2, THETA_1 - THETA_2);
-    let common = sin(&sum) * cos(&difference);
-    with_snell(N_1 / N_2 * (1 + R_P))
-        .because("H₁ + H₁′ = H₂ with H = nE/Z₀, over n₂E₁")
-        .given(R_P, r_p(), "E39")
-        .then(
-            sin(THETA_2) / sin(THETA_1) * ((&common + sin(difference) * cos(sum)) / &common),
-            ["Snell", "E39", "common denominator"],
-        )
-        .then(sin(THETA_2) / sin(THETA_1) * (sin(2 * THETA_1) / common), ["sine of a sum"])
-        .then(last, ["double angle"])
+    let (near, far) = (N_2 * cos(THETA_1), N_1 * cos(THETA_2));
+    solved(Polarisation::P)
+        .then(Equation::new(E_2 / E_1, 2 * N_1 * cos(THETA_1) / (near + far)), ["linear solve"])
+        .find(last)
 }
 
 /// Error of the program's ratio against `equation`, in units of ε(1 + κ); `at` is the place of its real part among

@@ -1,13 +1,13 @@
 //! E35, E38: what the boundary conditions say about the three amplitudes.
 
 use super::fields::{tangential_step, waves};
-use super::symbols::{E_1, E_1R, E_2, H_1, H_1R, H_2, THETA_1, THETA_2};
+use super::symbols::{E_1, E_1R, E_2, ELECTRIC, H_1, H_1R, H_2, MAGNETIC, N_1, N_2, NORMAL, THETA_1, THETA_2, Z_0};
 use super::{INTERFACE, extremes, incidence, sample_inputs};
 use crate::setting::Setting;
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step};
 use light::equation::derivation::Chain;
-use light::equation::expr::cos;
-use light::equation::{Equation, Expr, Symbol};
+use light::equation::expr::{cos, cross, sin, vector};
+use light::equation::{Equation, Symbol};
 use light::optics::Incidence;
 use light::optics::film::Polarisation;
 use light::optics::fresnel::{Amplitudes, amplitudes};
@@ -23,42 +23,54 @@ pub(super) const STEP: Step = Step {
             id: "s_electric",
             says: "s: the electric field is all tangential",
             rows: &["E35"],
-            equation: || Equation::new(E_1 + E_1R, E_2),
+            equation: || conditions(Polarisation::S)[0].clone(),
         },
         Statement {
             id: "s_magnetic",
             says: "s: of the magnetic field cos θ is",
             rows: &["E35"],
-            equation: || Equation::new((H_1 - H_1R) * cos(THETA_1), H_2 * cos(THETA_2)),
+            equation: || conditions(Polarisation::S)[1].clone(),
         },
         Statement {
             id: "p_electric",
             says: "p: of the electric field cos θ is tangential",
             rows: &["E38"],
-            equation: || Equation::new((E_1 - E_1R) * cos(THETA_1), E_2 * cos(THETA_2)),
+            equation: || conditions(Polarisation::P)[0].clone(),
         },
         Statement {
             id: "p_magnetic",
             says: "p: the magnetic field is all tangential",
             rows: &["E38"],
-            equation: || Equation::new(H_1 + H_1R, H_2),
+            equation: || conditions(Polarisation::P)[1].clone(),
         },
     ],
     derivations: &[
         Derivation {
             id: "s",
-            says: "n×(H₁−H₂) = 0 for s, where the reflected wave runs back: its cosine changes sign",
+            says: "E4 for fields of which the electric one stands across the plane of incidence",
             rows: &["E35"],
-            chain: || turned(H_1, H_1R, H_2, (H_1 - H_1R) * cos(THETA_1)),
-            spoiled: || turned(H_1, H_1R, H_2, (H_1 + H_1R) * cos(THETA_1)),
+            chain: || {
+                let [electric, magnetic] = conditions(Polarisation::S);
+                continuous(Polarisation::S).then(electric, ["components"]).then(magnetic, ["components"])
+            },
+            spoiled: || {
+                let all = Equation::new((H_1 + H_1R) * cos(THETA_1), H_2 * cos(THETA_2));
+                continuous(Polarisation::S).then(all, ["components"])
+            },
             slip: "the reflected wave does not turn round",
         },
         Derivation {
             id: "p",
-            says: "n×(E₁−E₂) = 0 for p, likewise",
+            says: "E4 for fields of which the magnetic one stands across the plane of incidence",
             rows: &["E38"],
-            chain: || turned(E_1, E_1R, E_2, (E_1 - E_1R) * cos(THETA_1)),
-            spoiled: || turned(E_1, E_1R, E_2, (E_1 + E_1R) * cos(THETA_1)),
+            chain: || {
+                let [electric, magnetic] = conditions(Polarisation::P);
+                continuous(Polarisation::P).then(electric, ["components"]).then(magnetic, ["components"])
+            },
+            spoiled: || {
+                let all = Equation::new((E_1 + E_1R) * cos(THETA_1), E_2 * cos(THETA_2));
+                continuous(Polarisation::P).then(all, ["components"])
+            },
             slip: "the reflected wave does not turn round",
         },
     ],
@@ -69,13 +81,62 @@ pub(super) const STEP: Step = Step {
     figures: &[],
 };
 
-/// The tangential components of three waves, of which the second has the normal part of its wave vector reversed.
-fn turned(first: Symbol, second: Symbol, third: Symbol, left: Expr) -> Chain {
+/// E35 or E38: the electric and the magnetic condition.
+pub(super) fn conditions(polarisation: Polarisation) -> [Equation; 2] {
     let (cos_1, cos_2) = (cos(THETA_1), cos(THETA_2));
-    let across = &third * &cos_2;
-    Chain::new(Equation::new(&first * &cos_1 + &second * -&cos_1, across.clone()))
-        .given(third, (&first - &second) * cos_1 / cos_2, "E4: tangential parts meet")
-        .then(Equation::new(left, across), ["collect cos θ₁"])
+    match polarisation {
+        Polarisation::S => [Equation::new(E_1 + E_1R, E_2), Equation::new((H_1 - H_1R) * cos_1, H_2 * cos_2)],
+        Polarisation::P => [Equation::new((E_1 - E_1R) * cos_1, E_2 * cos_2), Equation::new(H_1 + H_1R, H_2)],
+    }
+}
+
+/// The amplitudes under E35 or E38, with H = nE/Z₀ of every wave.
+pub(super) fn bounded(polarisation: Polarisation) -> Chain {
+    let [electric, magnetic] = conditions(polarisation);
+    let row = match polarisation {
+        Polarisation::S => "E35",
+        Polarisation::P => "E38",
+    };
+    with_impedance(Chain::assume(electric, row).and(magnetic, row))
+}
+
+/// `chain` with the ratio of the fields in each medium.
+pub(super) fn with_impedance(chain: Chain) -> Chain {
+    let waves = [(H_1, N_1, E_1), (H_1R, N_1, E_1R), (H_2, N_2, E_2)];
+    waves.into_iter().fold(chain, |chain, (h, n, e)| chain.given(h, n * e / Z_0, "H = nE/Z₀"))
+}
+
+/// E4 without surface charge and current: the tangential parts of the sum of the fields on either side.
+fn continuous(polarisation: Polarisation) -> Chain {
+    let meet = |[incident, reflected, transmitted]: [Symbol; 3]| {
+        Equation::new(cross(NORMAL, incident + reflected), cross(NORMAL, transmitted))
+    };
+    with_fields(Chain::assume(meet(ELECTRIC), "E4").and(meet(MAGNETIC), "E4"), polarisation)
+}
+
+/// `chain` with the fields as vectors: z along the normal, the plane of incidence y = 0. One of the fields stands across
+/// it, and E×H runs along the wave vector.
+pub(super) fn with_fields(chain: Chain, polarisation: Polarisation) -> Chain {
+    let (sin_1, cos_1) = (sin(THETA_1), cos(THETA_1));
+    let directions = [vector(&sin_1, 0, &cos_1), vector(&sin_1, 0, -&cos_1), vector(sin(THETA_2), 0, cos(THETA_2))];
+    let amplitudes = [(E_1, H_1), (E_1R, H_1R), (E_2, H_2)];
+    let mut chain = chain.given(NORMAL, vector(0, 0, 1), "z along the normal");
+    for (at, (direction, (e, h))) in directions.into_iter().zip(amplitudes).enumerate() {
+        let (electric, magnetic) = (&ELECTRIC[at], &MAGNETIC[at]);
+        chain = match polarisation {
+            Polarisation::S => chain.given(electric, vector(0, e, 0), "s: E across the plane of incidence").given(
+                magnetic,
+                cross(direction, vector(0, h, 0)),
+                "E×H along k",
+            ),
+            Polarisation::P => chain.given(magnetic, vector(0, h, 0), "p: H across the plane of incidence").given(
+                electric,
+                cross(vector(0, e, 0), direction),
+                "E×H along k",
+            ),
+        };
+    }
+    chain
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {

@@ -1,5 +1,6 @@
 //! C11, first half: p alone is not reflected at Brewster's angle.
 
+use super::amplitudes::contrast;
 use super::extremes::cases;
 use super::symbols::{N_1, N_2, THETA_1, THETA_2};
 use super::{INTERFACE, interface, pseudo_brewster};
@@ -36,14 +37,24 @@ pub(super) const STEP: Step = Step {
             equation: || Equation::new(THETA_B + THETA_2, pi() / 2),
         },
     ],
-    derivations: &[Derivation {
-        id: "from_snell",
-        says: "where θ₁ + θ₂ is a right angle, Snell's law is tan θ_B = n₂/n₁",
-        rows: &["C11"],
-        chain: || at_right_angle(tan(THETA_1)),
-        spoiled: || at_right_angle(sin(THETA_1)),
-        slip: "sine for tangent",
-    }],
+    derivations: &[
+        Derivation {
+            id: "from_snell",
+            says: "where θ₁ + θ₂ is a right angle, Snell's law is tan θ_B = n₂/n₁",
+            rows: &["C11"],
+            chain: || at_right_angle(tan(THETA_1)),
+            spoiled: || at_right_angle(sin(THETA_1)),
+            slip: "sine for tangent",
+        },
+        Derivation {
+            id: "nothing_reflected",
+            says: "there the wave that E38 leaves to be reflected vanishes",
+            rows: &["C11"],
+            chain: || reflected(N_2, N_1, sin(THETA_1), Expr::from(0)),
+            spoiled: || reflected(N_1, N_2, sin(THETA_1), Expr::from(0)),
+            slip: "s for p",
+        },
+    ],
     readout: Some(readout),
     checks: &[NOTHING_REFLECTED, RIGHT_ANGLE],
     stress: &[Stress {
@@ -71,13 +82,27 @@ pub(super) const STEP: Step = Step {
     }],
 };
 
+/// Snell's law where the reflected and the refracted ray stand at right angles.
+fn square_rays() -> Chain {
+    Chain::assume(Equation::new(N_1 * sin(THETA_1), N_2 * sin(THETA_2)), "Snell").given(
+        THETA_2,
+        pi() / 2 - THETA_1,
+        "right angle",
+    )
+}
+
 fn at_right_angle(left: Expr) -> Chain {
-    Chain::new(Equation::new(N_1 * sin(THETA_1), N_2 * sin(THETA_2)))
-        .because("Snell's law")
-        .given(THETA_2, pi() / 2 - THETA_1, "right angle")
-        .given(N_2, N_1 * tan(THETA_1), "Snell")
+    square_rays()
         .then(Equation::new(N_1 * sin(THETA_1), N_2 * cos(THETA_1)), ["right angle: sin θ₂ = cos θ₁"])
         .then(Equation::new(left, N_2 / N_1), ["divide by n₁ cos θ₁"])
+}
+
+/// E36 or E39 as the boundary conditions give them, before Snell's law puts the indices away.
+fn reflected(near: Symbol, far: Symbol, turned: Expr, last: Expr) -> Chain {
+    let start = contrast(&near * cos(THETA_1), &far * cos(THETA_2));
+    square_rays()
+        .then(Equation::new(start, contrast(near * cos(THETA_1), far * turned)), ["right angle: cos θ₂ = sin θ₁"])
+        .then(last, ["Snell"])
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {

@@ -1,13 +1,14 @@
 //! C11, second half: reflectance does not always rise with the angle.
 
-use super::symbols::N_REL;
+use super::amplitudes::contrast;
+use super::symbols::{N_1, N_2, N_REL, R_N, THETA_1, THETA_2};
 use super::{INTERFACE, golden_section, interface};
 use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
 use crate::setting::Setting;
 use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
 use light::Complex64;
 use light::equation::derivation::Chain;
-use light::equation::expr::{ratio, sqrt};
+use light::equation::expr::{cos, d, ratio, sqrt};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::fresnel::{Exact, Input, NAMES};
 use light::optics::fresnel::{Dip, Powers, dip, powers};
@@ -36,38 +37,50 @@ pub(super) const STEP: Step = Step {
             id: "place",
             says: "the dip, where x = n₂cosθ₂/(n₁cosθ₁) and n = n₂/n₁",
             rows: &["C11"],
-            equation: || {
-                Equation::new(X_DIP + N_REL.pow(2) / X_DIP, (N_REL.pow(4) - 6 * N_REL.pow(2) + 1) / (N_REL.pow(2) + 1))
-            },
+            equation: || Equation::new(X_DIP + N_REL.pow(2) / X_DIP, sum_at_the_dip()),
         },
         Statement { id: "depth", says: "its value", rows: &["C11"], equation: || Equation::new(R_MIN, depth()) },
     ],
     derivations: &[
         Derivation {
-            id: "threshold_from_place",
-            says: "the dip parts from normal incidence where its x is n: both sides of its equation, times n² + 1",
+            id: "in_one_variable",
+            says: "R_n from E35 and E38, with x for both cosines and n for both indices",
             rows: &["C11"],
-            chain: || at_normal((N_REL.pow(2) - 4 * N_REL + 1) * (N_REL + 1).pow(2)),
-            spoiled: || at_normal((N_REL.pow(2) - 4 * N_REL + 1) * (N_REL - 1).pow(2)),
-            slip: "n − 1 for n + 1",
+            chain: || in_one_variable(natural(&X.into())),
+            spoiled: || in_one_variable(natural(&(1 / X))),
+            slip: "x upside down",
+        },
+        Derivation {
+            id: "symmetry",
+            says: "n²/x for x exchanges s and p, so R_n is level at x = n: at normal incidence",
+            rows: &["C11"],
+            chain: || symmetry(N_REL.pow(2) / X),
+            spoiled: || symmetry(N_REL / X),
+            slip: "n for n²",
         },
         Derivation {
             id: "stationary",
-            says: "½dR_n/dx over its obvious factors: normal incidence x² = n², or the dip",
+            says: "dR_n/dx vanishes at normal incidence, x² = n², and at the dip",
             rows: &["C11"],
-            chain: || {
-                stationary(
-                    (X.pow(2) - N_REL.pow(2))
-                        * ((N_REL.pow(2) + 1) * (X.pow(2) + N_REL.pow(2)) - (N_REL.pow(4) - 6 * N_REL.pow(2) + 1) * X),
-                )
-            },
-            spoiled: || {
-                stationary(
-                    (X.pow(2) - N_REL.pow(2))
-                        * ((N_REL.pow(2) + 1) * (X.pow(2) + N_REL.pow(2)) - (N_REL.pow(4) - 4 * N_REL.pow(2) + 1) * X),
-                )
-            },
+            chain: || stationary(6),
+            spoiled: || stationary(4),
             slip: "4n² for 6n²",
+        },
+        Derivation {
+            id: "threshold_from_place",
+            says: "the dip parts from normal incidence where its x is n: the two sides of its equation are equal there",
+            rows: &["C11"],
+            chain: || at_normal((N_REL + 1).pow(2)),
+            spoiled: || at_normal((N_REL - 1).pow(2)),
+            slip: "n − 1 for n + 1",
+        },
+        Derivation {
+            id: "two_plus_root_three",
+            says: "the least index that dips, and from inside its inverse",
+            rows: &["C11"],
+            chain: || by_its_roots(2 + root_of_three()),
+            spoiled: || by_its_roots(1 + root_of_three()),
+            slip: "1 + √3 for 2 + √3",
         },
         Derivation {
             id: "at_the_dip",
@@ -100,38 +113,83 @@ fn natural(x: &Expr) -> Expr {
     ratio(1, 2) * (((1 - x) / (1 + x)).pow(2) + ((&square - x) / (&square + x)).pow(2))
 }
 
-/// The zero of dR_n/dx, cleared of fractions.
-fn stationary(last: Expr) -> Chain {
+/// What x + n²/x is at the dip.
+fn sum_at_the_dip() -> Expr {
+    (N_REL.pow(4) - 6 * N_REL.pow(2) + 1) / (N_REL.pow(2) + 1)
+}
+
+fn in_one_variable(last: Expr) -> Chain {
+    let s = contrast(N_1 * cos(THETA_1), N_2 * cos(THETA_2));
+    let p = contrast(N_2 * cos(THETA_1), N_1 * cos(THETA_2));
+    Chain::new(ratio(1, 2) * (s.pow(2) + p.pow(2)))
+        .because("E42 with the ratios that E35 and E38 give")
+        .given(N_2, N_REL * N_1, "n = n₂/n₁")
+        .given(cos(THETA_2), X * cos(THETA_1) / N_REL, "x = n₂cosθ₂/(n₁cosθ₁)")
+        .then(last, ["n = n₂/n₁", "x = n₂cosθ₂/(n₁cosθ₁)", "cancel n₁ cos θ₁"])
+}
+
+fn symmetry(image: Expr) -> Chain {
+    let x = Expr::from(X);
     let square = N_REL.pow(2);
-    let slope = (X - 1) * (&square + X).pow(3) - &square * (&square - X) * (1 + X).pow(3);
-    Chain::new(slope)
-        .because("½ dR_n/dx · (1 + x)³(n² + x)³")
+    Chain::new(natural(&image))
+        .then(ratio(1, 2) * (((&x - &square) / (&x + &square)).pow(2) + ((&x - 1) / (&x + 1)).pow(2)), ["cancel n²/x"])
+        .then(natural(&x), ["order"])
+}
+
+/// What is zero at the dip; `middle` is what −n² is multiplied with.
+fn dip_factor(x: &Expr, middle: i32) -> Expr {
+    let square = N_REL.pow(2);
+    (&square + 1) * (x.pow(2) + &square) - (N_REL.pow(4) - middle * square + 1) * x
+}
+
+/// The derivative of R_n by its factors.
+fn stationary(middle: i32) -> Chain {
+    let square = N_REL.pow(2);
+    Chain::new(d(R_N) / d(X))
+        .given(R_N, natural(&X.into()), "E42")
         .then(
-            (&square + 1) * (X.pow(4) - N_REL.pow(4)) - (N_REL.pow(4) - 6 * &square + 1) * X * (X.pow(2) - &square),
-            ["expand", "collect"],
+            2 * (X - 1) / (X + 1).pow(3) + 2 * &square * (X - &square) / (X + &square).pow(3),
+            ["derivative of a square", "derivative of a quotient"],
         )
-        .then(last, ["factor x² − n²"])
+        .then(
+            2 * (X.pow(2) - &square) * dip_factor(&X.into(), middle) / ((X + 1).pow(3) * (X + &square).pow(3)),
+            ["common denominator", "factor x² − n²"],
+        )
 }
 
-/// The dip's equation at x = n, cleared of fractions.
-fn at_normal(last: Expr) -> Chain {
-    let square = N_REL.pow(2);
-    Chain::new((N_REL.pow(4) - 6 * &square + 1) - (X + &square / X) * (&square + 1))
-        .because("(n⁴ − 6n² + 1) − (x + n²/x)(n² + 1)")
+/// The dip's equation at x = n.
+fn at_normal(factor: Expr) -> Chain {
+    Chain::new(sum_at_the_dip() - (X + N_REL.pow(2) / X))
+        .because("what the dip's x makes zero")
         .given(X, N_REL, "normal incidence")
-        .then(N_REL.pow(4) - 2 * N_REL.pow(3) - 6 * square - 2 * N_REL + 1, ["x = n", "expand"])
-        .then(last, ["factor (n + 1)²"])
+        .then(
+            (N_REL.pow(4) - 2 * N_REL.pow(3) - 6 * N_REL.pow(2) - 2 * N_REL + 1) / (N_REL.pow(2) + 1),
+            ["x = n", "common denominator"],
+        )
+        .then((N_REL.pow(2) - 4 * N_REL + 1) * factor / (N_REL.pow(2) + 1), ["factor (n + 1)²"])
 }
 
-/// With n² expressed by the dip's own x is awkward; x by n is a square root, taken as it stands.
+fn root_of_three() -> Expr {
+    sqrt(Expr::from(3))
+}
+
+/// The quadratic of the threshold by its roots, `root` and 1/`root`.
+fn by_its_roots(root: Expr) -> Chain {
+    Chain::new(N_REL.pow(2) - 4 * N_REL + 1)
+        .then((N_REL - 2).pow(2) - 3, ["complete the square"])
+        .then((N_REL - (2 + root_of_three())) * (N_REL - (2 - root_of_three())), ["difference of squares"])
+        .then((N_REL - &root) * (N_REL - 1 / &root), ["(2 + √3)(2 − √3) = 1"])
+}
+
+/// The larger root of the quadratic that the place is given by.
 fn at_the_dip(last: Expr) -> Chain {
-    let square = N_REL.pow(2);
-    let sum = (N_REL.pow(4) - 6 * &square + 1) / (&square + 1);
-    let place = (&sum + sqrt(sum.pow(2) - 4 * &square)) / 2;
-    Chain::new(natural(&Expr::from(X_DIP)))
-        .because("R_n(x) at the larger root of x + n²/x = (n⁴ − 6n² + 1)/(n² + 1)")
-        .given(X_DIP, place, "the dip's place")
-        .then(last, ["quadratic formula"])
+    let sum = sum_at_the_dip();
+    let place = (&sum + sqrt(sum.pow(2) - 4 * N_REL.pow(2))) / 2;
+    Chain::new(Equation::new(dip_factor(&X_DIP.into(), 6), 0))
+        .because("the second factor of dR_n/dx, at the larger root")
+        .given(X_DIP, place, "quadratic formula")
+        .then(Equation::new(X_DIP + N_REL.pow(2) / X_DIP, sum), ["divide by x (n² + 1)"])
+        .then(Equation::new(natural(&Expr::from(X_DIP)), last), ["quadratic formula", "clear the root"])
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {

@@ -1,14 +1,15 @@
 //! E43: nothing is lost at a clear interface.
 
+use super::amplitudes::{r_p, r_s, t_p, t_s};
 use super::extremes::{self, cases_against, describe};
 use super::snell::with_snell;
-use super::symbols::{N_1, N_2, R_N, THETA_1, THETA_2};
+use super::symbols::{N_1, N_2, R_N, R_P, R_S, T_P, T_S, THETA_1, THETA_2};
 use super::{INTERFACE, incidence, interface};
 use crate::setting::Setting;
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Extreme, Measured, Quantity, Statement, Step, Stress};
 use light::Complex64;
 use light::equation::derivation::Chain;
-use light::equation::expr::{cos, sin, tan};
+use light::equation::expr::{cos, sin};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::fresnel::{Input, NAMES};
 use light::optics::fresnel::{Powers, amplitudes, critical_angle, powers};
@@ -34,7 +35,7 @@ pub(super) const STEP: Step = Step {
             id: "s",
             says: "R_s + T_s from E36, E37 and E41",
             rows: &["E43"],
-            chain: || s_balance(N_2 * cos(THETA_2) / (N_1 * cos(THETA_1))),
+            chain: || s_balance(weight()),
             spoiled: || s_balance(Expr::from(1)),
             slip: "T taken as t²",
         },
@@ -42,9 +43,17 @@ pub(super) const STEP: Step = Step {
             id: "p",
             says: "R_p + T_p from E39, E40 and E41",
             rows: &["E43"],
-            chain: || p_balance(N_2 * cos(THETA_2) / (N_1 * cos(THETA_1))),
+            chain: || p_balance(weight()),
             spoiled: || p_balance(Expr::from(1)),
             slip: "T taken as t²",
+        },
+        Derivation {
+            id: "natural",
+            says: "R_n + T_n, the means of s and p",
+            rows: &["E43"],
+            chain: || balance(Expr::from(1)),
+            spoiled: || balance(Expr::from(2)),
+            slip: "the two halves are each taken for a whole",
         },
     ],
     readout: Some(readout),
@@ -61,14 +70,20 @@ pub(super) const STEP: Step = Step {
     figures: &[],
 };
 
+/// What T is more than t².
+fn weight() -> Expr {
+    N_2 * cos(THETA_2) / (N_1 * cos(THETA_1))
+}
+
 fn s_balance(weight: Expr) -> Chain {
     let (sum, difference) = (sin(THETA_1 + THETA_2).pow(2), sin(THETA_1 - THETA_2).pow(2));
-    let through = (2 * sin(THETA_2) * cos(THETA_1) / sin(THETA_1 + THETA_2)).pow(2);
-    with_snell(&difference / &sum + weight * through)
-        .because("r_s² + (n₂cosθ₂/n₁cosθ₁) t_s²")
+    with_snell(Chain::new(R_S.pow(2) + weight * T_S.pow(2)))
+        .because("R_s + T_s by E41")
+        .given(R_S, r_s(), "E36")
+        .given(T_S, t_s(), "E37")
         .then(
             (&difference + sin(2 * THETA_1) * sin(2 * THETA_2)) / &sum,
-            ["Snell", "double angle", "common denominator"],
+            ["E36", "E37", "Snell", "double angle", "common denominator"],
         )
         .then(&sum / sum.clone(), ["square of a sum"])
         .then(Expr::from(1), ["cancel"])
@@ -77,12 +92,13 @@ fn s_balance(weight: Expr) -> Chain {
 fn p_balance(weight: Expr) -> Chain {
     let (sum, difference) = (THETA_1 + THETA_2, THETA_1 - THETA_2);
     let whole = (sin(&sum) * cos(&difference)).pow(2);
-    let through = (2 * sin(THETA_2) * cos(THETA_1) / (sin(&sum) * cos(&difference))).pow(2);
-    with_snell((tan(&difference) / tan(&sum)).pow(2) + weight * through)
-        .because("r_p² + (n₂cosθ₂/n₁cosθ₁) t_p²")
+    with_snell(Chain::new(R_P.pow(2) + weight * T_P.pow(2)))
+        .because("R_p + T_p by E41")
+        .given(R_P, r_p(), "E39")
+        .given(T_P, t_p(), "E40")
         .then(
             ((sin(&difference) * cos(&sum)).pow(2) + sin(2 * THETA_1) * sin(2 * THETA_2)) / &whole,
-            ["Snell", "tan = sin/cos", "common denominator"],
+            ["E39", "E40", "Snell", "tan = sin/cos", "common denominator"],
         )
         .then(
             ((sin(2 * THETA_1) - sin(2 * THETA_2)).pow(2) + 4 * sin(2 * THETA_1) * sin(2 * THETA_2))
@@ -90,6 +106,22 @@ fn p_balance(weight: Expr) -> Chain {
             ["product to sum"],
         )
         .then(Expr::from(1), ["square of a sum"])
+}
+
+/// Natural light, half of it s and half p.
+fn balance(last: Expr) -> Chain {
+    with_snell(Chain::new(R_N + T_N))
+        .given(R_N, (R_S.pow(2) + R_P.pow(2)) / 2, "E42")
+        .given(T_N, weight() * (T_S.pow(2) + T_P.pow(2)) / 2, "E42, for what goes through")
+        .given(R_S, r_s(), "E36")
+        .given(T_S, t_s(), "E37")
+        .given(R_P, r_p(), "E39")
+        .given(T_P, t_p(), "E40")
+        .then(
+            (R_S.pow(2) + weight() * T_S.pow(2)) / 2 + (R_P.pow(2) + weight() * T_P.pow(2)) / 2,
+            ["E42", "collect s and p"],
+        )
+        .then(last, ["R_s + T_s = 1", "R_p + T_p = 1"])
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {

@@ -1,13 +1,15 @@
 //! C12: everything is a mirror at grazing incidence, on a rendered object too.
 
+use super::amplitudes::contrast;
 use super::{INTERFACE, incidence, interface};
 use crate::figure::{Axis, Chart, Hue, Panel, Picture, Plot};
 use crate::setting::Setting;
-use crate::vocabulary::{Bound, Check, Figure, Measured, Quantity, Statement, Step};
+use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
 use glam::DVec3;
 use light::Complex64;
-use light::equation::Equation;
-use light::equation::expr::{cos, sqrt};
+use light::equation::derivation::Chain;
+use light::equation::expr::{cos, d, ratio, sqrt};
+use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::Incidence;
 use light::optics::fresnel::powers;
 
@@ -25,7 +27,24 @@ pub(super) const STEP: Step = Step {
         rows: &["C12"],
         equation: || Equation::approximate(R_N, 1 - 2 * (N_REL.pow(2) + 1) / sqrt(N_REL.pow(2) - 1) * cos(THETA_1)),
     }],
-    derivations: &[],
+    derivations: &[
+        Derivation {
+            id: "derivative",
+            says: "dR_n/dc with c = cos θ₁, and the refracted cosine by Snell's law",
+            rows: &["C12"],
+            chain: || derivative(slope(N_REL.pow(2))),
+            spoiled: || derivative(slope(N_REL.into())),
+            slip: "n for n² before the part of p",
+        },
+        Derivation {
+            id: "slope",
+            says: "that at grazing incidence, c = 0",
+            rows: &["C12"],
+            chain: || at_grazing(N_REL.pow(2) + 1),
+            spoiled: || at_grazing(N_REL.pow(2) - 1),
+            slip: "s and p do not add",
+        },
+    ],
     readout: Some(|setting| {
         let input = interface(setting);
         let share = |incidence| powers(incidence, input.n_i, input.n_t).r_n();
@@ -56,6 +75,36 @@ pub(super) const STEP: Step = Step {
         },
     ],
 };
+
+/// cos θ₁
+const COSINE: Symbol = Symbol::scalar("c", Dimension::ONE).within(0.1, 0.9);
+
+/// n cos θ₂ by Snell's law: √(n² − 1 + c²).
+fn refracted() -> Expr {
+    sqrt(N_REL.pow(2) - 1 + COSINE.pow(2))
+}
+
+/// dR_n/dc, in which the part of p has `weight`.
+fn slope(weight: Expr) -> Expr {
+    let part = |near: Expr| (&near - refracted()) / (near + refracted()).pow(3);
+    let (s, p) = (part(COSINE.into()), part(N_REL.pow(2) * COSINE));
+    2 * (N_REL.pow(2) - 1) / refracted() * (s + weight * p)
+}
+
+fn derivative(last: Expr) -> Chain {
+    let (s, p) = (contrast(COSINE.into(), refracted()), contrast(N_REL.pow(2) * COSINE, refracted()));
+    Chain::new(d(R_N) / d(COSINE))
+        .given(R_N, ratio(1, 2) * (s.pow(2) + p.pow(2)), "E42")
+        .then(last, ["derivative of a square", "derivative of a quotient", "derivative of a root"])
+}
+
+fn at_grazing(factor: Expr) -> Chain {
+    Chain::new(slope(N_REL.pow(2)))
+        .because("dR_n/dc")
+        .given(COSINE, 0, "grazing incidence")
+        .then(-(2 * (N_REL.pow(2) - 1) / sqrt(N_REL.pow(2) - 1) * ((1 + N_REL.pow(2)) / (N_REL.pow(2) - 1))), ["c = 0"])
+        .then(-(2 * factor / sqrt(N_REL.pow(2) - 1)), ["cancel n² − 1"])
+}
 
 const APPROACH: Check = Check {
     id: "approach",

@@ -1,5 +1,6 @@
 //! E42: natural light.
 
+use super::amplitudes::{r_p, r_s};
 use super::extremes::cases;
 use super::symbols::{R_N, THETA_1, THETA_2};
 use super::{INTERFACE, incidence, interface, over_angle, over_angle_near, sample_inputs};
@@ -9,7 +10,7 @@ use crate::vocabulary::{
     Bench, Bound, Check, Derivation, Expects, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step, Stress,
 };
 use light::equation::derivation::Chain;
-use light::equation::expr::{ratio, sin, tan};
+use light::equation::expr::{cos, integral_between, pi, ratio, sin, tan};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::fresnel::Input;
 use light::evidence::quadrature::gauss_legendre;
@@ -37,7 +38,7 @@ pub(super) const STEP: Step = Step {
     }],
     derivations: &[Derivation {
         id: "mean",
-        says: "the mean of R_s and R_p, with E36 and E39",
+        says: "the mean over all directions of vibration, with E36 and E39",
         rows: &["E42"],
         chain: || mean(natural()),
         spoiled: || {
@@ -105,12 +106,18 @@ fn natural() -> Expr {
     ratio(1, 2) * (sin(&difference).pow(2) / sin(&sum).pow(2) + tan(&difference).pow(2) / tan(&sum).pow(2))
 }
 
+/// The direction of vibration, from that of p.
+const AZIMUTH: Symbol = Symbol::scalar("psi", Dimension::ONE);
+
 fn mean(last: Expr) -> Chain {
-    let (sum, difference) = (THETA_1 + THETA_2, THETA_1 - THETA_2);
-    Chain::new(ratio(1, 2) * (R_S + R_P))
-        .because("equal power in s and p, and no fixed phase between them")
-        .given(R_S, (-(sin(&difference) / sin(&sum))).pow(2), "E36")
-        .given(R_P, (tan(&difference) / tan(&sum)).pow(2), "E39")
+    let turned = R_P * cos(AZIMUTH).pow(2) + R_S * sin(AZIMUTH).pow(2);
+    let ripple = sin(2 * AZIMUTH) / 4;
+    Chain::new(1 / (2 * pi()) * integral_between(turned, AZIMUTH, 0, 2 * pi()))
+        .because("the mean over every direction of vibration: E cos ψ in p, E sin ψ in s")
+        .primitive(R_P * (AZIMUTH / 2 + &ripple) + R_S * (AZIMUTH / 2 - ripple), AZIMUTH)
+        .given(R_S, r_s().pow(2), "E36")
+        .given(R_P, r_p().pow(2), "E39")
+        .then(ratio(1, 2) * (R_S + R_P), ["the mean of cos² and of sin² is ½"])
         .then(last, ["E41: R = r²", "E36", "E39"])
 }
 

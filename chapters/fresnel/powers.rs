@@ -1,13 +1,14 @@
 //! E41: what share of the power goes each way.
 
+use super::boundary::{with_fields, with_impedance};
 use super::extremes::{cases, describe};
 use super::fields::{flow, waves};
-use super::symbols::{E_1, E_2, N_1, N_2, T_S, THETA_1, THETA_2, Z_0};
+use super::symbols::{E_1, E_1R, E_2, ELECTRIC, MAGNETIC, N_1, N_2, NORMAL, R_S, T_P, T_S, THETA_1, THETA_2, Z_0};
 use super::{INTERFACE, incidence, interface, sample_inputs};
 use crate::setting::Setting;
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step, Stress};
 use light::equation::derivation::Chain;
-use light::equation::expr::{abs, cos, dot};
+use light::equation::expr::{abs, cos, cross, dot};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::fresnel::Input;
 use light::optics::film::Polarisation;
@@ -16,7 +17,6 @@ use light::optics::{Direction, Incidence};
 
 const REFLECTANCE: Symbol = Symbol::scalar("R", Dimension::ONE);
 const TRANSMITTANCE: Symbol = Symbol::scalar("T", Dimension::ONE);
-const NORMAL: Symbol = Symbol::vector("n", Dimension::ONE);
 const S_I: Symbol = Symbol::vector("S_i", Dimension::WATT_PER_SQUARE_METRE);
 const S_R: Symbol = Symbol::vector("S_r", Dimension::WATT_PER_SQUARE_METRE);
 const S_T: Symbol = Symbol::vector("S_t", Dimension::WATT_PER_SQUARE_METRE);
@@ -47,14 +47,32 @@ pub(super) const STEP: Step = Step {
             equation: || Equation::new(TRANSMITTANCE, N_2 * cos(THETA_2) / (N_1 * cos(THETA_1)) * T_S.pow(2)),
         },
     ],
-    derivations: &[Derivation {
-        id: "from_poynting",
-        says: "mean flow ½ n E²/Z₀ times the cosine, transmitted over incident",
-        rows: &["E41"],
-        chain: || poynting_ratio(N_2 * cos(THETA_2) / (N_1 * cos(THETA_1)) * T_S.pow(2)),
-        spoiled: || poynting_ratio(T_S.pow(2)),
-        slip: "T taken as t²",
-    }],
+    derivations: &[
+        Derivation {
+            id: "reflected_from_poynting",
+            says: "the flow of the reflected wave through the interface over the incident one's, with the sign turned",
+            rows: &["E41"],
+            chain: || reflected(R_S.pow(2)),
+            spoiled: || reflected(-R_S.pow(2)),
+            slip: "one normal for both flows, without the magnitude",
+        },
+        Derivation {
+            id: "from_poynting",
+            says: "the flow of the transmitted wave over the incident one's, s",
+            rows: &["E41"],
+            chain: || transmitted(Polarisation::S, T_S, N_2 * cos(THETA_2) / (N_1 * cos(THETA_1)) * T_S.pow(2)),
+            spoiled: || transmitted(Polarisation::S, T_S, T_S.pow(2)),
+            slip: "T taken as t²",
+        },
+        Derivation {
+            id: "from_poynting_p",
+            says: "the same for p, whose fields stand otherwise",
+            rows: &["E41"],
+            chain: || transmitted(Polarisation::P, T_P, N_2 * cos(THETA_2) / (N_1 * cos(THETA_1)) * T_P.pow(2)),
+            spoiled: || transmitted(Polarisation::P, T_P, cos(THETA_2) / cos(THETA_1) * T_P.pow(2)),
+            slip: "the index is forgotten",
+        },
+    ],
     readout: Some(readout),
     checks: &[FLOW],
     stress: &[Stress {
@@ -69,11 +87,33 @@ pub(super) const STEP: Step = Step {
     figures: &[],
 };
 
-fn poynting_ratio(last: Expr) -> Chain {
-    let flow = |n: Symbol, field: Symbol, angle: Symbol| n * field.pow(2) / (2 * Z_0) * cos(angle);
-    Chain::new(flow(N_2, E_2, THETA_2) / flow(N_1, E_1, THETA_1))
-        .because("n·S_t over n·S_i, with mean flows n E²/(2 Z₀)")
-        .given(E_2, T_S * E_1, "definition of t")
+/// `chain` with the mean flows of real fields, S = ½ E×H.
+fn with_flows(chain: Chain, polarisation: Polarisation) -> Chain {
+    let fields = ELECTRIC.into_iter().zip(MAGNETIC);
+    let chain = [S_I, S_R, S_T].into_iter().zip(fields).fold(chain, |chain, (flow, (electric, magnetic))| {
+        chain.given(flow, cross(electric, magnetic) / 2, "⟨S⟩ = ½ E×H")
+    });
+    with_impedance(with_fields(chain, polarisation))
+}
+
+/// n·S of a wave in a medium of index `n` at `angle` to the normal.
+fn normal_flow(n: Symbol, field: Symbol, angle: Symbol) -> Expr {
+    n * field.pow(2) / (2 * Z_0) * cos(angle)
+}
+
+fn reflected(last: Expr) -> Chain {
+    with_flows(Chain::new(-(dot(NORMAL, S_R) / dot(NORMAL, S_I))), Polarisation::S)
+        .because("|n·S_r| over |n·S_i|: S_r runs against n")
+        .given(E_1R, R_S * E_1, "definition of r")
+        .then(normal_flow(N_1, E_1R, THETA_1) / normal_flow(N_1, E_1, THETA_1), ["⟨S⟩ = ½ E×H", "H = nE/Z₀"])
+        .then(last, ["definition of r", "cancel the incident flow"])
+}
+
+fn transmitted(polarisation: Polarisation, ratio: Symbol, last: Expr) -> Chain {
+    with_flows(Chain::new(dot(NORMAL, S_T) / dot(NORMAL, S_I)), polarisation)
+        .because("n·S_t over n·S_i")
+        .given(E_2, ratio * E_1, "definition of t")
+        .then(normal_flow(N_2, E_2, THETA_2) / normal_flow(N_1, E_1, THETA_1), ["⟨S⟩ = ½ E×H", "H = nE/Z₀"])
         .then(last, ["definition of t", "cancel E₁² and 2 Z₀"])
 }
 

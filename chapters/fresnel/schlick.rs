@@ -1,17 +1,19 @@
 //! E44: Schlick's approximation, what it is good for, and what its speed costs.
 
+use super::amplitudes::contrast;
 use super::symbols::{N_1, N_2, R_0, R_N, THETA_1, THETA_2};
 use super::{INTERFACE, extremes, incidence, interface, over_angle, over_angle_near};
 use crate::figure::{Axis, Chart, Hue, Map, Panel, Plot, Ramp};
 use crate::setting::{DEFAULT_WAVELENGTH, Setting};
 use crate::vocabulary::{
-    ALLOWED_ULPS, Bench, Bound, Check, Expects, Extreme, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step,
-    Stress,
+    ALLOWED_ULPS, Bench, Bound, Check, Derivation, Expects, Extreme, Figure, Heat, Lane, Measured, Quantity, Race,
+    Statement, Step, Stress,
 };
 use light::Complex64;
-use light::equation::expr::cos;
+use light::equation::derivation::Chain;
+use light::equation::expr::{cos, d, pi, ratio};
 use light::equation::value::Bindings;
-use light::equation::{Equation, Expr};
+use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::fresnel::{Exact, Input, NAMES};
 use light::optics::fresnel::{critical_angle, natural_reflectance, natural_reflectance_absorbing, powers};
 use light::optics::material;
@@ -48,7 +50,24 @@ pub(super) const STEP: Step = Step {
             equation: || Equation::approximate(R_N, fifth_power(cos(THETA_2))),
         },
     ],
-    derivations: &[],
+    derivations: &[
+        Derivation {
+            id: "normal_incidence",
+            says: "R_n from E35 and E38 at θ = 0, where E36 and E39 themselves are 0/0",
+            rows: &["E44"],
+            chain: || at_normal(((N_1 - N_2) / (N_1 + N_2)).pow(2)),
+            spoiled: || at_normal(((N_1 - N_2) / (N_1 + N_2)).pow(2) / 2),
+            slip: "s and p do not add",
+        },
+        Derivation {
+            id: "slope",
+            says: "how the approximation starts at grazing incidence",
+            rows: &["E44"],
+            chain: || grazing(-5 * (1 - R_0)),
+            spoiled: || grazing(Expr::from(-5)),
+            slip: "the fifth power is differentiated without its factor",
+        },
+    ],
     readout: Some(readout),
     checks: &[AS_WRITTEN, ENDS, GRAZING_SLOPE, GLASS, INSIDE, METALS],
     stress: &[Stress {
@@ -79,6 +98,29 @@ pub(super) const STEP: Step = Step {
 /// R₀ + (1 − R₀)(1 − cos)⁵
 fn fifth_power(cosine: Expr) -> Expr {
     R_0 + (1 - R_0) * (1 - cosine).pow(5)
+}
+
+fn at_normal(last: Expr) -> Chain {
+    let s = contrast(N_1 * cos(THETA_1), N_2 * cos(THETA_2));
+    let p = contrast(N_2 * cos(THETA_1), N_1 * cos(THETA_2));
+    Chain::new(ratio(1, 2) * (s.pow(2) + p.pow(2)))
+        .because("E42 with the ratios that E35 and E38 give")
+        .given(THETA_1, 0, "normal incidence")
+        .given(THETA_2, 0, "Snell: sin θ₂ = 0")
+        .then(
+            ratio(1, 2) * (contrast(N_1.into(), N_2.into()).pow(2) + contrast(N_2.into(), N_1.into()).pow(2)),
+            ["cos 0 = 1"],
+        )
+        .then(last, ["squares do not see the sign"])
+}
+
+/// The derivative of the approximation by the cosine, where that is 0.
+fn grazing(last: Expr) -> Chain {
+    const COSINE: Symbol = Symbol::scalar("c", Dimension::ONE).within(0.1, 0.9);
+    let factor = -5 * (1 - R_0);
+    Chain::new(Equation::new(d(R_N) / d(COSINE), &factor * (1 - COSINE).pow(4)))
+        .given(R_N, fifth_power(COSINE.into()), "Schlick")
+        .then(Equation::new(factor * (1 - cos(pi() / 2)).pow(4), last), ["cos θ = 0"])
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {

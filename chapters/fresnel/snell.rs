@@ -1,14 +1,14 @@
 //! E33: the directions, from phase matching along the interface.
 
-use super::symbols::{C, K, N_1, N_2, OMEGA, THETA_1, THETA_1R, THETA_2, V_1, V_2};
+use super::symbols::{C, K, K_1, K_2, N_1, N_2, OMEGA, T, THETA_1, THETA_1R, THETA_2, V_1, V_2, X, Z};
 use super::{INTERFACE, extremes, incidence};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
 use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
 use light::Complex64;
-use light::equation::derivation::{Chain, Claim};
-use light::equation::expr::{cos, sin};
-use light::equation::{Equation, Expr};
+use light::equation::derivation::Chain;
+use light::equation::expr::{asin, cos, partial, pi, sin};
+use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::fresnel::refract;
 use light::optics::incidence::{normal_squared, outgoing_root};
 use light::optics::{Direction, Incidence, fresnel};
@@ -43,15 +43,15 @@ pub(super) const STEP: Step = Step {
     derivations: &[
         Derivation {
             id: "mirror",
-            says: "the reflected wave has the same wave number and the same tangential part of it",
+            says: "the incident and the reflected wave are in step along the interface, with the same wave number",
             rows: &["E33"],
-            chain: || mirror(sin(THETA_1), sin(THETA_1R)),
-            spoiled: || mirror(sin(THETA_1), cos(THETA_1R)),
+            chain: || mirror(THETA_1.into(), THETA_1R.into()),
+            spoiled: || mirror(THETA_1.into(), pi() / 2 - THETA_1R),
             slip: "the angle to the surface for that to the normal",
         },
         Derivation {
             id: "phase_matching",
-            says: "equal phase velocity along the interface gives Snell's law",
+            says: "the incident and the transmitted wave are in step along the interface: Snell's law",
             rows: &["E33"],
             chain: || phase_matching(N_1 * sin(THETA_1), N_2 * sin(THETA_2)),
             spoiled: || phase_matching(N_2 * sin(THETA_1), N_1 * sin(THETA_2)),
@@ -77,26 +77,50 @@ pub(super) const STEP: Step = Step {
     }],
 };
 
-/// Phase matching: the wave numbers along the interface are equal, k₁ sin θ₁ = k₂ sin θ₂ with k = ω/v and v = c/n.
-fn phase_matching(left: Expr, right: Expr) -> Chain {
-    Chain::new(Equation::new(OMEGA / V_1 * sin(THETA_1), OMEGA / V_2 * sin(THETA_2)))
-        .given(N_2, N_1 * sin(THETA_1) / sin(THETA_2), "phase matching")
-        .given(V_1, C / N_1, "v = c/n")
-        .given(V_2, C / N_2, "v = c/n")
-        .then(Equation::new(sin(THETA_1) / V_1, sin(THETA_2) / V_2), ["divide by ω"])
-        .then(Equation::new(left, right), ["v = c/n", "times c"])
+/// k·r − ωt in the plane of incidence; a wave that `runs_back` from the interface has −cos θ.
+fn phase(k: Symbol, angle: Symbol, runs_back: bool) -> Expr {
+    let (along, across) = (X * sin(&angle), Z * cos(angle));
+    let way = if runs_back { along - across } else { along + across };
+    way * k - OMEGA * T
 }
+
+/// Wherever one looks along z = 0, the incident and another wave are in step: their phases change alike with x.
+fn in_step(k: Symbol, angle: Symbol, runs_back: bool) -> Chain {
+    let change = |phase: Expr| partial(phase, X);
+    let premise = Equation::new(change(phase(K_1, THETA_1, false)), change(phase(k, angle, runs_back)));
+    Chain::assume(premise, "E4 holds at every x of the interface")
+}
+
+/// k₁ sin θ₁ = k₂ sin θ₂ with k = ω/v and n = c/v.
+fn phase_matching(left: Expr, right: Expr) -> Chain {
+    in_step(K_2, THETA_2, false)
+        .given(V_1, OMEGA / K_1, "k = ω/v")
+        .given(V_2, OMEGA / K_2, "k = ω/v")
+        .given(N_1, C / V_1, "n = c/v")
+        .given(N_2, C / V_2, "n = c/v")
+        .then(Equation::new(K_1 * sin(THETA_1), K_2 * sin(THETA_2)), ["derivative"])
+        .then(Equation::new(sin(THETA_1) / V_1, sin(THETA_2) / V_2), ["k = ω/v", "divide by ω"])
+        .then(Equation::new(left, right), ["n = c/v", "times c"])
+}
+
+/// The sines of the angles of incidence and reflection.
+const SINES: [Symbol; 2] =
+    [Symbol::scalar("s", Dimension::ONE).within(0.2, 0.9), Symbol::scalar("s'", Dimension::ONE).within(0.2, 0.9)];
 
 /// k₁ sin θ₁ = k₁ sin θ₁′: both waves run in the same medium.
 fn mirror(left: Expr, right: Expr) -> Chain {
-    Chain::new(Equation::new(OMEGA / V_1 * sin(THETA_1), OMEGA / V_1 * sin(THETA_1R)))
-        .given(THETA_1R, THETA_1, "the angle below π/2 with that sine")
-        .then(Equation::new(left, right), ["divide by ω/v₁"])
+    let [incident, reflected] = SINES;
+    in_step(K_1, THETA_1R, true)
+        .given(THETA_1, asin(incident), "an angle below π/2 is known by its sine")
+        .given(THETA_1R, asin(reflected), "an angle below π/2 is known by its sine")
+        .then(Equation::new(K_1 * sin(THETA_1), K_1 * sin(THETA_1R)), ["derivative"])
+        .then(Equation::new(sin(THETA_1), sin(THETA_1R)), ["divide by k₁"])
+        .then(Equation::new(left, right), ["an angle below π/2 is known by its sine"])
 }
 
-/// `start`, under Snell's law in its symmetric form n₁ = k sin θ₂, n₂ = k sin θ₁.
-pub(super) fn with_snell(start: impl Into<Claim>) -> Chain {
-    Chain::new(start).given(N_1, K * sin(THETA_2), "Snell").given(N_2, K * sin(THETA_1), "Snell")
+/// `chain` under Snell's law in its symmetric form n₁ = k sin θ₂, n₂ = k sin θ₁.
+pub(super) fn with_snell(chain: Chain) -> Chain {
+    chain.given(N_1, K * sin(THETA_2), "Snell").given(N_2, K * sin(THETA_1), "Snell")
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {

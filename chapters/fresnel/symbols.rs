@@ -13,12 +13,22 @@ pub const THETA_1: Symbol = Symbol::scalar("theta_1", Dimension::ONE).within(0.2
 pub const THETA_1R: Symbol = Symbol::scalar("theta_1'", Dimension::ONE).within(0.2, 1.2);
 /// Angle of refraction.
 pub const THETA_2: Symbol = Symbol::scalar("theta_2", Dimension::ONE).within(0.2, 1.2);
-/// n₁ sin θ₁ = n₂ sin θ₂ as one number times sin θ₁ sin θ₂: the symmetric parameter of Snell's law.
+/// n₁/sin θ₂ = n₂/sin θ₁: the symmetric parameter of Snell's law.
 pub const K: Symbol = Symbol::scalar("k", Dimension::ONE).within(1.0, 2.0);
 /// Relative index n₂/n₁.
 pub const N_REL: Symbol = Symbol::scalar("n", Dimension::ONE).real(4.0, 9.0);
 /// Vacuum wave number.
 pub const K_0: Symbol = Symbol::scalar("k_0", Dimension::RADIAN_PER_METRE).within(1.0, 2.0);
+/// Wave number on the incident side.
+pub const K_1: Symbol = Symbol::scalar("k_1", Dimension::RADIAN_PER_METRE).within(1.0, 2.0);
+/// Wave number on the other side.
+pub const K_2: Symbol = Symbol::scalar("k_2", Dimension::RADIAN_PER_METRE).within(1.0, 2.0);
+/// Along the interface, in the plane of incidence.
+pub const X: Symbol = Symbol::scalar("x", Dimension::METRE).real(0.25, 1.25);
+/// Across the interface, into the other side.
+pub const Z: Symbol = Symbol::scalar("z", Dimension::METRE).real(0.25, 1.25);
+/// Time.
+pub const T: Symbol = Symbol::scalar("t", Dimension::SECOND).real(0.25, 1.25);
 /// Angular frequency.
 pub const OMEGA: Symbol = Symbol::scalar("omega", Dimension::HERTZ).real(1.0, 2.0);
 /// Speed of light.
@@ -40,6 +50,20 @@ pub const H_1: Symbol = Symbol::scalar("H_1", Dimension::AMPERE_PER_METRE).withi
 pub const H_1R: Symbol = Symbol::scalar("H_1'", Dimension::AMPERE_PER_METRE).within(1.0, 2.0);
 /// Transmitted magnetic field.
 pub const H_2: Symbol = Symbol::scalar("H_2", Dimension::AMPERE_PER_METRE).within(1.0, 2.0);
+/// Normal of the interface, into the other side.
+pub const NORMAL: Symbol = Symbol::vector("n", Dimension::ONE);
+/// Electric fields at the interface: incident, reflected, transmitted.
+pub const ELECTRIC: [Symbol; 3] = [
+    Symbol::vector("E_i", Dimension::VOLT_PER_METRE),
+    Symbol::vector("E_r", Dimension::VOLT_PER_METRE),
+    Symbol::vector("E_t", Dimension::VOLT_PER_METRE),
+];
+/// Magnetic fields at the interface: incident, reflected, transmitted.
+pub const MAGNETIC: [Symbol; 3] = [
+    Symbol::vector("H_i", Dimension::AMPERE_PER_METRE),
+    Symbol::vector("H_r", Dimension::AMPERE_PER_METRE),
+    Symbol::vector("H_t", Dimension::AMPERE_PER_METRE),
+];
 /// Impedance of the vacuum.
 pub const Z_0: Symbol = Symbol::scalar("Z_0", Dimension::OHM).real(1.0, 2.0);
 

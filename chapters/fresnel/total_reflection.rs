@@ -1,5 +1,6 @@
 //! C13: total internal reflection.
 
+use super::amplitudes::contrast;
 use super::extremes::{cases, describe};
 use super::fields::{flow, waves};
 use super::{incidence, interface};
@@ -8,7 +9,7 @@ use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, Stress};
 use light::Complex64;
 use light::equation::derivation::Chain;
-use light::equation::expr::{abs, asin, conj, i};
+use light::equation::expr::{abs, asin, conj, cos, cross, dot, exp, i, laplacian, re, sin, tan, vector};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::evidence::fresnel::Input;
 use light::optics::film::{Layer, Polarisation, Stack};
@@ -16,16 +17,26 @@ use light::optics::fresnel::{amplitudes, critical_angle, evanescent_depth};
 use light::optics::{Direction, Incidence};
 use std::f64::consts::FRAC_PI_2;
 
-use super::symbols::{N_1, N_2};
+use super::symbols::{E_2, ELECTRIC, MAGNETIC, N_1, N_2, NORMAL, OMEGA, Q_2, T, THETA_1, THETA_2, X, Z, Z_0};
 
 const THETA_C: Symbol = Symbol::scalar("theta_c", Dimension::ONE);
 const R: Symbol = Symbol::scalar("r_s", Dimension::ONE);
+const DELTA_S: Symbol = Symbol::scalar("delta_s", Dimension::ONE);
+const DELTA_P: Symbol = Symbol::scalar("delta_p", Dimension::ONE);
 const Q_1: Symbol = Symbol::scalar("q_1", Dimension::ONE).real(0.2, 1.5);
 const GAMMA: Symbol = Symbol::scalar("gamma", Dimension::ONE).real(0.1, 1.5);
 
 /// The indices of clear media, which are real.
 const N_1R: Symbol = Symbol::scalar("n_1", Dimension::ONE).real(1.2, 2.0);
 const N_2R: Symbol = Symbol::scalar("n_2", Dimension::ONE).real(1.0, 1.2);
+/// An angle of incidence beyond the critical one.
+const THETA_1R: Symbol = Symbol::scalar("theta_1", Dimension::ONE).real(1.3, 1.5);
+/// The vacuum wave number.
+const K_0R: Symbol = Symbol::scalar("k_0", Dimension::RADIAN_PER_METRE).real(1.0, 2.0);
+/// The electric field behind the interface.
+const FIELD: Symbol = Symbol::scalar("E", Dimension::VOLT_PER_METRE);
+/// The phase of a reflected wave.
+const DELTA: Symbol = Symbol::scalar("delta", Dimension::ONE).real(-2.5, -0.5);
 
 const N_I: Parameter = Parameter { default: "1.5", says: "the denser medium, where the light is", ..super::N_I };
 const N_T: Parameter =
@@ -50,24 +61,74 @@ pub(super) const STEP: Step = Step {
             rows: &["C13"],
             equation: || Equation::new(abs(R), Expr::from(1)),
         },
+        Statement {
+            id: "phase_s",
+            says: "the phase of s",
+            rows: &["C13"],
+            equation: || Equation::new(tan(DELTA_S / 2), -(GAMMA / Q_1)),
+        },
+        Statement {
+            id: "phase_p",
+            says: "the phase of p",
+            rows: &["C13"],
+            equation: || Equation::new(tan(DELTA_P / 2), -(N_1R.pow(2) * GAMMA / (N_2R.pow(2) * Q_1))),
+        },
     ],
     derivations: &[
+        Derivation {
+            id: "normal_wave",
+            says: "the square of the normal wave number behind the interface, by Snell's law: negative beyond θ_c",
+            rows: &["C13"],
+            chain: || normal_wave(sin(THETA_1)),
+            spoiled: || normal_wave(cos(THETA_1)),
+            slip: "cosine for sine",
+        },
         Derivation {
             id: "from_e36",
             says: "r r* for an imaginary normal wave number behind the interface",
             rows: &["C13"],
-            chain: || modulus(Expr::from(1)),
-            spoiled: || modulus((Q_1 - GAMMA).pow(2) / (Q_1 + GAMMA).pow(2)),
+            chain: || modulus(&[Q_1.into(), Q_2.into()], Expr::from(1)),
+            spoiled: || modulus(&[Q_1.into(), Q_2.into()], (Q_1 - GAMMA).pow(2) / (Q_1 + GAMMA).pow(2)),
             slip: "iγ taken as γ",
         },
         Derivation {
             id: "from_e39",
             says: "the same for p",
             rows: &["C13"],
-            chain: || p_modulus(Expr::from(1)),
-            spoiled: || {
-                p_modulus((N_2R.pow(2) * Q_1 - N_1R.pow(2) * GAMMA) / (N_2R.pow(2) * Q_1 + N_1R.pow(2) * GAMMA))
-            },
+            chain: || modulus(&p_pair(), Expr::from(1)),
+            spoiled: || modulus(&p_pair(), contrast(N_2R.pow(2) * Q_1, N_1R.pow(2) * GAMMA)),
+            slip: "iγ taken as γ",
+        },
+        Derivation {
+            id: "half_phase_s",
+            says: "the phase of r_s, from r_s = e^(iδ)",
+            rows: &["C13"],
+            chain: || phase(&[Q_1.into(), Q_2.into()], GAMMA / Q_1),
+            spoiled: || phase(&[Q_1.into(), Q_2.into()], -(GAMMA / Q_1)),
+            slip: "the wave is ahead instead of behind",
+        },
+        Derivation {
+            id: "half_phase_p",
+            says: "the same for p",
+            rows: &["C13"],
+            chain: || phase(&p_pair(), N_1R.pow(2) * GAMMA / (N_2R.pow(2) * Q_1)),
+            spoiled: || phase(&p_pair(), GAMMA / Q_1),
+            slip: "the phase of s",
+        },
+        Derivation {
+            id: "evanescent",
+            says: "the wave that fades with e^(−k₀γz) obeys the wave equation of the rarer medium",
+            rows: &["C13"],
+            chain: || evanescent(-(N_2R.pow(2) * K_0R.pow(2))),
+            spoiled: || evanescent(-(N_1R.pow(2) * K_0R.pow(2))),
+            slip: "the index of the denser medium",
+        },
+        Derivation {
+            id: "no_mean_flow",
+            says: "the mean flow through the interface: E and the tangential H are a quarter period apart",
+            rows: &["C13"],
+            chain: || normal_flow(Expr::from(0)),
+            spoiled: || normal_flow(GAMMA * abs(E_2).pow(2) / (2 * Z_0)),
             slip: "iγ taken as γ",
         },
     ],
@@ -111,21 +172,70 @@ pub(super) const STEP: Step = Step {
     ],
 };
 
-fn modulus(last: Expr) -> Chain {
-    let r = (Q_1 - i() * GAMMA) / (Q_1 + i() * GAMMA);
-    Chain::new(&r * conj(r.clone()))
-        .because("|r_s|² with r_s = (q₁ − iγ)/(q₁ + iγ)")
-        .then((Q_1 - i() * GAMMA) * (Q_1 + i() * GAMMA) / ((Q_1 + i() * GAMMA) * (Q_1 - i() * GAMMA)), ["conjugate"])
+/// (n₂cosθ₂)² = −γ².
+fn normal_wave(projection: Expr) -> Chain {
+    Chain::assume(Equation::new(N_1 * sin(THETA_1), N_2 * sin(THETA_2)), "Snell")
+        .then(Equation::new((N_2 * cos(THETA_2)).pow(2), N_2.pow(2) - (N_2 * sin(THETA_2)).pow(2)), ["sin² + cos² = 1"])
+        .then(N_2.pow(2) - (N_1 * projection).pow(2), ["Snell"])
+}
+
+/// What r_p is the contrast of: n₂cosθ₁ and n₁cosθ₂, times n₁n₂.
+fn p_pair() -> [Expr; 2] {
+    [N_2R.pow(2) * Q_1, N_1R.pow(2) * Q_2]
+}
+
+/// r with an imaginary q₂.
+fn beyond_critical(chain: Chain) -> Chain {
+    chain.given(Q_2, i() * GAMMA, "beyond the critical angle")
+}
+
+/// r r* of the contrast of a pair, the second of which has the factor q₂.
+fn modulus([near, far]: &[Expr; 2], last: Expr) -> Chain {
+    let r = contrast(near.clone(), far.clone());
+    let behind = far.replace(&Q_2.into(), &(i() * GAMMA));
+    beyond_critical(Chain::new(&r * conj(r.clone())))
+        .because("|r|²")
+        .then((near - &behind) * (near + &behind) / ((near + &behind) * (near - behind)), ["q₂ = iγ", "conjugate"])
         .then(last, ["cancel"])
 }
 
-fn p_modulus(last: Expr) -> Chain {
-    let (near, far) = (N_2R.pow(2) * Q_1, N_1R.pow(2) * i() * GAMMA);
-    let r = (&near - &far) / (&near + &far);
-    Chain::new(&r * conj(r.clone()))
-        .because("|r_p|² with r_p = (n₂²q₁ − n₁²iγ)/(n₂²q₁ + n₁²iγ)")
-        .then((&near - &far) * (&near + &far) / ((&near + &far) * (&near - &far)), ["conjugate"])
-        .then(last, ["cancel"])
+/// What the tangent of half the phase is: −`ratio`.
+fn phase([near, far]: &[Expr; 2], ratio: Expr) -> Chain {
+    let r = contrast(near.clone(), far.clone());
+    let half = || DELTA / 2;
+    beyond_critical(Chain::assume(Equation::new(r, exp(i() * DELTA)), "|r| = 1: only a phase is left"))
+        .then(Equation::new((1 - exp(i() * DELTA)) / (1 + exp(i() * DELTA)), far / near), ["solve for the ratio"])
+        .then(Equation::new(-(i() * sin(half()) / cos(half())), far / near), ["divide by e^(iδ/2)", "Euler"])
+        .then(Equation::new(tan(half()), -ratio), ["q₂ = iγ", "divide by −i"])
+}
+
+fn evanescent(factor: Expr) -> Chain {
+    let along = N_1R * sin(THETA_1R) * X;
+    let premise = Equation::new(GAMMA.pow(2), (N_1R * sin(THETA_1R)).pow(2) - N_2R.pow(2));
+    beyond_critical(Chain::assume(premise, "(n₂cosθ₂)² = −γ²"))
+        .given(FIELD, E_2 * exp(i() * (K_0R * (&along + Q_2 * Z) - OMEGA * T)), "E₂e^(i(k·r − ωt))")
+        .then(Equation::new(FIELD, E_2 * exp(-(K_0R * GAMMA * Z)) * exp(i() * (K_0R * along - OMEGA * T))), ["q₂ = iγ"])
+        .then(
+            Equation::new(laplacian(FIELD), (GAMMA.pow(2) - (N_1R * sin(THETA_1R)).pow(2)) * K_0R.pow(2) * FIELD),
+            ["derivative of an exponential"],
+        )
+        .then(factor * FIELD, ["(n₂cosθ₂)² = −γ²"])
+}
+
+/// n·½ Re(E×H*) of s behind the interface.
+fn normal_flow(last: Expr) -> Chain {
+    let [.., electric] = ELECTRIC;
+    let [.., magnetic] = MAGNETIC;
+    let wave_vector = vector(N_1R * sin(THETA_1R), 0, Q_2);
+    let chain = Chain::new(dot(NORMAL, re(cross(&electric, conj(&magnetic)))) / 2)
+        .because("n·⟨S⟩ of s light")
+        .given(NORMAL, vector(0, 0, 1), "z along the normal")
+        .given(&electric, vector(0, E_2, 0), "s: E across the plane of incidence")
+        .given(magnetic, cross(wave_vector, electric) / Z_0, "H = k×E/(k₀Z₀)");
+    beyond_critical(chain)
+        .then(re(E_2 * conj(Q_2 * E_2 / Z_0)) / 2, ["components"])
+        .then(re(-(i() * GAMMA * abs(E_2).pow(2) / Z_0)) / 2, ["q₂ = iγ"])
+        .then(last, ["the real part of an imaginary number"])
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {

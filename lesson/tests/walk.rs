@@ -153,7 +153,7 @@ fn symbols_are_typeset_and_what_is_typed_is_not() {
     assert!(text.contains("Re rₛ") && text.contains("digits owed") && text.contains("fresnel/r_s/"), "{text}");
     assert!(!text.contains("rₛᵣe") && !text.contains("-0.0"), "{text}");
     let lecture = lesson("fresnel r_s").out;
-    assert!(lecture.contains("checked at points where") && lecture.contains("ε = 2⁻⁵²"), "{lecture}");
+    assert!(lecture.contains("under") && lecture.contains("ε = 2⁻⁵²"), "{lecture}");
     assert!(lecture.contains("n_i=1, n_t=1.5"), "{lecture}");
 }
 

@@ -191,8 +191,8 @@ impl Expr {
         match self.node() {
             Node::Number(_) | Node::Pi | Node::ImaginaryUnit | Node::Symbol(_) => self.clone(),
             Node::Apply(symbol, arguments) => Self::new(Node::Apply(symbol.clone(), each(arguments))),
-            Node::Sum(terms) => each(terms).into_iter().reduce(Self::sum).expect("a sum has terms"),
-            Node::Product(factors) => each(factors).into_iter().reduce(Self::product).expect("a product has factors"),
+            Node::Sum(terms) => Self::sum_of(each(terms)),
+            Node::Product(factors) => Self::product_of(each(factors)),
             Node::Vector(parts) => Self::new(Node::Vector(parts.each_ref().map(image))),
             Node::Quotient(a, b) => image(a).quotient(image(b)),
             Node::Power(base, exponent) => image(base).pow(*exponent),
@@ -235,10 +235,28 @@ impl Expr {
         }
     }
 
+    /// The sum of `terms`, at least one.
+    pub(super) fn sum_of(mut terms: Vec<Self>) -> Self {
+        match terms.len() {
+            1 => terms.remove(0),
+            _ => Self::new(Node::Sum(terms.into_iter().flat_map(Self::into_terms).collect())),
+        }
+    }
+
+    /// The product of `factors`, at least one.
+    pub(super) fn product_of(mut factors: Vec<Self>) -> Self {
+        if let Node::Negate(inner) = factors[0].node() {
+            factors[0] = inner.clone();
+            return Self::product_of(factors).negated();
+        }
+        match factors.len() {
+            1 => factors.remove(0),
+            _ => Self::new(Node::Product(factors.into_iter().flat_map(Self::into_factors).collect())),
+        }
+    }
+
     fn sum(self, other: Self) -> Self {
-        let mut terms = self.into_terms();
-        terms.extend(other.into_terms());
-        Self::new(Node::Sum(terms))
+        Self::sum_of(vec![self, other])
     }
 
     fn into_terms(self) -> Vec<Self> {
@@ -249,12 +267,7 @@ impl Expr {
     }
 
     fn product(self, other: Self) -> Self {
-        if let Node::Negate(inner) = self.node() {
-            return -inner.clone().product(other);
-        }
-        let mut factors = self.into_factors();
-        factors.extend(other.into_factors());
-        Self::new(Node::Product(factors))
+        Self::product_of(vec![self, other])
     }
 
     fn into_factors(self) -> Vec<Self> {
@@ -341,9 +354,7 @@ macro_rules! operators {
             type Output = Expr;
             fn sub(self, other: R) -> Expr {
                 // A subtracted sum stays together: a − (b + c).
-                let mut terms = Expr::from(self).into_terms();
-                terms.push(other.into().negated());
-                Expr::new(Node::Sum(terms))
+                Expr::from(self).sum(other.into().negated())
             }
         }
         impl<R: Into<Expr>> Mul<R> for $left {

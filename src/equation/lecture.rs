@@ -3,6 +3,7 @@
 
 use super::dimension::Dimension as U;
 use super::expr::*;
+use super::parse::parse_equation;
 use super::symbol::Symbol;
 use super::{Equation, Expr};
 
@@ -237,6 +238,16 @@ fn every_equation_reads_as_it_should() {
     for (id, equation, face, _) in displayed() {
         assert_eq!(equation.to_string(), face, "{id}");
         assert!(face.chars().count() <= 78, "{id} does not fit a terminal");
+    }
+}
+
+#[test]
+fn every_equation_is_read_back_from_its_face() {
+    for (id, equation, face, _) in displayed() {
+        let mut known: Vec<Symbol> =
+            equation.lhs.symbols().into_iter().chain(equation.rhs.symbols()).cloned().collect();
+        known.push(SOLID);
+        assert_eq!(parse_equation(face, &known).as_ref(), Ok(&equation), "{id}: {face}");
     }
 }
 

@@ -3,6 +3,7 @@
 use super::derivation::{Chain, Verdict};
 use super::dimension::Dimension;
 use super::expr::*;
+use super::parse::parse;
 use super::rational::Rational;
 use super::symbol::{Rank, Symbol};
 use super::tracked::Tracked;
@@ -17,6 +18,8 @@ use std::collections::HashMap;
 
 const X: Symbol = Symbol::scalar("x", Dimension::ONE);
 const Y: Symbol = Symbol::scalar("theta_1'", Dimension::ONE);
+
+const FIELD: Symbol = Symbol::vector("E", Dimension::VOLT_PER_METRE);
 
 fn leaf() -> impl Strategy<Value = Expr> {
     prop_oneof![
@@ -58,7 +61,7 @@ fn algebraic() -> impl Strategy<Value = Expr> {
 
 /// Trees of every kind of node, sensible or not.
 pub(super) fn anything() -> impl Strategy<Value = Expr> {
-    let field = Symbol::vector("E", Dimension::VOLT_PER_METRE);
+    let field = FIELD;
     let region = Symbol::scalar("Omega", Dimension::ONE);
     let leaves = prop_oneof![leaf(), Just(Expr::from(&field))];
     leaves.prop_recursive(4, 24, 3, move |inner| {
@@ -183,6 +186,32 @@ proptest! {
     }
 
     #[test]
+    fn the_one_line_face_is_read_back(expr in algebraic()) {
+        prop_assert_eq!(parse(&expr.to_string(), &[X, Y]), Ok(expr.clone()), "{}", expr);
+    }
+
+    #[test]
+    fn the_one_line_face_is_read_back_with_vectors_and_calculus(tree in anything()) {
+        let known = [X, Y, FIELD, Symbol::scalar("Omega", Dimension::ONE)];
+        for part in with_parts(&tree).into_iter().filter(|part| is_vector(part).is_some()) {
+            prop_assert_eq!(parse(&part.to_string(), &known), Ok(part.clone()), "{}", part);
+        }
+    }
+
+    #[test]
+    fn layouts_are_rectangles(expr in anything()) {
+        let block = expr.layout();
+        prop_assert!(block.rows().iter().all(|row| row.chars().count() == block.width()), "{block}");
+        prop_assert!(block.baseline() < block.rows().len());
+        // Without a fraction nothing tells the two faces apart.
+        if block.rows().len() == 1 {
+            prop_assert_eq!(&block.rows()[0], &expr.to_string());
+        }
+        let is_flat = |part: &Expr| !matches!(part.node(), Node::Quotient(..) | Node::Partial(..) | Node::Integral(..));
+        prop_assert!(block.rows().len() == 1 || !with_parts(&expr).iter().all(is_flat), "{block}");
+    }
+
+    #[test]
     fn one_face_means_one_value(trees in proptest::collection::vec(algebraic(), 40), x in number(), y in number()) {
         let mut seen: HashMap<String, Complex64> = HashMap::new();
         for tree in trees.iter().flat_map(with_parts) {
@@ -225,4 +254,30 @@ fn with_parts(tree: &Expr) -> Vec<Expr> {
     let mut parts = vec![tree.clone()];
     parts.extend(tree.children().into_iter().flat_map(with_parts));
     parts
+}
+
+/// Whether an expression is a vector; none where vectors are multiplied like numbers, or numbers like vectors.
+fn is_vector(expr: &Expr) -> Option<bool> {
+    let below: Option<Vec<bool>> = expr.children().into_iter().map(is_vector).collect();
+    let below = below?;
+    let vectors = below.iter().filter(|is_vector| **is_vector).count();
+    match expr.node() {
+        Node::Symbol(symbol) | Node::Apply(symbol, _) => Some(symbol.rank() == Rank::Vector),
+        Node::Dot(..) => (vectors == 2).then_some(false),
+        Node::Cross(..) => (vectors == 2).then_some(true),
+        Node::Product(_) => (vectors < 2).then_some(vectors == 1),
+        Node::Nabla(nabla, _) => Some(match nabla {
+            Nabla::Gradient | Nabla::Curl => true,
+            Nabla::Divergence => false,
+            Nabla::Laplacian => below[0],
+        }),
+        Node::Function(function, _) => {
+            Some(matches!(function, Function::Conj | Function::Re | Function::Im) && below[0])
+        }
+        Node::Vector(_) => Some(true),
+        Node::Sum(_) => Some(vectors > 0),
+        Node::Number(_) | Node::Pi | Node::ImaginaryUnit => Some(false),
+        Node::Quotient(..) | Node::Power(..) | Node::Negate(_) | Node::Partial(..) => Some(below[0]),
+        Node::Differential(_) | Node::Mean(_) | Node::Integral(..) => Some(below[0]),
+    }
 }

@@ -28,8 +28,18 @@ impl Tracked {
         Self { value, size, error: error + size, bits }
     }
 
+    /// Whether its real part is beyond doubt positive.
+    pub fn is_right_of_zero(&self) -> bool {
+        precise::to_complex64(&self.value).re > self.error * (-(self.bits as f64)).exp2()
+    }
+
+    /// Whether a part of it that is not zero may be nothing but rounding: the side of a branch cut that it tells is none.
+    fn is_noise(&self, part: f64) -> bool {
+        part != 0.0 && part.abs() <= self.error * (-(self.bits as f64) / 2.0).exp2()
+    }
+
     /// Whether nothing but rounding may be left of it.
-    fn may_vanish(&self) -> bool {
+    pub fn may_vanish(&self) -> bool {
         self.size <= self.error * (-(self.bits as f64) / 2.0).exp2()
     }
 
@@ -92,6 +102,10 @@ impl Field for Tracked {
         if self.may_vanish() && (p < 0.0 || exponent.as_integer().is_none()) && self.size > 0.0 {
             return None;
         }
+        let z = precise::to_complex64(&self.value);
+        if exponent.as_integer().is_none() && z.re < 0.0 && self.is_noise(z.im) {
+            return None;
+        }
         let value = self.value.power(exponent)?;
         let slope = if self.size == 0.0 { 0.0 } else { p.abs() * self.size.powf(p - 1.0) };
         Some(Self::inherit(value, slope * self.error, self.bits))
@@ -111,6 +125,14 @@ impl Field for Tracked {
             return self.power(Rational::new(1, 2)?);
         }
         let x = precise::to_complex64(&self.value);
+        let is_on_a_cut = match function {
+            Function::Asin | Function::Acos => x.re.abs() > 1.0 && self.is_noise(x.im),
+            Function::Atan => x.im.abs() > 1.0 && self.is_noise(x.re),
+            _ => false,
+        };
+        if is_on_a_cut {
+            return None;
+        }
         let slope = match function {
             Function::Asin | Function::Acos => from_branch_point(1.0 - x * x)?.sqrt().recip(),
             Function::Atan => from_branch_point(1.0 + x * x)?.recip(),

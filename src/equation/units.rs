@@ -202,9 +202,9 @@ fn infer_function(expr: &Expr, function: Function, of: &Expr) -> Result<Kind, Mi
         (Function::Sqrt, None) => Ok(None),
         (Function::Sqrt, Some(_)) => {
             let half = const { Rational::new(1, 2).expect("a fraction") };
-            Ok(Some((power(expr, scalar_only(of, "a root")?, half)?, Rank::Scalar)))
+            Ok(Some((power(expr, of_rank(of, kind, Rank::Scalar, "a root")?, half)?, Rank::Scalar)))
         }
-        _ => match scalar_only(of, function.name())? {
+        _ => match of_rank(of, kind, Rank::Scalar, function.name())? {
             Dimension::ONE => Ok(Some((Dimension::ONE, Rank::Scalar))),
             unit => Err(Mismatch::NotPure { term: of.to_string(), unit, place: function.name() }),
         },
@@ -231,7 +231,12 @@ fn vector_only(expr: &Expr, place: &'static str) -> Result<Dimension, Mismatch> 
 }
 
 fn ranked(expr: &Expr, wanted: Rank, place: &'static str) -> Result<Dimension, Mismatch> {
-    match infer(expr)? {
+    of_rank(expr, infer(expr)?, wanted, place)
+}
+
+/// The dimension of `expr`, which is of this kind, where only `wanted` may stand.
+fn of_rank(expr: &Expr, kind: Kind, wanted: Rank, place: &'static str) -> Result<Dimension, Mismatch> {
+    match kind {
         None => Ok(Dimension::ONE),
         Some((dimension, rank)) if rank == wanted => Ok(dimension),
         Some((_, rank)) => Err(Mismatch::Rank { term: expr.to_string(), rank, place }),

@@ -442,6 +442,9 @@ fn real_root(x: Real) -> Complex {
     if x >= zero { x.sqrt().into() } else { Complex::from_parts(zero, (-x).sqrt()) }
 }
 
+/// Beyond this degree a root goes through the logarithm.
+const LARGEST_ROOT: usize = 64;
+
 /// The principal `degree`-th root of a `z` that is not 0. Through modulus and angle, because the library's complex power
 /// does not return where a part of the result is exact (as of (−1)^(1/3)).
 fn root(z: &Complex, degree: usize) -> Option<Complex> {
@@ -449,11 +452,24 @@ fn root(z: &Complex, degree: usize) -> Option<Complex> {
         1 => Some(z.clone()),
         2 => z.apply(Function::Sqrt),
         _ => {
-            let size = z.abs().nth_root(degree);
-            let whole = Real::from(degree).with_precision(size.precision()).value();
-            let (sin, cos) = (z.arg() / whole).sin_cos();
+            let bits = z.precision();
+            let size = z.abs().with_precision(bits).value();
+            let whole = Real::from(degree).with_precision(bits).value();
+            // The library's own root takes memory with the degree.
+            let size = if degree > LARGEST_ROOT { (size.ln() / &whole).exp() } else { size.nth_root(degree) };
+            let (sin, cos) = (argument(z, bits) / whole).sin_cos();
             Some(Complex::from_parts(&size * cos, size * sin))
         }
+    }
+}
+
+/// arg z at `bits` of precision, which the library's own has not on the real axis.
+fn argument(z: &Complex, bits: usize) -> Real {
+    let (re, im) = z.clone().into_parts();
+    match is_real_zero(&im) {
+        true if re < Real::ZERO => precise::pi(bits),
+        true => precise::real_at(0.0, bits),
+        false => z.arg().with_precision(bits).value(),
     }
 }
 
@@ -600,7 +616,8 @@ mod tests {
     fn special_values_agree_with_double_precision() {
         let functions = [Function::Sqrt, Function::Exp, Function::Sin, Function::Cos, Function::Tan, Function::Abs];
         let inverses = [Function::Asin, Function::Acos, Function::Atan];
-        let powers = [(0, 1), (1, 3), (2, 3), (-3, 2), (-5, 6), (4, 1)].map(|(n, d)| Rational::new(n, d).unwrap());
+        let powers = [(0, 1), (1, 3), (2, 3), (-3, 2), (-5, 6), (4, 1), (1, 97), (3, 1_000_000_007)]
+            .map(|(n, d)| Rational::new(n, d).unwrap());
         let parts = [-2.0, -1.0, -0.5, 0.0, 0.5, 1.0, 2.0, 3.0];
         for z in parts.iter().flat_map(|re| parts.map(|im| Complex64::new(*re, im))) {
             let exact = precise::complex(z);

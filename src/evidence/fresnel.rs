@@ -159,7 +159,7 @@ impl Resolved {
 
 /// A complex number as a pair, for the four operations needed here: `dashu-cmplx` rounds each part correctly,
 /// which costs ten times as much and buys nothing at 256 bits.
-struct Pair(Real, Real);
+pub(super) struct Pair(pub(super) Real, pub(super) Real);
 
 impl Pair {
     fn norm(&self) -> Real {
@@ -170,7 +170,7 @@ impl Pair {
         Self(&self.0 * x, &self.1 * x)
     }
 
-    fn over(&self, other: &Self) -> Self {
+    pub(super) fn over(&self, other: &Self) -> Self {
         let norm = other.norm();
         let re = (&self.0 * &other.0 + &self.1 * &other.1) / &norm;
         let im = (&self.1 * &other.0 - &self.0 * &other.1) / &norm;
@@ -183,7 +183,7 @@ impl Pair {
     }
 
     /// The root in the first quadrant; `self` lies in the upper half-plane.
-    fn root(&self) -> Self {
+    pub(super) fn root(&self) -> Self {
         let zero = precise::real(0.0);
         if is_zero(&self.1) {
             let root = if self.0 < zero { (-self.0.clone()).sqrt() } else { self.0.sqrt() };

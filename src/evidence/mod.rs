@@ -5,3 +5,4 @@ pub mod film;
 pub mod fresnel;
 pub mod order;
 pub mod quadrature;
+pub mod waves;

@@ -9,13 +9,14 @@ use self::checks::{BOUNCES, ENERGY, PARRATT, QUARTER_WAVES, REVERSAL};
 use self::extremes::{critical, many, opaque};
 use self::figures::{antireflection, frustrated, mirror_band, mirror_map};
 use self::races::{FIVE_FILMS, ONE_FILM, OPAQUE_FILM, ORDINARY, TWENTY_ONE_FILMS};
-use super::symbols::{K_0, N_1, N_2, THETA_1};
+use super::amplitudes::{contrast, r_p, r_s, t_p, t_s};
+use super::symbols::{K_0, N_1, N_2, THETA_1, THETA_2};
 use super::{N_I, N_T};
 use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{Derivation, Figure, Quantity, Race, Statement, Step, Stress};
 use light::Complex64;
 use light::equation::derivation::Chain;
-use light::equation::expr::{cos, exp, i, sin, sqrt};
+use light::equation::expr::{cos, exp, i, pi, sin, sqrt};
 use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::Incidence;
 use light::optics::film::{Layer, Polarisation, Stack};
@@ -53,6 +54,12 @@ const PSI: Symbol = Symbol::scalar("psi", Dimension::ONE).within(0.5, 1.5);
 const PHI: Symbol = Symbol::scalar("phi", Dimension::ONE).within(0.5, 1.5);
 /// The film's admittance: q for s, q/n² for p.
 const Y: Symbol = Symbol::scalar("Y", Dimension::ONE).within(0.5, 2.0);
+/// The admittances on the three sides of the two faces.
+const Y_1: Symbol = Symbol::scalar("Y_1", Dimension::ONE).within(0.5, 2.0);
+const Y_2: Symbol = Symbol::scalar("Y_2", Dimension::ONE).within(0.5, 2.0);
+const Y_3: Symbol = Symbol::scalar("Y_3", Dimension::ONE).within(0.5, 2.0);
+/// The wave behind the film.
+const THROUGH: Symbol = Symbol::scalar("t", Dimension::ONE);
 const PSI_ON: Symbol = Symbol::scalar("psi_+", Dimension::ONE);
 const PSI_BACK: Symbol = Symbol::scalar("psi_-", Dimension::ONE);
 /// What all bounces inside the film send back together.
@@ -94,12 +101,36 @@ pub(super) const STEP: Step = Step {
             slip: "the sign of the wave that runs back",
         },
         Derivation {
+            id: "stokes_s",
+            says: "the way back through a face, s: r′ = −r and t t′ = 1 − r² (Stokes)",
+            rows: &["C15"],
+            chain: || stokes(r_s(), t_s(), 1 - R_12.pow(2)),
+            spoiled: || stokes(r_s(), t_s(), 1 + R_12.pow(2)),
+            slip: "the sign of r²",
+        },
+        Derivation {
+            id: "stokes_p",
+            says: "the same for p",
+            rows: &["C15"],
+            chain: || stokes(r_p(), t_p(), 1 - R_12.pow(2)),
+            spoiled: || stokes(r_p(), t_s(), 1 - R_12.pow(2)),
+            slip: "t_s for t_p",
+        },
+        Derivation {
             id: "bounces",
             says: "each bounce repeats the one before times r₂₁r₂₃e^(2iδ): a geometric series",
             rows: &["C15"],
             chain: || bounces(airy(1 + R_12 * R_23 * round_trip())),
             spoiled: || bounces(airy(1 - R_12 * R_23 * round_trip())),
             slip: "r₂₁ is taken for r₁₂, without Stokes' sign",
+        },
+        Derivation {
+            id: "both_faces",
+            says: "the boundary conditions at both faces at once: the same sum",
+            rows: &["C15"],
+            chain: || at_both_faces(airy(1 + R_12 * R_23 * round_trip())),
+            spoiled: || at_both_faces(airy(1 - R_12 * R_23 * round_trip())),
+            slip: "the sign of the second bounce",
         },
         Derivation {
             id: "quarter_wave_from_airy",
@@ -191,26 +222,46 @@ fn quarter_wave() -> Expr {
 
 /// Across a film: the wave ψ₊ that runs on lags by δ at the face, ψ₋ that runs back is ahead by as much.
 fn layer(last: Expr) -> Chain {
-    let (onwards, back) = (exp(-(i() * DELTA)), exp(i() * DELTA));
-    Chain::new(exp(i() * DELTA) * (PSI_ON * &onwards + PSI_BACK * &back))
-        .because("both waves at the face, times e^(iδ)")
-        .given(PSI_ON, (PSI + PHI / Y) / 2, "ψ = ψ₊ + ψ₋, φ = Y(ψ₊ − ψ₋) at the back")
-        .given(PSI_BACK, (PSI - PHI / Y) / 2, "ψ = ψ₊ + ψ₋, φ = Y(ψ₊ − ψ₋) at the back")
-        .then(exp(i() * DELTA) * (cos(DELTA) * PSI - i() * sin(DELTA) / Y * PHI), ["Euler: the characteristic matrix"])
+    let at_face = PSI_ON * exp(-(i() * DELTA)) + PSI_BACK * exp(i() * DELTA);
+    Chain::assume(Equation::new(PSI_ON + PSI_BACK, PSI), "ψ at the back")
+        .and(Equation::new(Y * (PSI_ON - PSI_BACK), PHI), "φ at the back")
+        .solve_for([PSI_ON, PSI_BACK])
+        .then(Equation::new(&at_face, cos(DELTA) * PSI - i() * sin(DELTA) / Y * PHI), ["linear solve", "Euler"])
+        .then(
+            Equation::new(
+                exp(i() * DELTA) * at_face,
+                exp(i() * DELTA) * (cos(DELTA) * PSI - i() * sin(DELTA) / Y * PHI),
+            ),
+            ["times e^(iδ)"],
+        )
         .then(last, ["Euler", "e^(iδ) multiplied in: nothing grows"])
+}
+
+/// The way back through a face: E36 and E37, or E39 and E40, with the angles exchanged; `last` is t₁₂t₂₁.
+fn stokes(r: Expr, t: Expr, last: Expr) -> Chain {
+    let way_back = |ratio: &Expr| {
+        let [one, two, other] = [THETA_1, THETA_2, Symbol::scalar("alpha", Dimension::ONE)].map(Expr::from);
+        ratio.replace(&one, &other).replace(&two, &one).replace(&other, &two)
+    };
+    Chain::new(Equation::new(R_21, -Expr::from(R_12)))
+        .because("sine and tangent of θ₁ − θ₂ change sign with it")
+        .given(R_21, way_back(&r), "angles exchanged")
+        .given(T_21, way_back(&t), "angles exchanged")
+        .given(R_12, r, "Fresnel")
+        .given(T_12, t, "Fresnel")
+        .then(Equation::new(T_12 * T_21, last), ["square of a sum"])
 }
 
 /// Airy's sum (1833), by what it does to itself: b = first bounce + b bounced once more.
 fn bounces(last: Expr) -> Chain {
     let (first, ratio) = (T_12 * R_23 * T_21 * round_trip(), R_21 * R_23 * round_trip());
-    let summed = &first / (1 - &ratio);
     let denominator = 1 + R_12 * R_23 * round_trip();
-    Chain::new(Equation::new(B, &first + &ratio * B))
+    Chain::assume(Equation::new(B, &first + &ratio * B), "one bounce, and all further ones")
         .because("through the first face, off the second, out again; and all further bounces")
-        .given(B, summed.clone(), "linear solve")
+        .solve_for([B])
         .given(R_21, -Expr::from(R_12), "Stokes")
         .given(T_21, (1 - R_12.pow(2)) / T_12, "Stokes")
-        .then(Equation::new(R_12 + B, R_12 + summed), ["linear solve"])
+        .then(Equation::new(R_12 + B, R_12 + &first / (1 - &ratio)), ["linear solve"])
         .then(
             (R_12 * &denominator + (1 - R_12.pow(2)) * R_23 * round_trip()) / denominator,
             ["Stokes", "common denominator"],
@@ -218,12 +269,32 @@ fn bounces(last: Expr) -> Chain {
         .then(last, ["cancel"])
 }
 
+/// The same film as two boundary conditions at each face, all at once.
+fn at_both_faces(last: Expr) -> Chain {
+    let (on, back) = (exp(i() * DELTA), exp(-(i() * DELTA)));
+    let step = |near: Symbol, far: Symbol| contrast(near.into(), far.into());
+    let (first, second) = (step(Y_1, Y_2), step(Y_2, Y_3));
+    Chain::assume(Equation::new(1 + R, PSI_ON + PSI_BACK), "ψ at the first face")
+        .and(Equation::new(Y_1 * (1 - R), Y_2 * (PSI_ON - PSI_BACK)), "φ at the first face")
+        .and(Equation::new(PSI_ON * &on + PSI_BACK * &back, THROUGH), "ψ at the second face")
+        .and(Equation::new(Y_2 * (PSI_ON * on - PSI_BACK * back), Y_3 * THROUGH), "φ at the second face")
+        .solve_for([R, PSI_ON, PSI_BACK, THROUGH])
+        .given(R_12, &first, "one face alone")
+        .given(R_23, &second, "one face alone")
+        .then(
+            Equation::new(R, (&first + &second * round_trip()) / (1 + first * second * round_trip())),
+            ["linear solve", "times e^(iδ)"],
+        )
+        .then(last, ["one face alone"])
+}
+
 fn quarter(last: Expr) -> Chain {
-    let step = |near: Symbol, far: Symbol| (&near - &far) / (near + far);
-    Chain::new((R_12 - R_23) / (1 - R_12 * R_23))
-        .because("e^(2iδ) = −1")
+    let step = |near: Symbol, far: Symbol| contrast(near.into(), far.into());
+    Chain::new(airy(1 + R_12 * R_23 * round_trip()))
+        .given(DELTA, pi() / 2, "a quarter of a wave")
         .given(R_12, step(N_1, N_2), "E36 at θ = 0")
         .given(R_23, step(N_2, N_3), "E36 at θ = 0")
+        .then((R_12 - R_23) / (1 - R_12 * R_23), ["e^(iπ) = −1"])
         .then(
             ((N_1 - N_2) * (N_2 + N_3) - (N_2 - N_3) * (N_1 + N_2))
                 / ((N_1 + N_2) * (N_2 + N_3) - (N_1 - N_2) * (N_2 - N_3)),

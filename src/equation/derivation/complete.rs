@@ -24,6 +24,14 @@ impl Chain {
         }
         Self { lines, ..self.clone() }
     }
+
+    /// The hypotheses as substitutions: those given, and what the premises say of their symbols.
+    ///
+    /// # Errors
+    /// Why the premises cannot be solved, or never hold.
+    pub fn hypotheses(&self) -> Result<Vec<Given>, String> {
+        Hypotheses::of(self, &Atoms::default()).map(|all| all.given)
+    }
 }
 
 /// The lines that lead to `goal` from its own left side, or from the end of the line before it.
@@ -52,4 +60,62 @@ fn reach(goal: &Line, before: Option<&Line>, given: &[Given]) -> Vec<Line> {
 fn found_line(step: Step) -> Line {
     let unfolded = step.unfolded.into_iter().map(found_line).collect();
     Line { claim: Claim::Expr(Expr::clone(&step.expr)), by: step.by, says: "", role: Role::Found, unfolded }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equation::derivation::Verdict;
+    use crate::equation::dimension::Dimension;
+    use crate::equation::expr::{cos, curl, sin, tan};
+    use crate::equation::find::RULES;
+    use crate::equation::symbol::Symbol;
+    use crate::equation::{Expr, ring};
+    use crate::sampling;
+
+    const A: Symbol = Symbol::scalar("a", Dimension::ONE);
+    const B: Symbol = Symbol::scalar("b", Dimension::ONE);
+    const X: Symbol = Symbol::scalar("x", Dimension::ONE);
+
+    fn judge(chain: &Chain) -> Vec<Verdict> {
+        chain.verify(6, 160, &mut sampling::stream(7, "complete")).into_iter().map(|hop| hop.verdict).collect()
+    }
+
+    /// What a found line is known by is true, symbol by symbol.
+    #[test]
+    fn every_rule_of_the_finder_is_proved() {
+        for rule in RULES {
+            for (left, right) in (rule.examples)() {
+                assert_eq!(ring::equal(&left, &right), Ok(true), "{}: {left} = {right}", rule.name);
+            }
+        }
+    }
+
+    #[test]
+    fn fills_in_the_lines_that_the_author_left_out() {
+        let chain = Chain::assume(Equation::new(A * cos(X), B * sin(X)), "balance")
+            .find(Equation::new(A / B, tan(X)))
+            .because("the ratio")
+            .complete();
+        assert!(chain.lines.len() > 1 && judge(&chain).iter().all(|verdict| *verdict == Verdict::Proved), "{chain:?}");
+        let last = chain.lines.last().unwrap();
+        assert_eq!((last.role, last.says), (Role::Goal, "the ratio"));
+        let known = |by: &str| {
+            by.starts_with("balance")
+                || RULES.iter().any(|rule| {
+                    by.starts_with(rule.name) || by.starts_with(rule.reverse) || by == "simplify" || by == "rearrange"
+                })
+        };
+        assert!(chain.lines.iter().flat_map(|line| &line.by).all(|by| known(by)), "{chain:?}");
+    }
+
+    /// What is beyond the search is still decided; what is false is still refuted.
+    #[test]
+    fn leaves_a_goal_without_a_way_to_the_decider() {
+        let field = Symbol::vector("E", Dimension::VOLT_PER_METRE).field();
+        let vectors = Chain::new(curl(2 * Expr::from(&field))).find(2 * curl(&field)).complete();
+        assert_eq!((&vectors.lines[1].by[..], judge(&vectors)), (&["identity".into()][..], vec![Verdict::Proved]));
+        let slip = Chain::new(sin(2 * X)).find(2 * sin(X)).complete();
+        assert!(matches!(judge(&slip)[..], [Verdict::Refuted { .. }]));
+    }
 }

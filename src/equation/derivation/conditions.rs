@@ -1,8 +1,12 @@
 //! What must not be zero for a chain to hold: everything that it divides by.
 
+use super::judge::{Atoms, Hypotheses};
 use super::{Chain, Claim, Line};
-use crate::equation::expr::{Expr, Function, Node};
+use crate::equation::expr::{Expr, Function, Node, cos};
 use crate::equation::ring;
+
+/// So many divisors are compared with one another; of more, only equal ones are left out.
+const MOST_COMPARED: usize = 24;
 
 impl Chain {
     /// What the chain divides by and the symbols' domains do not keep from zero, each once.
@@ -10,8 +14,14 @@ impl Chain {
         let mut found: Vec<Expr> = Vec::new();
         let lines = self.lines.iter().flat_map(|line| line.unfolded.iter().chain([line]));
         let given = self.given.iter().map(|given| &given.value);
+        if let Ok(hypotheses) = Hypotheses::of(self, &Atoms::default()) {
+            hypotheses.divisors.iter().for_each(|divisor| divide(divisor, &mut found));
+        }
         for expr in lines.flat_map(sides).chain(given) {
             collect(expr, &mut found);
+        }
+        if found.len() > MOST_COMPARED {
+            return found;
         }
         // Later lines are the more compact ones: what vanishes with two of theirs says nothing new.
         let mut kept: Vec<Expr> = Vec::new();
@@ -40,6 +50,7 @@ fn collect(expr: &Expr, found: &mut Vec<Expr>) {
         // The quotient of two differentials is a derivative.
         Node::Quotient(_, below) if !matches!(below.node(), Node::Differential(_)) => divide(below, found),
         Node::Power(base, exponent) if exponent.is_negative() => divide(base, found),
+        Node::Function(Function::Tan, of) => divide(&cos(of), found),
         _ => {}
     }
     for child in expr.children() {

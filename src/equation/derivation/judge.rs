@@ -1,11 +1,11 @@
 //! What is known about the hops of a chain.
 
-use super::sample::{self, Comparison};
+use super::sample::{self, Admission, Comparison};
 use super::{Chain, Claim, Given, Hop, Role, Verdict};
 use crate::equation::Equation;
 use crate::equation::calculus::{Calculus, Unresolved};
-use crate::equation::expr::{Expr, Node};
-use crate::equation::ring::{self, Unsolvable};
+use crate::equation::expr::{Expr, Function, Node};
+use crate::equation::ring::{self, Solution, Unsolvable};
 use crate::equation::symbol::Symbol;
 use crate::sampling::Stream;
 use std::borrow::Cow;
@@ -26,14 +26,20 @@ pub(super) fn judge(chain: &Chain, points: usize, bits: usize, stream: &mut Stre
             let hypotheses = hypotheses.as_ref().map_err(Clone::clone)?;
             let pairs = hypotheses.resolve(&atoms, left, right).map_err(|why| why.to_string())?;
             let is_equation = matches!(chain.lines[*at].claim, Claim::Equation(_));
-            let follows = |left: &Expr, right: &Expr| is_equation && hypotheses.imply(&Equation::new(left, right));
-            // What follows from an unsolved premise has no points of its own to be guarded at.
-            let open = pairs.into_iter().filter(|(left, right)| !follows(left, right));
-            Ok(open.map(|(left, right)| compare(left, right, points)).collect())
+            let judged = |(left, right): (Expr, Expr)| {
+                let equation = is_equation.then(|| Equation::new(&left, &right));
+                match equation.and_then(|equation| hypotheses.imply(&equation)) {
+                    Some(divisor) => Comparison::implied(left, right, atoms.named(&divisor), GUARDS),
+                    None => compare(left, right, points),
+                }
+            };
+            Ok(pairs.into_iter().map(judged).collect())
         })
         .collect();
     let mut comparisons: Vec<Comparison> = cases.iter().flatten().flatten().cloned().collect();
-    sample::run(&mut comparisons, &atoms, bits, stream);
+    let admission = hypotheses.as_ref().map_or_else(|_| Admission::default(), |found| found.admission(&atoms));
+    let is_open = hypotheses.as_ref().is_ok_and(|hypotheses| !hypotheses.unsolved.is_empty());
+    sample::run(&mut comparisons, &admission, &atoms, bits, stream);
     let mut found = comparisons.into_iter();
     let mut hops = Vec::new();
     for ((line, ..), case) in claims.iter().zip(cases) {
@@ -42,7 +48,7 @@ pub(super) fn judge(chain: &Chain, points: usize, bits: usize, stream: &mut Stre
             Ok(pairs) => found
                 .by_ref()
                 .take(pairs.len())
-                .map(|pair| pair.verdict(&atoms))
+                .map(|pair| pair.verdict(&atoms, is_open))
                 .reduce(worse)
                 .unwrap_or(Verdict::Proved),
         };
@@ -76,22 +82,60 @@ fn worse(a: Verdict, b: Verdict) -> Verdict {
 pub(super) struct Hypotheses<'a> {
     chain: &'a Chain,
     pub given: Vec<Given>,
+    /// What was divided by where the premises were solved.
+    pub divisors: Vec<Expr>,
+    /// Positive symbols that premises were solved for: what they come out as must be positive.
+    positive: Vec<Expr>,
     /// Premises that no symbol could be taken from.
     unsolved: Vec<Equation>,
 }
 
 impl<'a> Hypotheses<'a> {
+    fn new(chain: &'a Chain, given: &[Given]) -> Self {
+        Self { chain, given: given.to_vec(), divisors: Vec::new(), positive: Vec::new(), unsolved: Vec::new() }
+    }
+
     /// The hypotheses of `chain`, with what its premises are solved for.
     pub fn of(chain: &'a Chain, atoms: &Atoms) -> Result<Self, String> {
-        let mut all = Self { chain, given: chain.given.clone(), unsolved: Vec::new() };
+        let mut all = Self::new(chain, &chain.given);
         if chain.unknowns.is_empty() {
             all.orient(atoms)?;
         } else {
-            let early = Self { chain, given: chain.given[..chain.solved_under].to_vec(), unsolved: Vec::new() };
+            let early = Self::new(chain, &chain.given[..chain.solved_under]);
             let solution = early.solve(atoms).or_else(|_| all.solve(atoms))?;
-            all.given.extend(solution);
+            all.take(solution, "linear solve", atoms);
         }
+        all.settle(atoms)?;
         Ok(all)
+    }
+
+    /// Looks again at what was divided by and at what could not be solved, now that every hypothesis is known.
+    fn settle(&mut self, atoms: &Atoms) -> Result<(), String> {
+        for divisor in &self.divisors {
+            let pairs = self.resolve(atoms, divisor, divisor).map_err(|why| why.to_string())?;
+            if pairs.iter().any(|(value, _)| ring::equal(value, &Expr::from(0)) == Ok(true)) {
+                return Err(format!("a premise was divided by {divisor}, which the premises make zero"));
+            }
+        }
+        let mut unsolved = Vec::new();
+        for premise in &self.unsolved {
+            let (left, right) = (atoms.meant(&premise.lhs), atoms.meant(&premise.rhs));
+            let pairs = self.resolve(atoms, &left, &right).map_err(|why| why.to_string())?;
+            unsolved.extend(pairs.into_iter().filter(|(left, right)| ring::equal(left, right) != Ok(true)));
+        }
+        self.unsolved = unsolved.into_iter().map(|(left, right)| Equation::new(left, right)).collect();
+        Ok(())
+    }
+
+    /// Adds what was found for symbols, known as `by`.
+    fn take(&mut self, solution: Solution, by: &'static str, atoms: &Atoms) {
+        let given = |(symbol, value): &(Symbol, Expr)| Given {
+            what: atoms.meant(&symbol.into()),
+            value: atoms.meant(value),
+            by,
+        };
+        self.given.extend(solution.values.iter().map(given));
+        self.divisors.extend(solution.divisors.iter().map(|divisor| atoms.meant(divisor)));
     }
 
     fn premises(&self) -> impl Iterator<Item = (&'a Equation, &'static str)> + use<'a> {
@@ -108,8 +152,12 @@ impl<'a> Hypotheses<'a> {
         for (premise, by) in self.premises() {
             for (left, right) in self.resolve(atoms, &premise.lhs, &premise.rhs).map_err(|why| why.to_string())? {
                 let premise = Equation::new(left, right);
-                match ring::orient(&premise, by) {
-                    Ok(given) => self.given.push(given),
+                match ring::orient(&premise) {
+                    Ok(solution) => {
+                        let positive = solution.values.iter().filter(|(symbol, _)| symbol.domain().re.0 > 0.0);
+                        self.positive.extend(positive.map(|(symbol, _)| Expr::from(symbol)));
+                        self.take(solution, by, atoms);
+                    }
                     Err(Unsolvable::NoSymbol(_)) => self.unsolved.push(premise),
                     Err(why) => return Err(why.to_string()),
                 }
@@ -118,15 +166,21 @@ impl<'a> Hypotheses<'a> {
         Ok(())
     }
 
+    /// What a point must satisfy to count, in numbers and free symbols.
+    fn admission(&self, atoms: &Atoms) -> Admission {
+        let value = |expr: &Expr| self.resolve(atoms, expr, expr).ok()?.pop().map(|(value, _)| value);
+        let positive = self.positive.iter().filter_map(&value);
+        let (roots, positive) = positive.partition(|value| matches!(value.node(), Node::Function(Function::Sqrt, _)));
+        Admission { roots, positive, divisors: self.divisors.iter().filter_map(value).collect() }
+    }
+
     /// The unknowns as the premises together determine them.
-    fn solve(&self, atoms: &Atoms) -> Result<Vec<Given>, String> {
+    fn solve(&self, atoms: &Atoms) -> Result<Solution, String> {
         let mut system = Vec::new();
         for (premise, _) in self.premises() {
             system.extend(self.resolve(atoms, &premise.lhs, &premise.rhs).map_err(|why| why.to_string())?);
         }
-        let solution = ring::solve(&system, &self.chain.unknowns).map_err(|why| why.to_string())?;
-        let solved = self.chain.unknowns.iter().zip(solution);
-        Ok(solved.map(|(unknown, value)| Given { what: unknown.into(), value, by: "linear solve" }).collect())
+        ring::solve(&system, &self.chain.unknowns).map_err(|why| why.to_string())
     }
 
     /// The scalar equations that `left` = `right` stands for, in numbers and symbols alone.
@@ -136,9 +190,9 @@ impl<'a> Hypotheses<'a> {
         Ok(pairs.into_iter().map(|(left, right)| (atoms.named(&left), atoms.named(&right))).collect())
     }
 
-    /// Whether one of the premises that could not be solved leads to `equation`.
-    fn imply(&self, equation: &Equation) -> bool {
-        self.unsolved.iter().any(|from| ring::follows(from, equation) == Ok(true))
+    /// What must not vanish for one of the premises that could not be solved to lead to `equation`, if one does.
+    fn imply(&self, equation: &Equation) -> Option<Expr> {
+        self.unsolved.iter().find_map(|from| ring::follows(from, equation).ok()?)
     }
 }
 
@@ -180,6 +234,12 @@ impl Atoms {
         let symbol = like.named(format!("#{}", known.len()));
         known.push((atom.clone(), symbol.clone()));
         symbol
+    }
+
+    /// `expr` with what the symbols stand for.
+    fn meant(&self, expr: &Expr) -> Expr {
+        let known = self.known.borrow();
+        known.iter().fold(expr.clone(), |expr, (atom, symbol)| expr.replace(&symbol.into(), atom))
     }
 
     /// How a symbol is called: by its own name, or by what it stands for.

@@ -1,8 +1,10 @@
 //! Derivations: lines that follow from one another, each hop judged by the program.
 //!
-//! A hop is judged at random points of the stated domain, on the real axis and off it, in arbitrary precision.
-//! With every value goes a bound of its rounding error, so that a difference is called real, or not, by what the
-//! arithmetic at that point can tell, cancellation included.
+//! A hop is decided by normal form ([`super::ring`]), under the hypotheses and with the premises solved. A decision is
+//! guarded at a few random points of the stated domain, on the real axis and off it, in arbitrary precision; what no
+//! normal form decides is compared at more of them, and a point where the sides differ refutes it. With every value
+//! goes a bound of its rounding error, so that a difference is called real, or not, by what the arithmetic at that
+//! point can tell, cancellation included.
 
 mod complete;
 mod conditions;
@@ -256,7 +258,7 @@ impl Chain {
 mod tests {
     use super::*;
     use crate::equation::dimension::Dimension;
-    use crate::equation::expr::{abs, conj, cos, exp, i, mean, re, sin, sqrt, tan};
+    use crate::equation::expr::{abs, asin, conj, cos, exp, i, mean, pi, re, sin, sqrt, tan};
     use crate::sampling;
 
     const THETA_1: Symbol = Symbol::scalar("theta_1", Dimension::ONE).within(0.1, 1.4);
@@ -269,6 +271,8 @@ mod tests {
     const E_R: Symbol = Symbol::scalar("E_1'", Dimension::VOLT_PER_METRE);
     const E_2: Symbol = Symbol::scalar("E_2", Dimension::VOLT_PER_METRE);
     const X: Symbol = Symbol::scalar("x", Dimension::ONE);
+    const P: Symbol = Symbol::scalar("p", Dimension::ONE).real(0.1, 4.0);
+    const Q: Symbol = Symbol::scalar("q", Dimension::ONE).real(0.1, 4.0);
 
     fn judge(chain: &Chain) -> Vec<Verdict> {
         let mut stream = sampling::stream(7, "equation/derivation");
@@ -330,8 +334,72 @@ mod tests {
         let cubic = || Chain::assume(Equation::new(X.pow(3) + X, K.pow(2) + K), "");
         let double = Equation::new(2 * X * (X.pow(2) + 1), 2 * K * (K + 1));
         assert_eq!(from(cubic(), double), [Verdict::Proved]);
+        // A premise that all terms share a factor of says nothing about the factor.
+        let scaled = |right: i32| Chain::assume(Equation::new(K * N_1, right * K * N_2), "");
+        assert_eq!(from(scaled(1), Equation::new(N_1, N_2)), [Verdict::Proved]);
+        assert!(matches!(from(scaled(3), Equation::new(N_1, N_2))[..], [Verdict::Refuted { .. }]));
+        // Either factor may be zero: neither is shown to be.
+        for factor in [X - K, X - N_1] {
+            let product = Chain::assume(Equation::new((X - K) * (X - N_1), 0), "");
+            assert!(matches!(from(product, Equation::new(factor, 0))[..], [Verdict::Unknown { .. }]));
+        }
+        // No point satisfies this one by itself: what does not follow from it is not refuted either.
+        let open = || Chain::assume(Equation::new(sin(X), sin(K)), "");
+        assert!(matches!(from(open(), Equation::new(sin(X).pow(2), sin(K).pow(2)))[..], [Verdict::Unknown { .. }]));
+        assert!(matches!(from(open(), Equation::new(X, K))[..], [Verdict::Unknown { .. }]));
+        // A positive quantity is the positive root.
+        let square = Chain::assume(Equation::new(N_1.pow(2), N_2.pow(2)), "");
+        assert_eq!(from(square, Equation::new(N_1, N_2)), [Verdict::Proved]);
+        // Nor need it be one, if the premise says otherwise.
+        let negative = || Chain::assume(Equation::new(N_1 + 2, 1), "");
+        assert_eq!(from(negative(), Equation::new(N_1 + 1, 0)), [Verdict::Proved]);
+        assert!(matches!(from(negative(), Equation::new(sqrt(N_1.pow(2)), N_1))[..], [Verdict::Refuted { .. }]));
+        // Zero, but no normal form says so; and zero by the premise that comes after. Neither may be divided by.
+        let hidden = || sqrt(3 + 2 * sqrt(Expr::from(2))) - 1 - sqrt(Expr::from(2));
+        for divisor in [hidden(), N_1 - N_2] {
+            let equal = Equation::new(N_1, N_2);
+            let linear = Chain::assume(Equation::new(&divisor * X, &divisor * K), "").and(equal.clone(), "");
+            let verdict = from(linear, Equation::new(X, K));
+            assert!(!verdict[0].holds(), "{divisor}: {verdict:?}");
+            let cubics = Equation::new(&divisor * (X.pow(3) + X), &divisor * (K.pow(3) + K));
+            let open = Chain::assume(cubics, "").and(equal, "");
+            let verdict = from(open, Equation::new(X.pow(3) + X, K.pow(3) + K));
+            assert!(!verdict[0].holds(), "{divisor}: {verdict:?}");
+        }
+        let over_zero = Equation::new((X.pow(3) + X - K.pow(2) - K) / hidden(), 0);
+        assert!(matches!(from(cubic(), over_zero)[..], [Verdict::Unknown { .. }]));
+        // No positive quantity has this square.
+        let imaginary = |sign: i32| {
+            let square = Chain::assume(Equation::new(P.pow(2) + Q.pow(2), 0), "");
+            from(square, Equation::new(P, sign * i() * Q))
+        };
+        for sign in [1, -1] {
+            assert!(matches!(imaginary(sign)[..], [Verdict::Unknown { .. }]), "{sign}");
+        }
         let never = Chain::assume(Equation::new(X, X + 1), "");
         assert!(matches!(from(never, Equation::new(X, 0))[..], [Verdict::Unknown { .. }]));
+    }
+
+    /// On a branch cut the side is told by a part that is zero; rounding noise in it must not decide.
+    #[test]
+    fn does_not_take_noise_for_the_side_of_a_cut() {
+        let hidden = sqrt(3 + 2 * sqrt(Expr::from(2))) - 1 - sqrt(Expr::from(2));
+        let pairs = [
+            (sqrt(exp(3 * i() * pi() / 5).pow(5)), i()),
+            (sqrt(i() * &hidden * P - P.pow(2)), i() * P),
+            (asin(P + 2 - i() * &hidden), asin(P + 2)),
+        ];
+        for (left, right) in pairs {
+            let verdict = judge(&Chain::new(left.clone()).then(right, [])).remove(0);
+            assert!(!matches!(verdict, Verdict::Refuted { .. }), "{left}: {verdict:?}");
+        }
+    }
+
+    #[test]
+    fn knows_the_principal_roots_of_negative_numbers() {
+        let cube_root = Expr::from(-8).pow(crate::equation::rational::Rational::new(1, 3).unwrap());
+        let verdict = judge(&Chain::new(cube_root).then(1 + i() * sqrt(Expr::from(3)), [])).remove(0);
+        assert!(matches!(verdict, Verdict::Agrees { digits, .. } if digits > 45.0), "{verdict:?}");
     }
 
     /// Values of a function at different arguments are independent, at equal ones the same.
@@ -387,7 +455,7 @@ mod tests {
         assert!(judge(&Chain::new(Equation::new(X * &zero / 7 + X, X)))[0].holds());
         let verdicts = judge(&Chain::new(Equation::new(X / zero, X)));
         let [Verdict::Unknown { why }] = verdicts.as_slice() else { panic!("{verdicts:?}") };
-        assert_eq!(why, "x/(sin² x + cos² x − 1) has no finite value at any of 24 points");
+        assert_eq!(why, "x/(sin² x + cos² x − 1) has no finite value at any of 48 points");
     }
 
     #[test]

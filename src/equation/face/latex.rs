@@ -4,6 +4,7 @@ use super::name::{Name, greek};
 use super::unicode::decimal;
 use super::{Gap, Level, Pen, Rank, Rational, Sign, Written};
 
+#[derive(Clone, Copy)]
 pub(super) struct Latex;
 
 fn letters(word: &str) -> String {
@@ -15,9 +16,18 @@ fn letters(word: &str) -> String {
 }
 
 impl Pen for Latex {
-    const FLAT: bool = false;
+    type Ink = String;
+    const RAISES: bool = true;
 
-    fn name(&self, name: &Name, rank: Rank) -> String {
+    fn is_flat(self) -> bool {
+        false
+    }
+
+    fn inner(self) -> Self {
+        self
+    }
+
+    fn name(self, name: &Name, rank: Rank) -> String {
         let base = letters(name.base);
         let base = match rank {
             Rank::Scalar => base,
@@ -27,14 +37,14 @@ impl Pen for Latex {
         format!("{base}{index}{}", "'".repeat(name.primes))
     }
 
-    fn number(&self, value: Rational) -> Written {
+    fn number(self, value: Rational) -> Written<Self> {
         match decimal(value) {
             Some(digits) => (digits, Level::Atom),
             None => (format!(r"\tfrac{{{}}}{{{}}}", value.numerator(), value.denominator()), Level::Script),
         }
     }
 
-    fn infix(&self, sign: Sign) -> String {
+    fn infix(self, sign: Sign) -> String {
         match sign {
             Sign::Plus => " + ",
             Sign::Minus => " - ",
@@ -48,7 +58,7 @@ impl Pen for Latex {
         .to_owned()
     }
 
-    fn prefix(&self, mark: char) -> String {
+    fn prefix(self, mark: char) -> String {
         match mark {
             '∇' => r"\nabla ".to_owned(),
             '∂' => r"\partial ".to_owned(),
@@ -58,7 +68,7 @@ impl Pen for Latex {
         }
     }
 
-    fn word(&self, word: &str) -> String {
+    fn word(self, word: &str) -> String {
         match word {
             "i" => r"\mathrm{i}".to_owned(),
             "*" => word.to_owned(),
@@ -67,28 +77,28 @@ impl Pen for Latex {
         }
     }
 
-    fn apply(&self) -> String {
+    fn apply(self) -> String {
         " ".to_owned()
     }
 
-    fn gap(&self, gap: Gap) -> String {
+    fn gap(self, gap: Gap) -> String {
         // TeX spaces factors by itself; only a differential needs help.
         if gap == Gap::Differential { r" \, " } else { " " }.to_owned()
     }
 
-    fn fraction(&self, above: &str, below: &str) -> String {
+    fn fraction(self, above: String, below: String) -> String {
         format!(r"\frac{{{above}}}{{{below}}}")
     }
 
-    fn root(&self, (of, _): Written) -> Written {
+    fn root(self, (of, _): Written<Self>) -> Written<Self> {
         (format!(r"\sqrt{{{of}}}"), Level::Atom)
     }
 
-    fn exponential(&self, of: &str) -> Written {
+    fn exponential(self, of: String) -> Written<Self> {
         (format!(r"\mathrm{{e}}^{{{of}}}"), Level::Script)
     }
 
-    fn raise(&self, base: &str, exponent: &str) -> String {
+    fn raise(self, base: String, exponent: String) -> String {
         // TeX merges a prime with an exponent only where nothing stands between; braces settle it.
         if base.ends_with('\'') {
             format!("{{{base}}}^{{{exponent}}}")
@@ -97,11 +107,11 @@ impl Pen for Latex {
         }
     }
 
-    fn exponent(&self, value: Rational) -> String {
+    fn exponent(self, value: Rational) -> String {
         value.to_string()
     }
 
-    fn fence(&self, open: char, inner: &str, close: char) -> String {
+    fn fence(self, open: char, inner: String, close: char) -> String {
         let command = |bracket| match bracket {
             '⟨' => r"\langle ",
             '⟩' => r" \rangle",
@@ -117,7 +127,7 @@ impl Pen for Latex {
         }
     }
 
-    fn integral(&self, sign: char, bounds: Option<(&str, Option<&str>)>) -> String {
+    fn integral(self, sign: char, bounds: Option<(String, Option<String>)>) -> String {
         let sign = if sign == '∮' { r"\oint" } else { r"\int" };
         match bounds {
             None => sign.to_owned(),
@@ -126,8 +136,12 @@ impl Pen for Latex {
         }
     }
 
-    fn row(&self, parts: &[String]) -> String {
+    fn row(self, parts: Vec<String>) -> String {
         // Marks bring the spaces that end a command; two in a row are no use.
         parts.concat().replace("  ", " ")
+    }
+
+    fn opens(self, face: &String) -> bool {
+        face.starts_with('(')
     }
 }

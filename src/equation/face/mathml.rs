@@ -4,6 +4,7 @@ use super::name::{Name, greek};
 use super::unicode::decimal;
 use super::{Gap, Level, Pen, Rank, Rational, Sign, Written};
 
+#[derive(Clone, Copy)]
 pub(super) struct MathMl;
 
 pub(super) fn element(inner: &str, display: &str) -> String {
@@ -37,9 +38,18 @@ fn escape(text: &str) -> String {
 }
 
 impl Pen for MathMl {
-    const FLAT: bool = false;
+    type Ink = String;
+    const RAISES: bool = true;
 
-    fn name(&self, name: &Name, rank: Rank) -> String {
+    fn is_flat(self) -> bool {
+        false
+    }
+
+    fn inner(self) -> Self {
+        self
+    }
+
+    fn name(self, name: &Name, rank: Rank) -> String {
         let base = letters(name.base, rank);
         let primes = format!("<mo>{}</mo>", "′".repeat(name.primes));
         let index = letters(name.index, Rank::Scalar);
@@ -51,7 +61,7 @@ impl Pen for MathMl {
         }
     }
 
-    fn number(&self, value: Rational) -> Written {
+    fn number(self, value: Rational) -> Written<Self> {
         match decimal(value) {
             Some(digits) => (format!("<mn>{digits}</mn>"), Level::Atom),
             None => {
@@ -61,7 +71,7 @@ impl Pen for MathMl {
         }
     }
 
-    fn infix(&self, sign: Sign) -> String {
+    fn infix(self, sign: Sign) -> String {
         let sign = match sign {
             Sign::Plus => "+",
             Sign::Minus => "−",
@@ -75,7 +85,7 @@ impl Pen for MathMl {
         format!("<mo>{sign}</mo>")
     }
 
-    fn prefix(&self, mark: char) -> String {
+    fn prefix(self, mark: char) -> String {
         match mark {
             'd' => r#"<mi mathvariant="normal">d</mi>"#.to_owned(),
             '∂' | '∇' => format!(r#"<mi mathvariant="normal">{mark}</mi>"#),
@@ -83,7 +93,7 @@ impl Pen for MathMl {
         }
     }
 
-    fn word(&self, word: &str) -> String {
+    fn word(self, word: &str) -> String {
         match word {
             "*" => "<mo>*</mo>".to_owned(),
             "i" => r#"<mi mathvariant="normal">i</mi>"#.to_owned(),
@@ -91,41 +101,41 @@ impl Pen for MathMl {
         }
     }
 
-    fn apply(&self) -> String {
+    fn apply(self) -> String {
         "<mo>\u{2061}</mo><mspace width=\"0.1667em\"/>".to_owned()
     }
 
-    fn gap(&self, gap: Gap) -> String {
+    fn gap(self, gap: Gap) -> String {
         if gap == Gap::Tight { "<mo>\u{2062}</mo>" } else { "<mo>\u{2062}</mo><mspace width=\"0.1667em\"/>" }.to_owned()
     }
 
-    fn fraction(&self, above: &str, below: &str) -> String {
+    fn fraction(self, above: String, below: String) -> String {
         format!("<mfrac>{above}{below}</mfrac>")
     }
 
-    fn root(&self, (of, _): Written) -> Written {
+    fn root(self, (of, _): Written<Self>) -> Written<Self> {
         (format!("<msqrt>{of}</msqrt>"), Level::Atom)
     }
 
-    fn exponential(&self, of: &str) -> Written {
+    fn exponential(self, of: String) -> Written<Self> {
         (format!(r#"<msup><mi mathvariant="normal">e</mi>{of}</msup>"#), Level::Script)
     }
 
-    fn raise(&self, base: &str, exponent: &str) -> String {
+    fn raise(self, base: String, exponent: String) -> String {
         format!("<msup>{base}{exponent}</msup>")
     }
 
-    fn exponent(&self, value: Rational) -> String {
+    fn exponent(self, value: Rational) -> String {
         format!("<mn>{}</mn>", value.to_string().replace('-', "−"))
     }
 
-    fn fence(&self, open: char, inner: &str, close: char) -> String {
+    fn fence(self, open: char, inner: String, close: char) -> String {
         format!(
             r#"<mrow><mo form="prefix" stretchy="true">{open}</mo>{inner}<mo form="postfix" stretchy="true">{close}</mo></mrow>"#
         )
     }
 
-    fn integral(&self, sign: char, bounds: Option<(&str, Option<&str>)>) -> String {
+    fn integral(self, sign: char, bounds: Option<(String, Option<String>)>) -> String {
         let sign = format!("<mo>{sign}</mo>");
         match bounds {
             None => sign,
@@ -136,10 +146,12 @@ impl Pen for MathMl {
         }
     }
 
-    fn row(&self, parts: &[String]) -> String {
-        match parts {
-            [only] => only.clone(),
-            _ => format!("<mrow>{}</mrow>", parts.concat()),
-        }
+    fn row(self, parts: Vec<String>) -> String {
+        let inner = parts.concat();
+        if parts.len() == 1 { inner } else { format!("<mrow>{inner}</mrow>") }
+    }
+
+    fn opens(self, face: &String) -> bool {
+        face.starts_with('(')
     }
 }

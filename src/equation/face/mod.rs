@@ -1,8 +1,10 @@
-//! Faces: an expression as LaTeX, MathML or one line of Unicode.
+//! Faces: an expression as LaTeX, MathML, one line of Unicode, or Unicode with fractions of two storeys.
 //!
 //! One walk over the tree decides what goes in parentheses and what stands side by side; a pen knows the
-//! marks of its format. Unicode has a single line, so there fractions become slashes.
+//! marks of its format. On a single line fractions become slashes. Such a line says which expression it is: what
+//! could be read in two ways is kept apart by parentheses, and [`super::parse`] reads it back.
 
+mod block;
 mod latex;
 mod mathml;
 mod name;
@@ -12,44 +14,56 @@ use super::expr::{Expr, Function, Nabla, Node, Range};
 use super::rational::Rational;
 use super::symbol::{Rank, Symbol};
 use super::{Equation, Relation};
-use name::Name;
+use name::{Name, ends_in_word};
 use std::fmt;
 
-pub(super) use unicode::superscript;
+pub use block::Block;
+pub(super) use name::{greek_name, is_greek, spells};
+pub(super) use unicode::{plain, superscript, vulgar};
 
 impl Expr {
     /// As LaTeX, for math mode.
     pub fn latex(&self) -> String {
-        write(&latex::Latex, self).0
+        write(latex::Latex, self).0
     }
 
     /// As a MathML element.
     pub fn mathml(&self) -> String {
-        mathml::element(&write(&mathml::MathMl, self).0, "inline")
+        mathml::element(&write(mathml::MathMl, self).0, "inline")
+    }
+
+    /// In Unicode for a terminal, with fractions of two storeys.
+    pub fn layout(&self) -> Block {
+        write(block::Stacked::new(), self).0
     }
 }
 
 impl fmt::Display for Expr {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(&write(&unicode::Unicode, self).0)
+        f.write_str(&write(unicode::Unicode, self).0)
     }
 }
 
 impl Equation {
     /// As LaTeX, for math mode.
     pub fn latex(&self) -> String {
-        relate(&latex::Latex, self)
+        relate(latex::Latex, self)
     }
 
     /// As a MathML element in display style.
     pub fn mathml(&self) -> String {
-        mathml::element(&relate(&mathml::MathMl, self), "block")
+        mathml::element(&relate(mathml::MathMl, self), "block")
+    }
+
+    /// In Unicode for a terminal, with fractions of two storeys.
+    pub fn layout(&self) -> Block {
+        relate(block::Stacked::new(), self)
     }
 }
 
 impl fmt::Display for Equation {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(&relate(&unicode::Unicode, self))
+        f.write_str(&relate(unicode::Unicode, self))
     }
 }
 
@@ -92,29 +106,37 @@ impl Function {
 }
 
 /// The marks of a format.
-trait Pen {
+trait Pen: Copy {
+    /// What it leaves: text, or a block of lines.
+    type Ink;
+    /// Whether exponents are smaller than what stands beside them; otherwise the star of E* H could be a product's.
+    const RAISES: bool;
     /// Whether everything stands on one line.
-    const FLAT: bool;
-    fn name(&self, name: &Name, rank: Rank) -> String;
+    fn is_flat(self) -> bool;
+    /// The pen for what is above or below a bar or in an exponent.
+    fn inner(self) -> Self;
+    fn name(self, name: &Name, rank: Rank) -> Self::Ink;
     /// A number ≥ 0, and how tightly its face holds together.
-    fn number(&self, value: Rational) -> Written;
+    fn number(self, value: Rational) -> Written<Self>;
     /// A sign between two parts, with the space that belongs around it.
-    fn infix(&self, sign: Sign) -> String;
+    fn infix(self, sign: Sign) -> Self::Ink;
     /// A mark directly before what it acts on: −, ∇, ∂, d.
-    fn prefix(&self, mark: char) -> String;
-    fn word(&self, word: &str) -> String;
+    fn prefix(self, mark: char) -> Self::Ink;
+    fn word(self, word: &str) -> Self::Ink;
     /// What stands between a function's word and a bare argument.
-    fn apply(&self) -> String;
+    fn apply(self) -> Self::Ink;
     /// What stands between two neighbours.
-    fn gap(&self, gap: Gap) -> String;
-    fn fraction(&self, above: &str, below: &str) -> String;
-    fn root(&self, of: Written) -> Written;
-    fn exponential(&self, of: &str) -> Written;
-    fn raise(&self, base: &str, exponent: &str) -> String;
-    fn exponent(&self, value: Rational) -> String;
-    fn fence(&self, open: char, inner: &str, close: char) -> String;
-    fn integral(&self, sign: char, bounds: Option<(&str, Option<&str>)>) -> String;
-    fn row(&self, parts: &[String]) -> String;
+    fn gap(self, gap: Gap) -> Self::Ink;
+    fn fraction(self, above: Self::Ink, below: Self::Ink) -> Self::Ink;
+    fn root(self, of: Written<Self>) -> Written<Self>;
+    fn exponential(self, of: Self::Ink) -> Written<Self>;
+    fn raise(self, base: Self::Ink, exponent: Self::Ink) -> Self::Ink;
+    fn exponent(self, value: Rational) -> Self::Ink;
+    fn fence(self, open: char, inner: Self::Ink, close: char) -> Self::Ink;
+    fn integral(self, sign: char, bounds: Option<(Self::Ink, Option<Self::Ink>)>) -> Self::Ink;
+    fn row(self, parts: Vec<Self::Ink>) -> Self::Ink;
+    /// Whether a face begins with a parenthesis.
+    fn opens(self, face: &Self::Ink) -> bool;
 }
 
 /// Signs between two parts.
@@ -159,51 +181,54 @@ enum Level {
     Atom,
 }
 
-type Written = (String, Level);
+type Written<P> = (<P as Pen>::Ink, Level);
 
-fn relate<P: Pen>(pen: &P, equation: &Equation) -> String {
+fn relate<P: Pen>(pen: P, equation: &Equation) -> P::Ink {
     let sign = match equation.relation {
         Relation::Equal => Sign::Equal,
         Relation::Approximate => Sign::Approximate,
         Relation::Proportional => Sign::Proportional,
     };
-    pen.row(&[write(pen, &equation.lhs).0, pen.infix(sign), write(pen, &equation.rhs).0])
+    pen.row(vec![write(pen, &equation.lhs).0, pen.infix(sign), write(pen, &equation.rhs).0])
 }
 
-fn write<P: Pen>(pen: &P, expr: &Expr) -> Written {
+fn write<P: Pen>(pen: P, expr: &Expr) -> Written<P> {
     match expr.node() {
         Node::Number(value) => pen.number(*value),
         Node::Pi => (pen.name(&Name::parse("pi"), Rank::Scalar), Level::Atom),
         Node::ImaginaryUnit => (pen.word("i"), Level::Atom),
-        Node::Symbol(symbol) => (pen.name(&Name::parse(symbol.name()), symbol.rank()), Level::Atom),
+        Node::Symbol(symbol) => (name(pen, symbol), Level::Atom),
         Node::Apply(symbol, arguments) => {
-            let name = pen.name(&Name::parse(symbol.name()), symbol.rank());
-            (pen.row(&[name, pen.fence('(', &list(pen, arguments), ')')]), Level::Atom)
+            (pen.row(vec![name(pen, symbol), pen.fence('(', list(pen, arguments), ')')]), Level::Atom)
         }
         Node::Sum(terms) => (sum(pen, terms), Level::Sum),
-        Node::Product(factors) => product(pen, factors),
+        Node::Product(factors) => product(pen, factors, true),
         Node::Quotient(above, below) => quotient(pen, above, below),
         Node::Power(base, exponent) => power(pen, base, *exponent),
-        Node::Negate(of) => (pen.row(&[pen.prefix('−'), at_least(pen, of, Level::Slash)]), Level::Negative),
-        Node::Function(function, of) => apply(pen, *function, of, false),
-        Node::Vector(parts) => (pen.fence('(', &list(pen, parts), ')'), Level::Atom),
+        Node::Negate(of) => (pen.row(vec![pen.prefix('−'), at_least(pen, of, Level::Slash)]), Level::Negative),
+        Node::Function(function, of) => apply(pen, *function, of),
+        Node::Vector(parts) => (pen.fence('(', list(pen, parts), ')'), Level::Atom),
         Node::Dot(a, b) => (infix(pen, a, Sign::Dot, b), Level::Open),
         Node::Cross(a, b) => (infix(pen, a, Sign::Cross, b), Level::Open),
         Node::Nabla(nabla, of) => (nabla_of(pen, *nabla, of), Level::Prefix),
         Node::Partial(of, by) => partial(pen, of, by),
-        Node::Differential(of) => (pen.row(&[pen.prefix('d'), at_least(pen, of, Level::Script)]), Level::Prefix),
-        Node::Mean(of) => (pen.fence('⟨', &write(pen, of).0, '⟩'), Level::Atom),
+        Node::Differential(of) => (differential(pen, of), Level::Prefix),
+        Node::Mean(of) => (pen.fence('⟨', write(pen, of).0, '⟩'), Level::Atom),
         Node::Integral(of, by, range) => (integral(pen, of, by, range), Level::Open),
     }
 }
 
-/// The face of `expr`, in parentheses if it is looser than `level`.
-fn at_least<P: Pen>(pen: &P, expr: &Expr, level: Level) -> String {
-    let (face, own) = write(pen, expr);
-    if own >= level { face } else { pen.fence('(', &face, ')') }
+fn name<P: Pen>(pen: P, symbol: &Symbol) -> P::Ink {
+    pen.name(&Name::parse(symbol.name()), symbol.rank())
 }
 
-fn list<P: Pen>(pen: &P, items: &[Expr]) -> String {
+/// The face of `expr`, in parentheses if it is looser than `level`.
+fn at_least<P: Pen>(pen: P, expr: &Expr, level: Level) -> P::Ink {
+    let (face, own) = write(pen, expr);
+    if own >= level { face } else { pen.fence('(', face, ')') }
+}
+
+fn list<P: Pen>(pen: P, items: &[Expr]) -> P::Ink {
     let mut parts = Vec::new();
     for item in items {
         if !parts.is_empty() {
@@ -211,14 +236,15 @@ fn list<P: Pen>(pen: &P, items: &[Expr]) -> String {
         }
         parts.push(write(pen, item).0);
     }
-    pen.row(&parts)
+    pen.row(parts)
 }
 
-fn infix<P: Pen>(pen: &P, a: &Expr, sign: Sign, b: &Expr) -> String {
-    pen.row(&[at_least(pen, a, Level::Product), pen.infix(sign), at_least(pen, b, Level::Product)])
+/// a·b or a×b. A product as an operand is fenced: (aE)×B is not a (E×B), though it has its value.
+fn infix<P: Pen>(pen: P, a: &Expr, sign: Sign, b: &Expr) -> P::Ink {
+    pen.row(vec![at_least(pen, a, Level::Prefix), pen.infix(sign), at_least(pen, b, Level::Prefix)])
 }
 
-fn sum<P: Pen>(pen: &P, terms: &[Expr]) -> String {
+fn sum<P: Pen>(pen: P, terms: &[Expr]) -> P::Ink {
     let mut parts = Vec::new();
     for (at, term) in terms.iter().enumerate() {
         match term.node() {
@@ -229,24 +255,30 @@ fn sum<P: Pen>(pen: &P, terms: &[Expr]) -> String {
             _ => parts.push(at_least(pen, term, Level::Negative)),
         }
     }
-    pen.row(&parts)
+    pen.row(parts)
 }
 
-fn product<P: Pen>(pen: &P, factors: &[Expr]) -> Written {
+/// `ends` tells whether what follows the product cannot be taken for a part of its last factor's argument.
+fn product<P: Pen>(pen: P, factors: &[Expr], ends: bool) -> Written<P> {
     let mut parts = Vec::new();
     let mut level = Level::Product;
     let mut closed = false;
+    let mut word = Word::default();
     for (at, factor) in factors.iter().enumerate() {
         let next = factors.get(at + 1);
-        let (face, own) = write_before(pen, factor, next);
+        let (face, own) = write_before(pen, factor, next, ends);
         // A vector product, an integral or a derivative needs no parentheses where nothing follows it.
-        let bare = own >= Level::Product || (next.is_none() && (own == Level::Open || is_derivative(factor)));
+        let bare = match next {
+            None => own >= Level::Product || own == Level::Open || is_derivative(factor),
+            Some(_) => own >= Level::Product && (P::RAISES || !is_conjugate(factor)),
+        };
         level = if bare && own < level { own } else { level };
-        let face = if bare { face } else { pen.fence('(', &face, ')') };
+        let face = if bare { face } else { pen.fence('(', face, ')') };
         if at > 0 && starts_with_digit(factor) {
             parts.push(pen.infix(Sign::Times));
         } else if at > 0 {
-            let tight = stands_tight(&factors[at - 1], factor) || (closed && face.starts_with('('));
+            let joins = stands_tight(&factors[at - 1], factor) && word.takes(factor);
+            let tight = joins || (closed && pen.opens(&face));
             parts.push(pen.gap(match factor.node() {
                 Node::Differential(_) => Gap::Differential,
                 _ if tight => Gap::Tight,
@@ -254,17 +286,20 @@ fn product<P: Pen>(pen: &P, factors: &[Expr]) -> Written {
             }));
         }
         parts.push(face);
+        word.push(factor);
         closed = !bare;
     }
-    (pen.row(&parts), level)
+    (pen.row(parts), level)
 }
 
 /// The face of `factor` before another one: sin θ keeps its argument bare only where the next factor cannot be
 /// mistaken for a part of it.
-fn write_before<P: Pen>(pen: &P, factor: &Expr, next: Option<&Expr>) -> Written {
-    let safe = next.is_none_or(|next| trigonometric(next).is_some() || matches!(next.node(), Node::Differential(_)));
+fn write_before<P: Pen>(pen: P, factor: &Expr, next: Option<&Expr>, ends: bool) -> Written<P> {
+    let is_safe = |next: &Expr| trigonometric(next).is_some() || matches!(next.node(), Node::Differential(_));
     match trigonometric(factor) {
-        Some((function, of, exponent)) if !safe => trigonometric_face(pen, function, of, exponent, true),
+        Some((function, of, exponent)) if !next.map_or(ends, is_safe) => {
+            trigonometric_face(pen, function, of, exponent, true)
+        }
         _ => write(pen, factor),
     }
 }
@@ -283,20 +318,23 @@ fn trigonometric(expr: &Expr) -> Option<(Function, &Expr, Option<Rational>)> {
 }
 
 fn trigonometric_face<P: Pen>(
-    pen: &P,
+    pen: P,
     function: Function,
     of: &Expr,
     exponent: Option<Rational>,
     fenced: bool,
-) -> Written {
+) -> Written<P> {
     let word = pen.word(function.name());
-    let word = exponent.map_or(word.clone(), |exponent| pen.raise(&word, &pen.exponent(exponent)));
+    let word = match exponent {
+        Some(exponent) => pen.raise(word, pen.exponent(exponent)),
+        None => word,
+    };
     let (argument, level) = write(pen, of);
     let is_simple = matches!(of.node(), Node::Symbol(_) | Node::Pi | Node::Number(_)) && level == Level::Atom;
     if is_simple && !fenced {
-        (pen.row(&[word, pen.apply(), argument]), Level::Prefix)
+        (pen.row(vec![word, pen.apply(), argument]), Level::Prefix)
     } else {
-        (pen.row(&[word, pen.fence('(', &argument, ')')]), Level::Prefix)
+        (pen.row(vec![word, pen.fence('(', argument, ')')]), Level::Prefix)
     }
 }
 
@@ -304,10 +342,14 @@ fn is_derivative(expr: &Expr) -> bool {
     matches!(expr.node(), Node::Partial(..))
 }
 
+fn is_conjugate(expr: &Expr) -> bool {
+    matches!(expr.node(), Node::Function(Function::Conj, _))
+}
+
 fn starts_with_digit(expr: &Expr) -> bool {
     match expr.node() {
         Node::Number(_) => true,
-        Node::Power(base, _) => matches!(base.node(), Node::Number(_)),
+        Node::Power(base, _) | Node::Function(Function::Conj, base) => matches!(base.node(), Node::Number(_)),
         _ => false,
     }
 }
@@ -331,91 +373,165 @@ fn is_letter(expr: &Expr) -> bool {
     }
 }
 
-fn quotient<P: Pen>(pen: &P, above: &Expr, below: &Expr) -> Written {
-    if !P::FLAT {
-        return (pen.fraction(&write(pen, above).0, &write(pen, below).0), Level::Script);
+fn quotient<P: Pen>(pen: P, above: &Expr, below: &Expr) -> Written<P> {
+    if !pen.is_flat() {
+        let pen_inside = pen.inner();
+        return (pen.fraction(write(pen_inside, above).0, write(pen_inside, below).0), Level::Script);
     }
-    let numerator = match trigonometric(above) {
-        // sin(θ)/v, since sin θ/v could be the sine of a quotient; sin θ₁/sin θ₂ could not.
-        Some((function, of, exponent)) if trigonometric(below).is_none() => {
-            trigonometric_face(pen, function, of, exponent, true).0
+    // sin(θ)/v, since sin θ/v could be the sine of a quotient; sin θ₁/sin θ₂ could not.
+    let ends = trigonometric(below).is_some();
+    let (denominator, level) = write(pen, below);
+    let is_fenced = level < Level::Prefix;
+    let denominator = if is_fenced { pen.fence('(', denominator, ')') } else { denominator };
+    let numerator = match (above.node(), trigonometric(above)) {
+        (Node::Product(factors), _) => {
+            let (face, level) = product(pen, factors, ends || is_fenced);
+            if level >= Level::Product { face } else { pen.fence('(', face, ')') }
         }
+        (_, Some((function, of, exponent))) if !ends => trigonometric_face(pen, function, of, exponent, true).0,
         _ => at_least(pen, above, Level::Product),
     };
-    (pen.fraction(&numerator, &at_least(pen, below, Level::Prefix)), Level::Slash)
+    (pen.fraction(numerator, denominator), Level::Slash)
 }
 
-fn power<P: Pen>(pen: &P, base: &Expr, exponent: Rational) -> Written {
+fn power<P: Pen>(pen: P, base: &Expr, exponent: Rational) -> Written<P> {
     if exponent.as_integer().is_some_and(|n| n >= 2)
         && let Node::Function(function, of) = base.node()
         && function.is_trigonometric()
     {
         return trigonometric_face(pen, *function, of, Some(exponent), false);
     }
-    (pen.raise(&at_least(pen, base, Level::Atom), &pen.exponent(exponent)), Level::Script)
+    (pen.raise(at_least(pen, base, Level::Atom), pen.exponent(exponent)), Level::Script)
 }
 
-fn apply<P: Pen>(pen: &P, function: Function, of: &Expr, fenced: bool) -> Written {
+fn apply<P: Pen>(pen: P, function: Function, of: &Expr) -> Written<P> {
     match function {
         Function::Sqrt => pen.root(write(pen, of)),
-        Function::Exp => pen.exponential(&write(pen, of).0),
-        Function::Abs => (pen.fence('|', &write(pen, of).0, '|'), Level::Atom),
-        Function::Conj => (pen.raise(&at_least(pen, of, Level::Atom), &pen.word("*")), Level::Script),
-        Function::Sin | Function::Cos | Function::Tan => trigonometric_face(pen, function, of, None, fenced),
+        Function::Exp => pen.exponential(write(pen.inner(), of).0),
+        Function::Abs => (pen.fence('|', write(pen, of).0, '|'), Level::Atom),
+        Function::Conj => (pen.raise(at_least(pen, of, Level::Atom), pen.word("*")), Level::Script),
+        Function::Sin | Function::Cos | Function::Tan => trigonometric_face(pen, function, of, None, false),
         Function::Asin | Function::Acos | Function::Atan | Function::Re | Function::Im => {
-            let argument = pen.fence('(', &write(pen, of).0, ')');
-            (pen.row(&[pen.word(function.name()), argument]), Level::Prefix)
+            let argument = pen.fence('(', write(pen, of).0, ')');
+            (pen.row(vec![pen.word(function.name()), argument]), Level::Prefix)
         }
     }
 }
 
-fn nabla_of<P: Pen>(pen: &P, nabla: Nabla, of: &Expr) -> String {
+fn nabla_of<P: Pen>(pen: P, nabla: Nabla, of: &Expr) -> P::Ink {
     let operand = at_least(pen, of, Level::Script);
     let del = pen.prefix('∇');
     match nabla {
-        Nabla::Gradient => pen.row(&[del, operand]),
-        Nabla::Divergence => pen.row(&[del, pen.infix(Sign::Dot), operand]),
-        Nabla::Curl => pen.row(&[del, pen.infix(Sign::Cross), operand]),
-        Nabla::Laplacian => pen.row(&[pen.raise(&del, &pen.exponent(Rational::integer(2))), operand]),
+        Nabla::Gradient => pen.row(vec![del, operand]),
+        Nabla::Divergence => pen.row(vec![del, pen.infix(Sign::Dot), operand]),
+        Nabla::Curl => pen.row(vec![del, pen.infix(Sign::Cross), operand]),
+        Nabla::Laplacian => pen.row(vec![pen.raise(del, pen.exponent(Rational::integer(2))), operand]),
     }
 }
 
-fn partial<P: Pen>(pen: &P, of: &Expr, by: &[Expr]) -> Written {
-    let raised = |mark: String, n: usize| match n {
+fn partial<P: Pen>(pen: P, of: &Expr, by: &[Expr]) -> Written<P> {
+    let inside = pen.inner();
+    let raised = |mark: P::Ink, n: usize| match n {
         1 => mark,
-        _ => pen.raise(&mark, &pen.exponent(Rational::integer(n as i64))),
+        _ => pen.raise(mark, pen.exponent(Rational::integer(n as i64))),
     };
     let mut below = Vec::new();
     for run in by.chunk_by(|a, b| a == b) {
         if !below.is_empty() {
             below.push(pen.gap(Gap::Differential));
         }
-        let variable = at_least(pen, &run[0], Level::Atom);
+        let variable = at_least(inside, &run[0], Level::Atom);
         below.extend([pen.prefix('∂'), raised(variable, run.len())]);
     }
     let several = by.chunk_by(|a, b| a == b).count() > 1;
-    let below = pen.row(&below);
-    let below = if P::FLAT && several { pen.fence('(', &below, ')') } else { below };
+    let below = pen.row(below);
+    let below = if pen.is_flat() && several { pen.fence('(', below, ')') } else { below };
     let above = raised(pen.prefix('∂'), by.len());
-    let (operand, level) = write(pen, of);
-    if P::FLAT || level >= Level::Script {
-        let operand = if level >= Level::Script { operand } else { pen.fence('(', &operand, ')') };
-        return (pen.fraction(&pen.row(&[above, operand]), &below), if P::FLAT { Level::Slash } else { Level::Script });
+    let (operand, level) = write(inside, of);
+    let bare = level >= Level::Script;
+    let operand = if bare { operand } else { pen.fence('(', operand, ')') };
+    if pen.is_flat() || bare {
+        let level = if pen.is_flat() { Level::Slash } else { Level::Script };
+        return (pen.fraction(pen.row(vec![above, operand]), below), level);
     }
-    let operand = pen.fence('(', &operand, ')');
-    (pen.row(&[pen.fraction(&above, &below), operand]), Level::Product)
+    (pen.row(vec![pen.fraction(above, below), operand]), Level::Product)
 }
 
-fn integral<P: Pen>(pen: &P, of: &Expr, by: &[Expr], range: &Range) -> String {
+/// dx; d(2) and d(a + b), which would otherwise be read as something else.
+fn differential<P: Pen>(pen: P, of: &Expr) -> P::Ink {
+    let (face, level) = write(pen, of);
+    let base = match of.node() {
+        Node::Power(base, _) | Node::Function(Function::Conj, base) => base,
+        _ => of,
+    };
+    let starts_with_name = matches!(base.node(), Node::Symbol(_) | Node::Apply(..) | Node::Mean(_));
+    let bare = level >= Level::Script && starts_with_name;
+    pen.row(vec![pen.prefix('d'), if bare { face } else { pen.fence('(', face, ')') }])
+}
+
+fn integral<P: Pen>(pen: P, of: &Expr, by: &[Expr], range: &Range) -> P::Ink {
     let sign = match range {
         Range::Whole => pen.integral('∫', None),
         Range::Closed => pen.integral('∮', None),
-        Range::Region(region) => pen.integral('∫', Some((&pen.name(&Name::parse(region.name()), region.rank()), None))),
-        Range::Between(from, to) => pen.integral('∫', Some((&write(pen, from).0, Some(&write(pen, to).0)))),
+        Range::Region(region) => pen.integral('∫', Some((name(pen, region), None))),
+        Range::Between(from, to) => {
+            let inside = pen.inner();
+            pen.integral('∫', Some((write(inside, from).0, Some(write(inside, to).0))))
+        }
     };
-    let mut parts = vec![sign, pen.gap(Gap::Loose), at_least(pen, of, Level::Slash)];
+    let integrand =
+        if takes_differentials(of) { pen.fence('(', write(pen, of).0, ')') } else { at_least(pen, of, Level::Slash) };
+    let mut parts = vec![sign, pen.gap(Gap::Loose), integrand];
     for variable in by {
-        parts.extend([pen.gap(Gap::Differential), pen.prefix('d'), at_least(pen, variable, Level::Script)]);
+        parts.extend([pen.gap(Gap::Differential), differential(pen, variable)]);
     }
-    pen.row(&parts)
+    pen.row(parts)
+}
+
+/// Whether the differentials after an integrand could be taken for its own.
+fn takes_differentials(integrand: &Expr) -> bool {
+    match integrand.node() {
+        Node::Product(factors) => factors.last().is_some_and(takes_differentials),
+        Node::Differential(_) | Node::Integral(..) => true,
+        _ => false,
+    }
+}
+
+/// The letters of a product that stand together. They must not spell a name: x i, not xi.
+#[derive(Default)]
+struct Word(String);
+
+impl Word {
+    /// Whether `factor` can join it; otherwise a new one begins.
+    fn takes(&mut self, factor: &Expr) -> bool {
+        self.0.extend(Self::letter(factor));
+        let is_word = ends_in_word(&self.0);
+        self.0.pop();
+        if is_word {
+            self.0.clear();
+        }
+        !is_word
+    }
+
+    fn push(&mut self, factor: &Expr) {
+        match Self::letter(factor) {
+            Some(letter) => self.0.push(letter),
+            None => self.0.clear(),
+        }
+        // An exponent ends it.
+        if matches!(factor.node(), Node::Power(..)) {
+            self.0.clear();
+        }
+    }
+
+    /// The letter that `factor` starts with, if it is one; any other mark for what is not in the Latin alphabet.
+    fn letter(factor: &Expr) -> Option<char> {
+        match factor.node() {
+            Node::ImaginaryUnit => Some('i'),
+            Node::Power(base, _) => Self::letter(base),
+            Node::Symbol(symbol) if symbol.name().len() == 1 => symbol.name().chars().next(),
+            Node::Symbol(_) | Node::Pi => Some('π'),
+            _ => None,
+        }
+    }
 }

@@ -25,6 +25,32 @@ pub(super) fn greek(name: &str) -> Option<(char, &'static str)> {
     GREEK.iter().find(|(known, ..)| *known == name).map(|(_, letter, command)| (*letter, *command))
 }
 
+/// The English name of a Greek letter, as symbols bear it.
+pub(in super::super) fn greek_name(letter: char) -> Option<&'static str> {
+    GREEK.iter().find(|(_, known, _)| *known == letter).map(|(name, ..)| *name)
+}
+
+/// Whether `word` is the English name of a Greek letter.
+pub(in super::super) fn is_greek(word: &str) -> bool {
+    greek(word).is_some()
+}
+
+/// Whether `letters`, as neighbours in a product, would begin with a word that means something else: xi, ln.
+pub(in super::super) fn spells(letters: &str) -> bool {
+    GREEK.iter().map(|(name, ..)| *name).chain(WORDS).any(|word| letters.starts_with(word))
+}
+
+/// Whether they would end with one.
+pub(super) fn ends_in_word(letters: &str) -> bool {
+    GREEK.iter().map(|(name, ..)| *name).chain(WORDS).any(|word| letters.ends_with(word))
+}
+
+/// Words for functions.
+const WORDS: [&str; 17] = [
+    "sin", "cos", "tan", "exp", "sqrt", "conj", "abs", "Re", "Im", "cot", "sec", "csc", "cis", "ln", "log", "max",
+    "min",
+];
+
 const GREEK: [(&str, char, &str); 35] = [
     ("alpha", 'α', r"\alpha"),
     ("beta", 'β', r"\beta"),

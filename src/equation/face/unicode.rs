@@ -3,6 +3,7 @@
 use super::name::{Name, greek};
 use super::{Gap, Level, Pen, Rank, Rational, Sign, Written};
 
+#[derive(Clone, Copy)]
 pub(super) struct Unicode;
 
 /// `text` in raised characters, where every one of them exists.
@@ -10,32 +11,61 @@ pub(in super::super) fn superscript(text: &str) -> Option<String> {
     text.chars().map(|c| RAISED.iter().find(|(plain, _)| *plain == c).map(|(_, raised)| *raised)).collect()
 }
 
-fn subscript(text: &str) -> Option<String> {
+/// `text` in lowered characters, where every one of them exists.
+pub(super) fn subscript(text: &str) -> Option<String> {
     text.chars().map(|c| LOWERED.iter().find(|(plain, _)| *plain == c).map(|(_, lowered)| *lowered)).collect()
 }
 
-impl Pen for Unicode {
-    const FLAT: bool = true;
+/// What the raised or lowered character stands for, and whether it is raised.
+pub(in super::super) fn plain(small: char) -> Option<(char, bool)> {
+    let find = |table: &[(char, char)]| table.iter().find(|(_, shifted)| *shifted == small).map(|(plain, _)| *plain);
+    find(&RAISED).map(|c| (c, true)).or_else(|| find(&LOWERED).map(|c| (c, false)))
+}
 
-    fn name(&self, name: &Name, _rank: Rank) -> String {
+/// The fraction that a character such as ½ stands for.
+pub(in super::super) fn vulgar(glyph: char) -> Option<Rational> {
+    let (numerator, denominator, _) = VULGAR.iter().find(|(.., known)| *known == glyph)?;
+    Rational::new(*numerator, *denominator)
+}
+
+/// A number in one piece: its digits, or its character.
+pub(super) fn number(value: Rational) -> Option<String> {
+    let vulgar = VULGAR.iter().find(|(n, d, _)| (*n, *d) == (value.numerator(), value.denominator()));
+    vulgar.map(|(.., glyph)| glyph.to_string()).or_else(|| decimal(value))
+}
+
+impl Pen for Unicode {
+    type Ink = String;
+    const RAISES: bool = false;
+
+    fn is_flat(self) -> bool {
+        true
+    }
+
+    fn inner(self) -> Self {
+        self
+    }
+
+    fn name(self, name: &Name, _rank: Rank) -> String {
         let letter = |word: &str| greek(word).map_or(word.to_owned(), |(letter, _)| letter.to_string());
         let index = match name.index {
             "" => String::new(),
-            index => subscript(index).unwrap_or_else(|| format!("_{}", letter(index))),
+            index => match greek(index) {
+                Some((letter, _)) => format!("_{letter}"),
+                None => subscript(index).unwrap_or_else(|| format!("_{index}")),
+            },
         };
         format!("{}{index}{}", letter(name.base), "′".repeat(name.primes))
     }
 
-    fn number(&self, value: Rational) -> Written {
-        let vulgar = VULGAR.iter().find(|(n, d, _)| (*n, *d) == (value.numerator(), value.denominator()));
-        match (vulgar, decimal(value)) {
-            (Some((.., glyph)), _) => (glyph.to_string(), Level::Atom),
-            (None, Some(digits)) => (digits, Level::Atom),
-            (None, None) => (value.to_string(), Level::Slash),
+    fn number(self, value: Rational) -> Written<Self> {
+        match number(value) {
+            Some(face) => (face, Level::Atom),
+            None => (value.to_string(), Level::Slash),
         }
     }
 
-    fn infix(&self, sign: Sign) -> String {
+    fn infix(self, sign: Sign) -> String {
         match sign {
             Sign::Plus => " + ",
             Sign::Minus => " − ",
@@ -50,27 +80,27 @@ impl Pen for Unicode {
         .to_owned()
     }
 
-    fn prefix(&self, mark: char) -> String {
+    fn prefix(self, mark: char) -> String {
         mark.to_string()
     }
 
-    fn word(&self, word: &str) -> String {
+    fn word(self, word: &str) -> String {
         word.to_owned()
     }
 
-    fn apply(&self) -> String {
+    fn apply(self) -> String {
         " ".to_owned()
     }
 
-    fn gap(&self, gap: Gap) -> String {
+    fn gap(self, gap: Gap) -> String {
         if gap == Gap::Tight { String::new() } else { " ".to_owned() }
     }
 
-    fn fraction(&self, above: &str, below: &str) -> String {
+    fn fraction(self, above: String, below: String) -> String {
         format!("{above}/{below}")
     }
 
-    fn root(&self, (of, level): Written) -> Written {
+    fn root(self, (of, level): Written<Self>) -> Written<Self> {
         if level == Level::Atom && !of.contains(['(', '|', '⟨']) {
             (format!("√{of}"), Level::Prefix)
         } else {
@@ -78,40 +108,48 @@ impl Pen for Unicode {
         }
     }
 
-    fn exponential(&self, of: &str) -> Written {
+    fn exponential(self, of: String) -> Written<Self> {
         (format!("exp({of})"), Level::Atom)
     }
 
-    fn raise(&self, base: &str, exponent: &str) -> String {
-        match superscript(exponent) {
+    fn raise(self, base: String, exponent: String) -> String {
+        match superscript(&exponent) {
             Some(raised) => format!("{base}{raised}"),
             None if exponent == "*" => format!("{base}*"),
             None => format!("{base}^({exponent})"),
         }
     }
 
-    fn exponent(&self, value: Rational) -> String {
-        value.to_string()
+    fn exponent(self, value: Rational) -> String {
+        value.to_string().replace('-', "−")
     }
 
-    fn fence(&self, open: char, inner: &str, close: char) -> String {
+    fn fence(self, open: char, inner: String, close: char) -> String {
         format!("{open}{inner}{close}")
     }
 
-    fn integral(&self, sign: char, bounds: Option<(&str, Option<&str>)>) -> String {
-        let script = |mark, text: &str, small: Option<String>| match small {
+    fn integral(self, sign: char, bounds: Option<(String, Option<String>)>) -> String {
+        let script = |mark, text: String, small: Option<String>| match small {
             Some(small) => small,
             None if text.chars().count() == 1 => format!("{mark}{text}"),
             None => format!("{mark}({text})"),
         };
         let Some((lower, upper)) = bounds else { return sign.to_string() };
-        let lower = script('_', lower, subscript(lower));
-        let upper = upper.map_or(String::new(), |upper| script('^', upper, superscript(upper)));
+        let small = subscript(&lower);
+        let lower = script('_', lower, small);
+        let upper = upper.map_or(String::new(), |upper| {
+            let small = superscript(&upper);
+            script('^', upper, small)
+        });
         format!("{sign}{lower}{upper}")
     }
 
-    fn row(&self, parts: &[String]) -> String {
+    fn row(self, parts: Vec<String>) -> String {
         parts.concat()
+    }
+
+    fn opens(self, face: &String) -> bool {
+        face.starts_with('(')
     }
 }
 

@@ -86,7 +86,8 @@ pub(super) fn factor(term: &Term, _: &Scene, found: &mut Found) {
     for (base, _) in terms.iter().flat_map(|term| positive(term.factors().1)) {
         let has = |term: &Term| term.factors().1.iter().any(|(known, e)| *known == base && !e.is_negative());
         let members: Vec<bool> = terms.iter().map(has).collect();
-        let group: Vec<&Term> = terms.iter().zip(&members).filter(|(_, member)| **member).map(|(term, _)| term).collect();
+        let group: Vec<&Term> =
+            terms.iter().zip(&members).filter(|(_, member)| **member).map(|(term, _)| term).collect();
         if group.len() < 2 || seen.contains(&members) {
             continue;
         }
@@ -111,9 +112,10 @@ pub(super) fn cancel(term: &Term, _: &Scene, found: &mut Found) {
             shared.push((base.clone(), *e));
             continue;
         }
+        let by = inverse(&common);
         let taken: Vec<Power> = common.into_iter().filter_map(|(b, f)| Some((b, multiply(f, *e)?))).collect();
         parts.extend(taken.iter().cloned());
-        parts.push((base.over(&Term::product(taken.iter().cloned()).power(*e)), *e));
+        parts.push((Term::sum(all.iter().map(|term| term.times(&by))), *e));
         shared.extend(taken);
     }
     let mut gone = Vec::new();
@@ -145,8 +147,13 @@ pub(super) fn divide(term: &Term, _: &Scene, found: &mut Found) {
     for (above, _) in sums(false) {
         for (below, _) in sums(true) {
             if let Some(quotient) = quotient(above, below) {
-                let rest = factors.iter().map(|(base, e)| (base.clone(), if base == above { less_one(*e) } else { *e }));
-                let via = rest.chain([(quotient, Rational::ONE), (below.clone(), Rational::ONE), (Term::number(*c), Rational::ONE)]);
+                let rest =
+                    factors.iter().map(|(base, e)| (base.clone(), if base == above { less_one(*e) } else { *e }));
+                let via = rest.chain([
+                    (quotient, Rational::ONE),
+                    (below.clone(), Rational::ONE),
+                    (Term::number(*c), Rational::ONE),
+                ]);
                 let via: Vec<Power> = via.filter(|(_, e)| !e.is_zero()).collect();
                 found.push(Rewrite { to: Term::product(via.clone()), about: Some(below.clone()), via });
             }
@@ -172,6 +179,20 @@ fn quotient(above: &Term, below: &Term) -> Option<Term> {
         result.push(next);
     }
     None
+}
+
+/// c/(a + b) → c(a − b)/(a² − b²)
+pub(super) fn conjugate(term: &Term, _: &Scene, found: &mut Found) {
+    let (_, factors) = term.factors();
+    for (base, e) in factors {
+        if let [a, b] = base.terms()
+            && e == Rational::integer(-1)
+        {
+            let (other, product) = (a.minus(b), a.squared().minus(&b.squared()));
+            let to = term.times(&other).times(&base).over(&product);
+            found.push(Rewrite::about(other, to));
+        }
+    }
 }
 
 /// a/b + c/d → (ad + cb)/(bd)
@@ -242,9 +263,10 @@ pub(super) fn expand_square(term: &Term, _: &Scene, found: &mut Found) {
         if absolute(e) != Rational::integer(2) || parts.len() > 3 {
             continue;
         }
-        let cross = parts.iter().enumerate().flat_map(|(at, a)| {
-            parts[at + 1..].iter().map(move |b| a.times(b).scaled(Rational::integer(2)))
-        });
+        let cross = parts
+            .iter()
+            .enumerate()
+            .flat_map(|(at, a)| parts[at + 1..].iter().map(move |b| a.times(b).scaled(Rational::integer(2))));
         let square = Term::sum(parts.iter().map(Term::squared).chain(cross));
         let half = if e.is_negative() { Rational::integer(-1) } else { Rational::ONE };
         found.push(Term::product([(term.over(&base.power(e)), Rational::ONE), (square, half)]).into());
@@ -336,13 +358,17 @@ pub(super) fn join_exponentials(term: &Term, _: &Scene, found: &mut Found) {
         }
     }
     if count > 1 {
-        let joined = Term::function(Function::Exp, Term::sum(exponent));
-        found.push(Term::product(rest.into_iter().chain([(joined, Rational::ONE), (Term::number(c), Rational::ONE)])).into());
+        let exponent = Term::sum(exponent);
+        let all: Vec<&Term> = exponent.terms().iter().collect();
+        let joined = Term::function(Function::Exp, take_out(&all, &positive(common_factor(&all))));
+        found.push(
+            Term::product(rest.into_iter().chain([(joined, Rational::ONE), (Term::number(c), Rational::ONE)])).into(),
+        );
     }
 }
 
 /// e^(a + b) → e^a e^b, and e^(na) → (e^a)ⁿ
-pub(super) fn split_exponential(term: &Term, _: &Scene, found: &mut Found) {
+pub(super) fn split_exponential(term: &Term, scene: &Scene, found: &mut Found) {
     let Form::Function(Function::Exp, of) = term.form() else { return };
     let part = |part: &Term| {
         let times = part.coefficient().as_integer().filter(|n| n.abs() > 1 || *n == -1);
@@ -350,6 +376,9 @@ pub(super) fn split_exponential(term: &Term, _: &Scene, found: &mut Found) {
         let inverse = Rational::new(times.denominator(), times.numerator())?;
         Some((Term::function(Function::Exp, part.scaled(inverse)), times))
     };
+    let mut expanded = Found::new();
+    expand(of, scene, &mut expanded);
+    let of = expanded.first().map_or(of, |rewrite| &rewrite.to);
     let Some(parts) = of.terms().iter().map(part).collect::<Option<Vec<_>>>() else { return };
     let split = Term::product(parts);
     if split != *term {
@@ -358,33 +387,36 @@ pub(super) fn split_exponential(term: &Term, _: &Scene, found: &mut Found) {
 }
 
 /// Two terms of a sum without what they have in common, and how to put another term in their place.
-pub(super) struct Pair {
+pub(super) struct Pair<'a> {
     pub a: Term,
     pub b: Term,
     common: Term,
-    rest: Term,
+    terms: &'a [Term],
+    at: [usize; 2],
 }
 
-impl Pair {
+impl Pair<'_> {
     /// The sum with `joined` instead of the two.
     pub fn replace(&self, joined: &Term) -> Rewrite {
-        self.rest.plus(&self.common.times(joined)).into()
+        let others = self.terms.iter().enumerate().filter(|(at, _)| !self.at.contains(at));
+        let joined = self.common.times(joined);
+        Term::sum(others.map(|(_, term)| term.clone()).chain([joined])).into()
     }
 }
 
 /// Every two terms of a sum, in both orders.
-pub(super) fn pairs(term: &Term) -> Vec<Pair> {
+pub(super) fn pairs(term: &Term) -> Vec<Pair<'_>> {
     let Form::Sum(terms) = term.form() else { return vec![] };
     let mut found = Vec::new();
     if terms.len() > WIDEST {
         return found;
     }
     for (i, first) in terms.iter().enumerate() {
-        for (j, second) in terms.iter().enumerate().filter(|(j, _)| *j != i) {
+        for (j, second) in terms.iter().enumerate().skip(i + 1) {
             let common = Term::product(common_factor(&[first, second]));
-            let others = terms.iter().enumerate().filter(|(k, _)| *k != i && *k != j);
-            let rest = Term::sum(others.map(|(_, term)| term.clone()));
-            found.push(Pair { a: first.over(&common), b: second.over(&common), common, rest });
+            let (a, b) = (first.over(&common), second.over(&common));
+            found.push(Pair { a: b.clone(), b: a.clone(), common: common.clone(), terms, at: [j, i] });
+            found.push(Pair { a, b, common, terms, at: [i, j] });
         }
     }
     found

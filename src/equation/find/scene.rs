@@ -19,6 +19,8 @@ pub(super) struct Scene {
     pub givens: Vec<Substitution>,
     /// What the start, the goal and the hypotheses take sines, cosines and tangents of.
     angles: HashSet<Term>,
+    /// Whether there is an exponential in sight.
+    pub is_exponential: bool,
 }
 
 /// A hypothesis in canonical form.
@@ -38,7 +40,7 @@ impl Scene {
                 symbols.push(symbol.clone());
             }
         }
-        let mut scene = Self { values: vec![], symbols, givens: vec![], angles: HashSet::new() };
+        let mut scene = Self { values: vec![], symbols, givens: vec![], angles: HashSet::new(), is_exponential: false };
         for attempt in 0..ATTEMPTS {
             scene.values = scene.draw(attempt, given)?;
             let terms = [scene.term(exprs[0])?, scene.term(exprs[1])?];
@@ -47,7 +49,7 @@ impl Scene {
                 return Ok(scene);
             }
         }
-        Err(NotFound::NotAlgebraic("no finite value at the points tried".to_owned()))
+        Err(NotFound::NotAlgebraic("a division by zero, or numbers out of range".to_owned()))
     }
 
     fn take_in(&mut self, terms: &[Term], given: &[Given]) -> Result<(), NotFound> {
@@ -60,6 +62,7 @@ impl Scene {
             collect_angles(term, &mut angles);
         }
         self.angles = angles;
+        self.is_exponential = terms.iter().any(has_exponential);
         Ok(())
     }
 
@@ -135,10 +138,12 @@ impl Scene {
         bindings: &mut Bindings<Complex64>,
         solved: &[&Symbol],
     ) -> Result<&'a Symbol, NotFound> {
-        let gap = |bindings: &Bindings<Complex64>| (&given.what - &given.value).evaluate(bindings).map_err(not_algebraic);
+        let gap =
+            |bindings: &Bindings<Complex64>| (&given.what - &given.value).evaluate(bindings).map_err(not_algebraic);
         let unsolvable = || NotFound::NotAlgebraic(format!("{} := {}", given.what, given.value));
         let start = gap(bindings)?;
-        let free = given.what.symbols().into_iter().rev().filter(|symbol| solved.iter().all(|s| s.name() != symbol.name()));
+        let free =
+            given.what.symbols().into_iter().rev().filter(|symbol| solved.iter().all(|s| s.name() != symbol.name()));
         for symbol in free {
             let mut last = (point(symbol, 0) + 0.125, Complex64::ZERO);
             bindings.bind(symbol.name(), last.0);
@@ -161,6 +166,17 @@ impl Scene {
         }
         Err(unsolvable())
     }
+}
+
+/// Whether an expression, small enough to walk, is a number by itself, without derivatives and the like.
+pub(super) fn is_scalar(expr: &Expr) -> bool {
+    let itself = match expr.node() {
+        Node::Symbol(symbol) | Node::Apply(symbol, _) => symbol.rank() == Rank::Scalar,
+        Node::Number(_) | Node::Pi | Node::ImaginaryUnit | Node::Sum(_) | Node::Product(_) => true,
+        Node::Quotient(..) | Node::Power(..) | Node::Negate(_) | Node::Function(..) => true,
+        _ => false,
+    };
+    itself && expr.children().into_iter().all(is_scalar)
 }
 
 /// How many pairs of points are tried for one where everything is finite.
@@ -196,25 +212,43 @@ fn collect_angles(term: &Term, found: &mut HashSet<Term>) {
     }
 }
 
+/// What replacing parts of a term makes of it.
+#[derive(Clone, Debug)]
+pub(super) struct Image {
+    pub to: Term,
+    /// At how many places something was replaced.
+    pub places: usize,
+    /// Factors above and below the line that met in consequence, and are gone.
+    pub cancelled: Vec<Term>,
+}
+
+impl Image {
+    pub fn new(to: Term, places: usize) -> Self {
+        Self { to, places, cancelled: vec![] }
+    }
+}
+
+fn has_exponential(term: &Term) -> bool {
+    match term.form() {
+        Form::Function(function, of) => *function == Function::Exp || has_exponential(of),
+        Form::Sum(parts) => parts.iter().any(has_exponential),
+        Form::Product(_, factors) => factors.iter().any(|(base, _)| has_exponential(base)),
+        _ => false,
+    }
+}
+
 impl Substitution {
-    /// `term` with this hypothesis put in wherever it applies, and at how many places.
-    pub fn apply(&self, term: &Term) -> (Term, usize) {
+    /// `term` with this hypothesis put in wherever it applies.
+    pub fn apply(&self, term: &Term) -> Image {
         if *term == self.what {
-            return (self.value.clone(), 1);
+            return Image::new(self.value.clone(), 1);
         }
-        let mut places = 0;
-        let image = map(term, &mut |child| {
-            let (image, count) = self.apply(child);
-            places += count;
-            image
-        });
-        match self.times_in(&image) {
-            Some(times) => {
-                let ratio = Term::over(&self.value, &self.what).power(times);
-                (image.times(&ratio), places + 1)
-            }
-            None => (image, places),
+        let mut image = map(term, &mut |child| self.apply(child));
+        if let Some(times) = self.times_in(&image.to) {
+            image.to = image.to.times(&Term::over(&self.value, &self.what).power(times));
+            image.places += 1;
         }
+        image
     }
 
     /// How many times a product of several powers is contained in `term`.
@@ -233,23 +267,44 @@ impl Substitution {
 }
 
 /// The same outermost part over other terms.
-pub(super) fn map(term: &Term, image: &mut impl FnMut(&Term) -> Term) -> Term {
-    match term.form() {
+pub(super) fn map(term: &Term, image: &mut impl FnMut(&Term) -> Image) -> Image {
+    let mut whole = Image::new(term.clone(), 0);
+    let mut part = |child: &Term| {
+        let image = image(child);
+        whole.places += image.places;
+        whole.cancelled.extend(image.cancelled);
+        image.to
+    };
+    let to = match term.form() {
         Form::Sum(parts) => {
-            let images: Vec<Term> = parts.iter().map(&mut *image).collect();
-            if images == *parts { term.clone() } else { Term::sum(images) }
+            let images: Vec<Term> = parts.iter().map(part).collect();
+            (images != *parts).then(|| Term::sum(images))
         }
         Form::Product(c, factors) => {
-            let images: Vec<Power> = factors.iter().map(|(base, e)| (image(base), *e)).collect();
-            if images == *factors {
-                return term.clone();
-            }
-            Term::product(images.into_iter().chain([(Term::number(*c), Rational::ONE)]))
+            let images: Vec<Power> = factors.iter().map(|(base, e)| (part(base), *e)).collect();
+            (images != *factors).then(|| {
+                whole.cancelled.extend(opposed(&images));
+                Term::product(images.into_iter().chain([(Term::number(*c), Rational::ONE)]))
+            })
         }
         Form::Function(function, of) => {
-            let inner = image(of);
-            if inner == *of { term.clone() } else { Term::function(*function, inner) }
+            let inner = part(of);
+            (inner != *of).then(|| Term::function(*function, inner))
         }
-        _ => term.clone(),
-    }
+        _ => None,
+    };
+    whole.to = to.unwrap_or(whole.to);
+    whole
+}
+
+/// The bases that occur both above and below the line in a product of products.
+fn opposed(images: &[Power]) -> Vec<Term> {
+    let inner = images.iter().flat_map(|(image, e)| {
+        image.factors().1.into_iter().map(|(base, f)| (base, f.is_negative() != e.is_negative()))
+    });
+    let all: Vec<(Term, bool)> = inner.collect();
+    let is_met = |(base, below): &&(Term, bool)| !below && all.contains(&(base.clone(), true));
+    let mut met: Vec<Term> = all.iter().filter(is_met).map(|(base, _)| base.clone()).collect();
+    met.dedup();
+    met
 }

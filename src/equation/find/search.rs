@@ -19,6 +19,8 @@ pub(super) struct Edge {
 
 /// States that are looked at before the search gives up.
 const MOST_STATES: usize = 20_000;
+/// The size of everything that rules come up with before the search gives up: a second's work.
+const MOST_WORK: usize = 1_000_000;
 /// How much larger than the larger end a state may be.
 const GROWTH: usize = 40;
 /// Expansions, as a multiple of those up to the first way found, during which a better one is looked for.
@@ -48,11 +50,12 @@ pub(super) fn search(scene: &Scene, start: &Term, goal: &Term) -> Result<Vec<Edg
     let largest = start.size().max(goal.size()) + GROWTH;
     let scale = rounding(start).max(rounding(goal));
     let mut moves = Moves::new(scene);
-    let mut sides = [Side::new(start, goal), Side::new(goal, start)];
+    let mut sides = [Side::new(start, goal, false), Side::new(goal, start, true)];
     let mut best: Option<(u32, Term)> = None;
     let mut expanded = 0;
     let mut patience = usize::MAX;
-    while expanded < patience && sides[0].states.len() + sides[1].states.len() < MOST_STATES {
+    let mut work = 0;
+    while expanded < patience && work < MOST_WORK && sides[0].states.len() + sides[1].states.len() < MOST_STATES {
         let Some(from) = sides[expanded % 2].next() else {
             if sides[(expanded + 1) % 2].queue.is_empty() {
                 break;
@@ -64,15 +67,16 @@ pub(super) fn search(scene: &Scene, start: &Term, goal: &Term) -> Result<Vec<Edg
         let (side, other) = if expanded % 2 == 0 { (&mut one[0], &other[0]) } else { (&mut other[0], &one[0]) };
         expanded += 1;
         for step in moves.of(&side.states[from].term) {
-            if step.to.size() > largest || !agree(step.to.values(), start.values(), scale) {
+            work += step.image.to.size();
+            if step.image.to.size() > largest || !agree(step.image.to.values(), start.values(), scale) {
                 continue;
             }
             let Some((to, cost)) = side.reach(from, &step) else { continue };
-            if let Some(met) = other.known.get(&step.to) {
+            if let Some(met) = other.known.get(&step.image.to) {
                 let total = cost + other.states[*met].cost;
                 if best.as_ref().is_none_or(|(least, _)| total < *least) {
                     best = Some((total, side.states[to].term.clone()));
-                    patience = patience.min(PATIENCE * expanded + 20);
+                    patience = patience.min(PATIENCE * expanded + 12);
                 }
             }
         }
@@ -84,7 +88,7 @@ pub(super) fn search(scene: &Scene, start: &Term, goal: &Term) -> Result<Vec<Edg
 /// From the start to where the two sides met, and on to the goal.
 fn way(sides: &[Side; 2], meeting: &Term) -> Vec<Edge> {
     let there = sides[0].back_from(meeting).into_iter().rev();
-    let there = there.map(|(_, step)| Edge { to: step.to.clone(), step, reversed: false });
+    let there = there.map(|(_, step)| Edge { to: step.image.to.clone(), step, reversed: false });
     let onwards = sides[1].back_from(meeting).into_iter().map(|(to, step)| Edge { to, step, reversed: true });
     there.chain(onwards).collect()
 }
@@ -97,12 +101,12 @@ fn shorten(moves: &mut Moves, start: &Term, way: Vec<Edge>) -> Vec<Edge> {
         let here = short.last().map_or(start, |edge| &edge.to).clone();
         let options = moves.of(&here);
         let jump = (at + 1..way.len()).rev().find_map(|later| {
-            let step = options.iter().find(|step| step.to == way[later].to)?;
-            let skipped: u32 = way[at..=later].iter().map(|edge| edge.step.reason.cost()).sum();
-            (step.reason.cost() < skipped).then(|| (later, step.clone()))
+            let step = options.iter().find(|step| step.image.to == way[later].to)?;
+            let skipped: u32 = way[at..=later].iter().map(|edge| edge.step.cost(edge.reversed)).sum();
+            (step.cost(false) < skipped).then(|| (later, step.clone()))
         });
         let (last, edge) = match jump {
-            Some((later, step)) => (later, Edge { to: step.to.clone(), step, reversed: false }),
+            Some((later, step)) => (later, Edge { to: step.image.to.clone(), step, reversed: false }),
             None => (at, way[at].clone()),
         };
         short.push(edge);
@@ -123,6 +127,8 @@ struct Side {
     states: Vec<State>,
     known: HashMap<Term, usize>,
     queue: BinaryHeap<Reverse<(u32, usize)>>,
+    /// Whether it starts from the goal.
+    is_backward: bool,
     /// The atoms of the other end, sorted.
     aim: Vec<u64>,
     /// The size of the larger end.
@@ -130,11 +136,12 @@ struct Side {
 }
 
 impl Side {
-    fn new(from: &Term, to: &Term) -> Self {
+    fn new(from: &Term, to: &Term, is_backward: bool) -> Self {
         let mut side = Self {
             states: vec![State { term: from.clone(), parent: None, cost: 0 }],
             known: HashMap::from([(from.clone(), 0)]),
             queue: BinaryHeap::new(),
+            is_backward,
             aim: atoms(to),
             size: from.size().max(to.size()),
         };
@@ -148,10 +155,10 @@ impl Side {
 
     /// Notes the state that `step` leads to, unless it was reached as cheaply before.
     fn reach(&mut self, from: usize, step: &Move) -> Option<(usize, u32)> {
-        let growth = step.to.size().saturating_sub(self.size) as u32;
-        let cost = self.states[from].cost + step.reason.cost() + growth / 4;
+        let growth = step.image.to.size().saturating_sub(self.size) as u32;
+        let cost = self.states[from].cost + step.cost(self.is_backward) + growth / 4;
         let parent = Some((from, step.clone()));
-        let at = match self.known.entry(step.to.clone()) {
+        let at = match self.known.entry(step.image.to.clone()) {
             Entry::Occupied(known) if self.states[*known.get()].cost <= cost => return None,
             Entry::Occupied(known) => {
                 let at = *known.get();
@@ -161,9 +168,9 @@ impl Side {
             }
             Entry::Vacant(free) => *free.insert(self.states.len()),
         };
-        self.states.push(State { term: step.to.clone(), parent, cost });
-        let distance = strangers(&atoms(&step.to), &self.aim) as u32;
-        self.queue.push(Reverse((cost + step.to.size() as u32 + 3 * distance, at)));
+        self.states.push(State { term: step.image.to.clone(), parent, cost });
+        let distance = strangers(&atoms(&step.image.to), &self.aim) as u32;
+        self.queue.push(Reverse((cost + step.image.to.size() as u32 + 3 * distance, at)));
         Some((at, cost))
     }
 

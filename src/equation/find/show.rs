@@ -9,15 +9,15 @@ use std::cmp::Reverse;
 /// Writes terms as expressions.
 pub(super) struct Writer<'a> {
     scene: &'a Scene,
-    /// The sums of the line before, in its order.
+    /// The sums of other lines, in their order.
     sums: Vec<Vec<Term>>,
 }
 
 impl<'a> Writer<'a> {
-    /// A writer that keeps the order of `before` where it can.
-    pub fn after(scene: &'a Scene, before: &Expr) -> Self {
+    /// A writer that keeps the order of the first of `models` where it can, else that of a later one.
+    pub fn after<'b>(scene: &'a Scene, models: impl IntoIterator<Item = &'b Expr>) -> Self {
         let mut writer = Self { scene, sums: Vec::new() };
-        writer.collect_sums(before);
+        models.into_iter().for_each(|model| writer.collect_sums(model));
         writer
     }
 
@@ -27,6 +27,14 @@ impl<'a> Writer<'a> {
         }
         for child in expr.children() {
             self.collect_sums(child);
+        }
+    }
+
+    /// `term` as a factor, whatever its sign.
+    pub fn factor(&self, term: &Term) -> Expr {
+        match term.form() {
+            Form::Sum(terms) => self.row(&self.oriented(terms).1),
+            _ => self.expr(term),
         }
     }
 
@@ -40,15 +48,31 @@ impl<'a> Writer<'a> {
             Form::Apply(index, parts) => {
                 self.scene.symbol(*index).at(parts.iter().map(|part| self.expr(part)).collect::<Vec<_>>())
             }
-            Form::Function(function, of) => function.of(self.expr(of)),
-            Form::Sum(terms) => self.sum(terms),
+            Form::Function(function, of) => {
+                let (is_negative, face) = self.function(*function, of);
+                if is_negative { -face } else { face }
+            }
+            Form::Sum(terms) => self.sum(term, terms),
+        }
+    }
+
+    /// A function, of an argument of the other sign where that reads better, and whether that changes its own.
+    fn function(&self, function: Function, of: &Term) -> (bool, Expr) {
+        let is_odd = matches!(function, Function::Sin | Function::Tan);
+        match of.form() {
+            Form::Sum(terms) if is_odd || function == Function::Cos => {
+                let (flipped, _) = self.oriented(terms);
+                let of = if flipped { of.negated() } else { of.clone() };
+                (flipped && is_odd, function.of(self.expr(&of)))
+            }
+            _ => (false, function.of(self.expr(of))),
         }
     }
 
     /// A sum that stands alone: over the denominator that all its coefficients have.
-    fn sum(&self, terms: &[Term]) -> Expr {
-        let below = terms[0].coefficient().denominator();
-        if below > 1 && terms.iter().all(|term| term.coefficient().denominator() == below) {
+    fn sum(&self, whole: &Term, terms: &[Term]) -> Expr {
+        let below = whole.content().denominator();
+        if terms.iter().filter(|term| term.coefficient().as_integer().is_none()).count() > 1 {
             let whole: Vec<Term> = terms.iter().map(|term| term.scaled(Rational::integer(below))).collect();
             return self.row(&self.ordered(&whole)) / number(below);
         }
@@ -57,42 +81,45 @@ impl<'a> Writer<'a> {
 
     /// Terms one after the other.
     fn row(&self, terms: &[Term]) -> Expr {
-        let written = terms.iter().map(|term| (term.coefficient().is_negative(), term));
-        let sum = written.fold(None, |sum: Option<Expr>, (is_negative, term)| {
-            Some(match sum {
-                None => self.expr(term),
-                Some(sum) if is_negative => sum - self.expr(&term.negated()),
-                Some(sum) => sum + self.expr(term),
-            })
+        let faces = terms.iter().map(|term| self.expr(term));
+        let sum = faces.reduce(|sum, face| match face.node() {
+            Node::Negate(of) => sum - of,
+            _ => sum + face,
         });
         sum.unwrap_or_else(|| 0.into())
     }
 
     /// The product of factors, which may occur above and below the line at once.
     pub fn fraction(&self, coefficient: Rational, factors: &[Power]) -> Expr {
+        let (numbers, factors): (Vec<Power>, Vec<Power>) =
+            factors.iter().cloned().partition(|(base, e)| base.as_number().is_some() && e.as_integer().is_some());
+        let coefficient = Term::product(numbers).scaled(coefficient).as_number().unwrap_or(coefficient);
         let mut is_negative = coefficient.is_negative();
         let mut sides: [Vec<(&Term, Expr)>; 2] = [vec![], vec![]];
-        let mut flippable = None;
-        for (base, e) in self.in_order(factors) {
+        let mut flippable: Option<(usize, usize, Expr)> = None;
+        for (base, e) in self.in_order(&factors) {
             let below = usize::from(e.is_negative());
             let e = if e.is_negative() { e.negated() } else { *e };
-            let mut face = self.expr(base);
-            if let Form::Sum(terms) = base.form()
-                && e.as_integer().is_some_and(|n| n % 2 == 1)
-            {
-                let (flipped, ordered) = self.oriented(terms);
-                is_negative ^= flipped;
-                face = self.row(&ordered);
-                if ordered.iter().any(|term| term.coefficient().is_negative()) && flippable.is_none() && below == 0 {
-                    let other: Vec<Term> = ordered.iter().map(Term::negated).collect();
-                    flippable = Some((sides[0].len(), positive_first(other), e));
+            let is_odd = e.as_integer().is_some_and(|n| n % 2 == 1);
+            let (flipped, face) = match base.form() {
+                Form::Function(function, of) if e.as_integer().is_some() => self.function(*function, of),
+                Form::Sum(terms) if e.as_integer().is_some() => {
+                    let (flipped, ordered) = self.oriented(terms);
+                    let is_mixed = ordered.iter().any(|term| term.coefficient().is_negative());
+                    if is_odd && is_mixed && flippable.as_ref().is_none_or(|(side, ..)| *side > below) {
+                        let other: Vec<Term> = ordered.iter().map(Term::negated).collect();
+                        flippable = Some((below, sides[below].len(), raised(self.row(&positive_first(other)), e)));
+                    }
+                    (flipped, self.row(&ordered))
                 }
-            }
+                _ => (false, self.expr(base)),
+            };
+            is_negative ^= flipped && is_odd;
             sides[below].push((base, raised(face, e)));
         }
-        if is_negative && let Some((at, other, e)) = flippable {
+        if is_negative && let Some((side, at, other)) = flippable {
             is_negative = false;
-            sides[0][at].1 = raised(self.row(&other), e);
+            sides[side][at].1 = other;
         }
         let [above, below] = sides;
         let whole = self.assemble(coefficient, &above, below);
@@ -148,8 +175,7 @@ impl<'a> Writer<'a> {
         positive_first(self.arranged(terms))
     }
 
-    /// In the order of the most similar sum of the line before, else numbers last among powers and first among
-    /// functions.
+    /// In the order of the most similar sum of another line, else by degree: rising where there are functions.
     fn arranged(&self, terms: &[Term]) -> Vec<Term> {
         let place = |term: &Term, model: &[Term]| {
             let alike = model.iter().enumerate().map(|(at, other)| (similarity(term, other), Reverse(at)));
@@ -157,17 +183,23 @@ impl<'a> Writer<'a> {
         };
         let total = |model: &&Vec<Term>| terms.iter().map(|term| place(term, model).0).sum::<usize>();
         let model = self.sums.iter().rev().max_by_key(total).filter(|model| total(model) > 0);
-        let has_function = terms.iter().any(|term| {
-            term.factors().1.iter().any(|(base, _)| matches!(base.form(), Form::Function(..)))
-        });
+        let is_function = |(base, _): &Power| matches!(base.form(), Form::Function(..));
+        // 1 − 2 cos x + cos² x, but x² − 2x + 1.
+        let rises = terms.iter().any(|term| term.factors().1.iter().any(is_function));
         let mut ordered = terms.to_vec();
         ordered.sort_by_key(|term| {
             let at = model.map_or((0, 0), |model| place(term, model));
             let at = if at.0 == 0 { usize::MAX } else { at.1 };
-            (model.is_some().then_some(at), (term.as_number().is_some()) != has_function)
+            let degree = if rises { degree(term) } else { 0 };
+            (model.is_some().then_some(at), degree)
         });
         ordered
     }
+}
+
+/// The sum of the whole exponents above the line.
+fn degree(term: &Term) -> i64 {
+    term.factors().1.iter().filter_map(|(_, e)| e.as_integer()).fold(0, |sum, n| sum.saturating_add(n.max(0)))
 }
 
 /// With the first term that is not subtracted in front.

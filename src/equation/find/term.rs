@@ -387,9 +387,7 @@ impl Ord for Term {
             (Form::Apply(f, a), Form::Apply(g, b)) => f.cmp(g).then_with(|| a.cmp(b)),
             (Form::Function(f, a), Form::Function(g, b)) if f == g => a.cmp(b),
             (Form::Sum(a), Form::Sum(b)) => a.cmp(b),
-            (Form::Product(c, _), Form::Product(d, _)) => {
-                self.compare_monomials(other).then_with(|| compare(*c, *d))
-            }
+            (Form::Product(c, _), Form::Product(d, _)) => self.compare_monomials(other).then_with(|| compare(*c, *d)),
             (Form::Product(..), _) | (_, Form::Product(..)) => {
                 self.compare_monomials(other).then_with(|| compare(self.coefficient(), other.coefficient()))
             }
@@ -455,7 +453,8 @@ impl Hasher for Fold {
     }
 
     fn write_u64(&mut self, word: u64) {
-        let mixed = (self.0.rotate_left(23) ^ word).wrapping_add(0x9e37_79b9_7f4a_7c15).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed =
+            (self.0.rotate_left(23) ^ word).wrapping_add(0x9e37_79b9_7f4a_7c15).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         self.0 = mixed ^ (mixed >> 31);
     }
 

@@ -64,12 +64,13 @@ pub(super) fn tangent(term: &Term, _: &Scene, found: &mut Found) {
 }
 
 /// sin x/cos x → tan x
-pub(super) fn ratio_to_tangent(term: &Term, _: &Scene, found: &mut Found) {
+pub(super) fn to_tangent(term: &Term, _: &Scene, found: &mut Found) {
     let Form::Product(_, factors) = term.form() else { return };
     for (base, e) in factors {
         let Some((Function::Sin, of)) = wave(base) else { continue };
         let below = cos(of);
-        let Some((_, f)) = factors.iter().find(|(known, f)| *known == below && f.is_negative() != e.is_negative()) else {
+        let Some((_, f)) = factors.iter().find(|(known, f)| *known == below && f.is_negative() != e.is_negative())
+        else {
             continue;
         };
         let size = |n: Rational| if n.is_negative() { n.negated() } else { n };
@@ -90,52 +91,40 @@ fn parts_of(angle: &Term) -> Option<(Term, Term)> {
     Some((once.scaled(Rational::integer(n - 1)), once))
 }
 
-/// sin(a + b) → sin a cos b + cos a sin b
-pub(super) fn sine_of_sum(term: &Term, _: &Scene, found: &mut Found) {
-    if let Some((Function::Sin, of)) = wave(term)
-        && let Some((a, b)) = parts_of(of)
-    {
-        found.push(sin(&a).times(&cos(&b)).plus(&cos(&a).times(&sin(&b))).into());
-    }
-}
-
-/// cos(a + b) → cos a cos b − sin a sin b
-pub(super) fn cosine_of_sum(term: &Term, _: &Scene, found: &mut Found) {
-    if let Some((Function::Cos, of)) = wave(term)
-        && let Some((a, b)) = parts_of(of)
-    {
-        found.push(cos(&a).times(&cos(&b)).minus(&sin(&a).times(&sin(&b))).into());
-    }
+/// sin(a + b) → sin a cos b + cos a sin b, cos(a + b) → cos a cos b − sin a sin b
+pub(super) fn angle_sum(term: &Term, _: &Scene, found: &mut Found) {
+    let Some((function, of)) = wave(term) else { return };
+    let Some((a, b)) = parts_of(of) else { return };
+    found.push(match function {
+        Function::Sin => sin(&a).times(&cos(&b)).plus(&cos(&a).times(&sin(&b))).into(),
+        _ => cos(&a).times(&cos(&b)).minus(&sin(&a).times(&sin(&b))).into(),
+    });
 }
 
 fn join(term: &Term, found: &mut Found, rule: impl Fn(&Pair) -> Option<Term>) {
     found.extend(pairs(term).iter().filter_map(|pair| Some(pair.replace(&rule(pair)?))));
 }
 
-/// sin a cos b ± cos a sin b → sin(a ± b)
-pub(super) fn to_sine_of_sum(term: &Term, _: &Scene, found: &mut Found) {
+/// sin a cos b ± cos a sin b → sin(a ± b), cos a cos b ∓ sin a sin b → cos(a ± b)
+pub(super) fn to_angle_sum(term: &Term, _: &Scene, found: &mut Found) {
     join(term, found, |pair| {
-        let (c, [(Function::Sin, a), (Function::Cos, b)]) = two_waves(&pair.a)? else { return None };
-        let (d, [(Function::Sin, b_again), (Function::Cos, a_again)]) = two_waves(&pair.b)? else { return None };
-        if a != a_again || b != b_again || !same_size(c, d) {
+        let (c, [(f, a), (g, b)]) = two_waves(&pair.a)?;
+        let (d, [(p, y), (q, z)]) = two_waves(&pair.b)?;
+        if !same_size(c, d) || a == b {
             return None;
         }
-        let of = if c == d { a.plus(&b) } else { a.minus(&b) };
-        Some(sin(&of).scaled(c))
-    });
-}
-
-/// cos a cos b ∓ sin a sin b → cos(a ± b)
-pub(super) fn to_cosine_of_sum(term: &Term, _: &Scene, found: &mut Found) {
-    join(term, found, |pair| {
-        let (c, [(Function::Cos, a), (Function::Cos, b)]) = two_waves(&pair.a)? else { return None };
-        let (d, [(Function::Sin, p), (Function::Sin, q)]) = two_waves(&pair.b)? else { return None };
-        let same = (a == p && b == q) || (a == q && b == p);
-        if !same || a == b || !same_size(c, d) {
-            return None;
+        let (sum, difference) = (a.plus(&b), a.minus(&b));
+        match (f, g, p, q) {
+            (Function::Sin, Function::Cos, Function::Sin, Function::Cos) if a == z && b == y => {
+                Some(sin(if c == d { &sum } else { &difference }).scaled(c))
+            }
+            (Function::Cos, Function::Cos, Function::Sin, Function::Sin)
+                if (a == y && b == z) || (a == z && b == y) =>
+            {
+                Some(cos(if c == d { &difference } else { &sum }).scaled(c))
+            }
+            _ => None,
         }
-        let of = if c == d { a.minus(&b) } else { a.plus(&b) };
-        Some(cos(&of).scaled(c))
     });
 }
 
@@ -162,7 +151,8 @@ pub(super) fn to_sine_of_double(term: &Term, _: &Scene, found: &mut Found) {
     for (base, e) in factors {
         let Some((Function::Sin, x)) = wave(base) else { continue };
         let other = cos(x);
-        let Some((_, f)) = factors.iter().find(|(known, f)| *known == other && f.is_negative() == e.is_negative()) else {
+        let Some((_, f)) = factors.iter().find(|(known, f)| *known == other && f.is_negative() == e.is_negative())
+        else {
             continue;
         };
         let nearest = if (compare(*e, *f) == Ordering::Less) == e.is_negative() { *f } else { *e };
@@ -171,28 +161,28 @@ pub(super) fn to_sine_of_double(term: &Term, _: &Scene, found: &mut Found) {
     }
 }
 
-/// cos² x − sin² x, 1 − 2 sin² x and 2 cos² x − 1 → cos 2x; 1 ∓ cos 2x → 2 sin² x, 2 cos² x
-pub(super) fn to_cosine_of_double(term: &Term, scene: &Scene, found: &mut Found) {
+/// cos² x − sin² x, 1 − 2 sin² x and 2 cos² x − 1 → cos 2x
+pub(super) fn to_cosine_of_double(term: &Term, _: &Scene, found: &mut Found) {
     join(term, found, |pair| {
-        if let (Some((c, Function::Cos, x)), Some((d, Function::Sin, y))) =
-            (lone_wave(&pair.a, TWO), lone_wave(&pair.b, TWO))
-        {
-            return (x == y && c == d.negated()).then(|| cos(&double(&x)).scaled(c));
-        }
-        let c = pair.a.as_number()?;
-        if let Some((d, function, x)) = lone_wave(&pair.b, TWO) {
-            let doubled = double(&Term::number(c)).as_number()?;
+        let (d, function, x) = lone_wave(&pair.b, TWO)?;
+        let wave = cos(&double(&x));
+        if let Some(c) = pair.a.as_number() {
             let sign = if function == Function::Sin { c } else { c.negated() };
-            return (same_size(d, doubled) && d.is_negative() != sign.is_negative())
-                .then(|| cos(&double(&x)).scaled(sign));
+            return (double(&Term::number(c)) == Term::number(d.negated())).then(|| wave.scaled(sign));
         }
-        let (d, Function::Cos, y) = lone_wave(&pair.b, ONE)? else { return None };
-        let x = half(&y);
-        if !same_size(c, d) || !scene.welcomes(&x) {
-            return None;
-        }
+        let (c, Function::Cos, y) = lone_wave(&pair.a, TWO)? else { return None };
+        (function == Function::Sin && x == y && c == d.negated()).then(|| wave.scaled(c))
+    });
+}
+
+/// 1 − cos 2x → 2 sin² x, 1 + cos 2x → 2 cos² x
+pub(super) fn from_half_angle(term: &Term, scene: &Scene, found: &mut Found) {
+    join(term, found, |pair| {
+        let c = pair.a.as_number()?;
+        let (d, Function::Cos, of) = lone_wave(&pair.b, ONE)? else { return None };
+        let x = half(&of);
         let square = if c == d { cos(&x) } else { sin(&x) }.squared();
-        Some(double(&square.scaled(c)))
+        (same_size(c, d) && scene.welcomes(&x)).then(|| double(&square).scaled(c))
     });
 }
 
@@ -248,7 +238,8 @@ pub(super) fn to_pythagoras(term: &Term, _: &Scene, found: &mut Found) {
 /// sin a cos b → ½(sin(a + b) + sin(a − b)) and its kin.
 pub(super) fn product_to_sum(term: &Term, _: &Scene, found: &mut Found) {
     let Form::Product(_, factors) = term.form() else { return };
-    let waves: Vec<&Term> = factors.iter().filter(|(base, e)| *e == ONE && wave(base).is_some()).map(|(b, _)| b).collect();
+    let waves: Vec<&Term> =
+        factors.iter().filter(|(base, e)| *e == ONE && wave(base).is_some()).map(|(b, _)| b).collect();
     for (at, first) in waves.iter().enumerate() {
         for second in &waves[at + 1..] {
             let product = first.times(second);
@@ -346,8 +337,8 @@ pub(super) fn euler(term: &Term, _: &Scene, found: &mut Found) {
 }
 
 /// cos x → (e^(ix) + e^(−ix))/2, sin x → (e^(ix) − e^(−ix))/(2i)
-pub(super) fn wave_to_exponentials(term: &Term, _: &Scene, found: &mut Found) {
-    let Some((function, of)) = wave(term) else { return };
+pub(super) fn wave_to_exponentials(term: &Term, scene: &Scene, found: &mut Found) {
+    let Some((function, of)) = wave(term).filter(|_| scene.is_exponential) else { return };
     let i = Term::imaginary_unit();
     let turned = of.times(&i);
     let (one, other) = (Term::function(Function::Exp, turned.clone()), Term::function(Function::Exp, turned.negated()));

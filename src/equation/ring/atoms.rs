@@ -25,6 +25,9 @@ pub(super) enum Kind {
     Cos(Angle),
     /// e to the power of a real or complex form without a factor i.
     Exp(Angle),
+    /// d·cos(arcsin(n/d)) or d·sin(arccos(n/d)), whose square is d² − n²: as √(1 − (n/d)²) off the branch cuts, where
+    /// |n/d| > 1 is real, and of either sign on them.
+    Leg(Fraction),
     /// A function of which nothing is known but that equal arguments give equal values.
     Opaque(Function, Fraction),
 }
@@ -54,7 +57,7 @@ pub(super) struct Atoms {
     pub is_stale: bool,
 }
 
-/// A term of an angle: a number times a base form, or times iπ-free π, or times i.
+/// A term of an angle: a number times a base form, perhaps times i.
 pub(super) struct Part {
     pub numerator: IBig,
     pub denominator: IBig,
@@ -142,7 +145,7 @@ impl Atoms {
             }
         };
         let known = self.bases[at].1;
-        if known % denominator != 0 {
+        if !known.is_multiple_of(denominator) {
             let common = known / known.gcd(denominator);
             self.bases[at].1 = common.checked_mul(denominator).ok_or(Undecided::TooLarge)?;
             self.is_stale = true;
@@ -220,30 +223,92 @@ impl Atoms {
         self.of_sum(&a, &b).map(Some)
     }
 
-    /// sin and cos of arcsin u, arccos u and arctan u as they are, on the principal branch.
+    /// sin and cos of arcsin u, arccos u and arctan u as they are.
     fn of_inverse(&mut self, angle: &Angle) -> Result<Option<(Fraction, Fraction)>> {
         let [(atom, 1)] = angle.of.above.powers() else { return Ok(None) };
         if !angle.of.below.is_empty() || angle.over != 1 {
             return Ok(None);
         }
         let Kind::Opaque(function, u) = self.kind(*atom).clone() else { return Ok(None) };
-        let ring = &mut self.arithmetic;
-        let square = ring.times(&u, &u)?;
-        let pair = match function {
-            Function::Asin | Function::Acos => {
-                let rest = ring.plus(&Fraction::one(), &square.negated())?;
-                let other = self.root(&rest, 2)?;
-                if function == Function::Asin { (u, other) } else { (other, u) }
-            }
-            Function::Atan => {
-                let sum = ring.plus(&Fraction::one(), &square)?;
+        match function {
+            Function::Asin => Ok(Some((u.clone(), self.leg(&u)?))),
+            Function::Acos => Ok(Some((self.leg(&u)?, u))),
+            // On the cuts of arctan u is imaginary.
+            Function::Atan if self.is_real(&u) => {
+                let square = self.arithmetic.times(&u, &u)?;
+                let sum = self.arithmetic.plus(&Fraction::one(), &square)?;
                 let root = self.root(&sum, 2)?;
-                let Some(cos) = self.arithmetic.inverse(&root)? else { return Ok(None) };
-                (self.arithmetic.times(&u, &cos)?, cos)
+                let cos = self.inverse(&root)?;
+                Ok(Some((self.arithmetic.times(&u, &cos)?, cos)))
             }
-            _ => return Ok(None),
+            _ => Ok(None),
+        }
+    }
+
+    /// The cosine of arcsin u, which is the sine of arccos u.
+    fn leg(&mut self, u: &Fraction) -> Result<Fraction> {
+        if self.is_below_one(u) {
+            let square = self.arithmetic.times(u, u)?;
+            let rest = self.arithmetic.plus(&Fraction::one(), &square.negated())?;
+            return self.root(&rest, 2);
+        }
+        let below = self.denominator(u)?;
+        let (d, n) = (self.arithmetic.product(&below, &below)?, self.arithmetic.product(&u.above, &u.above)?);
+        let atom = self.atom(Kind::Leg(u.clone()), Some((2, d.plus(&n.negated()))));
+        let inverse = self.inverse(&Fraction::of(below))?;
+        self.arithmetic.times(&Fraction::atom(atom), &inverse)
+    }
+
+    /// Whether it is a symbol that keeps between −1 and 1, or off the real axis beyond.
+    fn is_below_one(&self, u: &Fraction) -> bool {
+        let Some(Kind::Symbol(symbol)) = u.above.as_atom().filter(|_| u.is_whole()).map(|atom| self.kind(atom)) else {
+            return false;
         };
-        Ok(Some(pair))
+        let (min, max) = symbol.domain().re;
+        min >= -1.0 && max <= 1.0
+    }
+
+    /// Whether it is real by its form.
+    fn is_real(&self, value: &Fraction) -> bool {
+        let sums = std::iter::once(&value.above).chain(value.below.iter().map(|(factor, _)| factor));
+        sums.into_iter().all(|sum| sum.atoms().into_iter().all(|atom| self.is_real_atom(atom)))
+    }
+
+    fn is_real_atom(&self, atom: Atom) -> bool {
+        match self.kind(atom) {
+            Kind::Pi => true,
+            Kind::Symbol(symbol) => symbol.domain().im == (0.0, 0.0),
+            Kind::Sin(angle) | Kind::Cos(angle) | Kind::Exp(angle) => {
+                let base = &angle.of;
+                self.is_real(&Fraction {
+                    below: base.below.clone(),
+                    ..Fraction::of(Polynomial::term(base.above.clone(), IBig::ONE))
+                })
+            }
+            Kind::Root { of, .. } => self.is_positive(of),
+            Kind::Imaginary | Kind::Leg(_) | Kind::Opaque(..) => false,
+        }
+    }
+
+    /// Whether it is a product of positive numbers, symbols and roots of such.
+    pub fn is_positive(&self, value: &Fraction) -> bool {
+        value.above.content().is_positive()
+            && value.is_product(|atom| match self.kind(atom) {
+                Kind::Pi => true,
+                Kind::Symbol(symbol) => symbol.domain().im == (0.0, 0.0) && symbol.domain().re.0 > 0.0,
+                Kind::Root { of, .. } => self.is_positive(of),
+                _ => false,
+            })
+    }
+
+    /// What stands below the line, multiplied out.
+    fn denominator(&mut self, of: &Fraction) -> Result<Polynomial> {
+        let mut below = Polynomial::constant(of.number.clone());
+        for (factor, power) in &of.below {
+            let factor = self.arithmetic.power(factor, *power)?;
+            below = self.arithmetic.product(&below, &factor)?;
+        }
+        Ok(below)
     }
 
     /// exp of a term without a factor i.
@@ -251,7 +316,7 @@ impl Atoms {
         let (angle, multiple) = self.multiple(part)?;
         let exp = Fraction::atom(self.atom(Kind::Exp(angle), None));
         let times = u32::try_from(multiple.clone().unsigned_abs()).map_err(|_| Undecided::TooLarge)?;
-        let power = self.arithmetic.to_the(&exp, times)?;
+        let power = self.arithmetic.raise(&exp, times)?;
         if multiple.is_negative() { self.inverse(&power) } else { Ok(power) }
     }
 
@@ -307,7 +372,7 @@ impl Atoms {
                 let domain = symbol.domain();
                 domain.im.0.abs().max(domain.im.1.abs()).atan2(domain.re.0)
             }
-            Kind::Root { of, degree: 2 } if of.as_positive_number() => 0.0,
+            Kind::Root { of, .. } if self.is_positive(of) => 0.0,
             _ => std::f64::consts::PI,
         }
     }
@@ -318,13 +383,13 @@ impl Atoms {
             Kind::Imaginary | Kind::Pi | Kind::Exp(_) => true,
             Kind::Symbol(symbol) => symbol.domain().excludes_zero(),
             Kind::Root { of, .. } => of.is_product(|atom| self.never_vanishes(atom)),
-            Kind::Sin(_) | Kind::Cos(_) | Kind::Opaque(..) => false,
+            Kind::Sin(_) | Kind::Cos(_) | Kind::Leg(_) | Kind::Opaque(..) => false,
         }
     }
 
     fn power(&mut self, atom: Atom, power: i64) -> Result<Fraction> {
         let exponent = u32::try_from(power.unsigned_abs()).map_err(|_| Undecided::TooLarge)?;
-        let raised = self.arithmetic.to_the(&Fraction::atom(atom), exponent)?;
+        let raised = self.arithmetic.raise(&Fraction::atom(atom), exponent)?;
         if power < 0 { self.inverse(&raised) } else { Ok(raised) }
     }
 
@@ -336,7 +401,7 @@ impl Atoms {
             return Ok(whole);
         }
         let root = self.plain_root(&Fraction::atom(atom), degree)?;
-        let root = self.arithmetic.to_the(&root, rest as u32)?;
+        let root = self.arithmetic.raise(&root, rest as u32)?;
         self.arithmetic.times(&whole, &root)
     }
 
@@ -347,9 +412,9 @@ impl Atoms {
         for (value, is_below) in [(above, false), (below, true)] {
             for (prime, power) in factors(value) {
                 let prime = Fraction::number(prime, IBig::ONE);
-                let whole = self.arithmetic.to_the(&prime, power / degree)?;
+                let whole = self.arithmetic.raise(&prime, power / degree)?;
                 let left = self.plain_root(&prime, degree)?;
-                let left = self.arithmetic.to_the(&left, power % degree)?;
+                let left = self.arithmetic.raise(&left, power % degree)?;
                 let mut factor = self.arithmetic.times(&whole, &left)?;
                 if is_below {
                     factor = self.rationalised(&factor, &prime, power, degree)?;
@@ -362,12 +427,12 @@ impl Atoms {
 
     /// 1/p^(n/q) as p^((q−n mod q)/q) over a whole number: roots below the line come above it.
     fn rationalised(&mut self, factor: &Fraction, prime: &Fraction, power: u32, degree: u32) -> Result<Fraction> {
-        if power % degree == 0 {
+        if power.is_multiple_of(degree) {
             return self.inverse(factor);
         }
         let left = self.plain_root(prime, degree)?;
-        let above = self.arithmetic.to_the(&left, degree - power % degree)?;
-        let whole = self.arithmetic.to_the(prime, power / degree + 1)?;
+        let above = self.arithmetic.raise(&left, degree - power % degree)?;
+        let whole = self.arithmetic.raise(prime, power / degree + 1)?;
         let below = self.inverse(&whole)?;
         self.arithmetic.times(&above, &below)
     }
@@ -380,22 +445,12 @@ impl Atoms {
         if degree == 2 && *of == Fraction::one().negated() {
             return Ok(self.imaginary());
         }
-        let mut below = Polynomial::constant(of.number.clone());
-        for (factor, power) in &of.below {
-            let factor = self.arithmetic.power(factor, *power)?;
-            below = self.arithmetic.product(&below, &factor)?;
-        }
+        let below = self.denominator(of)?;
         let rest = self.arithmetic.power(&below, degree - 1)?;
         let equals = self.arithmetic.product(&of.above, &rest)?;
         let atom = self.atom(Kind::Root { of: of.clone(), degree }, Some((degree, equals)));
         let whole = self.inverse(&Fraction::of(below))?;
         self.arithmetic.times(&Fraction::atom(atom), &whole)
-    }
-}
-
-impl Fraction {
-    fn as_positive_number(&self) -> bool {
-        self.below.is_empty() && self.above.as_constant().is_some_and(|value| value.is_positive())
     }
 }
 

@@ -286,6 +286,26 @@ impl Arithmetic {
         Ok(Fraction { above: self.product(&a.above, &b.above)?, number: a.number * b.number, below }.lowest())
     }
 
+    /// Whether `divisor` times a polynomial is `sum`, as long division tells.
+    pub fn divides(&mut self, divisor: &Polynomial, sum: &Polynomial) -> Result<bool> {
+        let Some((lead, number)) = divisor.first() else { return Ok(false) };
+        let mut rest = sum.clone();
+        // A round removes the first term and makes none before it, unless a relation interferes.
+        let mut last = None;
+        while let Some((monomial, coefficient)) = rest.first() {
+            let is_multiple = lead.powers().iter().all(|&(atom, power)| monomial.exponent(atom) >= power);
+            let is_later = last.as_ref().is_none_or(|last| monomial > *last);
+            if !is_multiple || !is_later || !(&coefficient % &number).is_zero() {
+                return Ok(false);
+            }
+            let factor = Polynomial::term(monomial.over(&lead), coefficient / &number);
+            last = Some(monomial);
+            let removed = self.product(&factor, divisor)?;
+            rest = rest.plus(&removed.negated());
+        }
+        Ok(true)
+    }
+
     /// 1/`fraction`; `None` of zero.
     pub fn inverse(&mut self, fraction: &Fraction) -> Result<Option<Fraction>> {
         let above = &fraction.above;
@@ -309,7 +329,7 @@ impl Arithmetic {
         Ok(Some(Fraction { above, number: content * sign, below }.lowest()))
     }
 
-    pub fn to_the(&mut self, base: &Fraction, exponent: u32) -> Result<Fraction> {
+    pub fn raise(&mut self, base: &Fraction, exponent: u32) -> Result<Fraction> {
         let below = base.below.iter().map(|(factor, power)| Some((factor.clone(), power.checked_mul(exponent)?)));
         let number = Polynomial::constant(base.number.clone());
         let number = self.power(&number, exponent)?.as_constant().unwrap_or(IBig::ONE);

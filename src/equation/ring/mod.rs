@@ -4,7 +4,7 @@
 //! cosine of base angles, exponentials, roots. Where atoms are multiplied, their relations are applied: i² = −1,
 //! sin² = 1 − cos², the root's power is what it is the root of. Angles are split into terms; every term is a whole
 //! multiple of a base angle, and sums and multiples are expanded. Two expressions are equal if the numerator of
-//! their difference has no term left. That direction is always sound; the other one holds where the atoms are
+//! their difference has no term left. Where nothing is divided by zero that direction is sound; the other one holds where the atoms are
 //! independent, so a difference that is left over proves nothing, and [`super::derivation`] looks for a point instead.
 //!
 //! Not decided are nested roots that simplify, roots of sums that are squares, relations between values of sin and cos
@@ -22,7 +22,7 @@ mod solve;
 mod tests;
 
 pub use fraction::Undecided;
-pub use solve::{Unsolvable, follows, orient, solve};
+pub use solve::{Solution, Unsolvable, follows, orient, solve};
 
 use super::expr::Expr;
 use normal::Normaliser;

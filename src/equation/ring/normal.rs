@@ -1,8 +1,7 @@
 //! From expressions to their normal form.
 
-use super::atoms::{Atoms, Kind};
+use super::atoms::Atoms;
 use super::fraction::{Fraction, Result, Undecided};
-use super::polynomial::{Atom, Polynomial};
 use crate::equation::expr::{Expr, Function, Node};
 use crate::equation::rational::Rational;
 use dashu_int::IBig;
@@ -119,7 +118,7 @@ impl Normaliser {
             }
             root = self.atoms.root(&root, degree)?;
         }
-        let power = self.atoms.arithmetic.to_the(&root, times)?;
+        let power = self.atoms.arithmetic.raise(&root, times)?;
         if exponent.is_negative() { self.inverse_of(&power, base) } else { Ok(power) }
     }
 
@@ -211,7 +210,7 @@ impl Normaliser {
             Node::Power(base, exponent) if exponent.as_integer().is_some() => {
                 let times = u32::try_from(exponent.numerator().unsigned_abs()).map_err(|_| Undecided::TooLarge)?;
                 let of = self.conjugate(base)?;
-                let power = self.atoms.arithmetic.to_the(&of, times)?;
+                let power = self.atoms.arithmetic.raise(&of, times)?;
                 if exponent.is_negative() { self.inverse_of(&power, base) } else { Ok(power) }
             }
             Node::Negate(of) => Ok(self.conjugate(of)?.negated()),
@@ -224,7 +223,7 @@ impl Normaliser {
             _ => {
                 // A root, an inverse function: on its branch cut the rule above fails.
                 let value = self.fraction(expr)?;
-                if self.is_positive(&value) { Ok(value) } else { Ok(self.atoms.opaque(Function::Conj, &value)) }
+                if self.atoms.is_positive(&value) { Ok(value) } else { Ok(self.atoms.opaque(Function::Conj, &value)) }
             }
         }
     }
@@ -240,22 +239,5 @@ impl Normaliser {
             total = join(self, &total, &part)?;
         }
         Ok(total)
-    }
-
-    /// Whether it is a product of positive numbers, symbols and roots of such.
-    fn is_positive(&self, value: &Fraction) -> bool {
-        let whole = |sum: &Polynomial| sum.len() == 1 && sum.terms().all(|(_, c)| *c > IBig::ZERO);
-        let sums = std::iter::once(&value.above).chain(value.below.iter().map(|(factor, _)| factor));
-        let mut sums = sums.map(|sum| whole(sum) && sum.atoms().iter().all(|atom| self.is_positive_atom(*atom)));
-        sums.all(|positive| positive)
-    }
-
-    fn is_positive_atom(&self, atom: Atom) -> bool {
-        match self.atoms.kind(atom) {
-            Kind::Pi => true,
-            Kind::Symbol(symbol) => symbol.domain().im == (0.0, 0.0) && symbol.domain().re.0 > 0.0,
-            Kind::Root { of, .. } => self.is_positive(of),
-            _ => false,
-        }
     }
 }

@@ -141,6 +141,11 @@ impl Polynomial {
         self.0.iter()
     }
 
+    /// The term that is written first.
+    pub fn first(&self) -> Option<(Monomial, IBig)> {
+        self.0.first_key_value().map(|(monomial, coefficient)| (monomial.clone(), coefficient.clone()))
+    }
+
     /// Its only term, if it has one.
     pub fn as_term(&self) -> Option<(&Monomial, &IBig)> {
         self.0.first_key_value().filter(|_| self.len() == 1)

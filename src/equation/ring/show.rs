@@ -103,6 +103,11 @@ impl Normaliser {
                 let below = Fraction { above: Polynomial::one(), ..of.clone() };
                 if below.is_one() { root } else { root / self.expr(&below)? }
             }
+            Kind::Leg(of) => {
+                let below = Fraction { above: Polynomial::one(), ..of.clone() };
+                let cos = cos(Expr::function(Function::Asin, self.expr(of)?));
+                if below.is_one() { cos } else { cos / self.expr(&below)? }
+            }
             Kind::Opaque(function, of) => Expr::function(*function, self.expr(of)?),
         })
     }

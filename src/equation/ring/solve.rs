@@ -3,9 +3,8 @@
 use super::atoms::Kind;
 use super::fraction::{Fraction, Undecided};
 use super::normal::Normaliser;
-use super::polynomial::{Atom, Polynomial};
+use super::polynomial::{Atom, Monomial, Polynomial};
 use crate::equation::Equation;
-use crate::equation::derivation::Given;
 use crate::equation::expr::{Expr, sqrt};
 use crate::equation::symbol::Symbol;
 use dashu_int::IBig;
@@ -20,10 +19,20 @@ pub enum Unsolvable {
     NotLinear(String),
     /// Not as many independent equations as unknowns.
     Dependent,
-    /// An equation with no symbol that it can be solved for. Its face in Unicode.
+    /// An equation with no symbol that it can be solved for, or a product of which either factor may be zero. Its face
+    /// in Unicode.
     NoSymbol(String),
     /// An equation that never holds. Its face in Unicode.
     Contradiction(String),
+}
+
+/// Symbols and what they are where none of the divisors vanishes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Solution {
+    /// What each symbol is.
+    pub values: Vec<(Symbol, Expr)>,
+    /// What was divided by on the way.
+    pub divisors: Vec<Expr>,
 }
 
 impl fmt::Display for Unsolvable {
@@ -48,7 +57,7 @@ impl From<Undecided> for Unsolvable {
 
 /// What the `unknowns` are, by as many equations (left and right sides) that are linear in them, where their determinant
 /// does not vanish: Gaussian elimination over the rational functions of everything else.
-pub fn solve(equations: &[(Expr, Expr)], unknowns: &[Symbol]) -> Result<Vec<Expr>, Unsolvable> {
+pub fn solve(equations: &[(Expr, Expr)], unknowns: &[Symbol]) -> Result<Solution, Unsolvable> {
     let mut ring = Normaliser::default();
     let mut rows = ring.settle(|ring| {
         let atoms: Vec<Atom> = unknowns.iter().map(|unknown| ring.atoms.symbol_atom(unknown)).collect();
@@ -57,15 +66,18 @@ pub fn solve(equations: &[(Expr, Expr)], unknowns: &[Symbol]) -> Result<Vec<Expr
     })?;
     let (atoms, differences) = (std::mem::take(&mut rows.0), rows.1);
     let mut rows = Vec::new();
-    for difference in &differences {
+    // A component that is 0 = 0 determines nothing.
+    for difference in differences.iter().filter(|difference| !difference.is_zero()) {
         rows.push(linear(&ring, difference, &atoms).map_err(|at| Unsolvable::NotLinear(unknowns[at].to_string()))?);
     }
     if rows.len() != atoms.len() {
         return Err(Unsolvable::Dependent);
     }
-    let solution = eliminate(&mut ring, rows)?.ok_or(Unsolvable::Dependent)?;
-    let faces = solution.iter().map(|value| ring.expr(value).ok_or(Undecided::TooLarge.into()));
-    faces.collect()
+    let (values, pivots) = eliminate(&mut ring, rows)?.ok_or(Unsolvable::Dependent)?;
+    let face = |value: &Fraction| ring.expr(value).ok_or(Undecided::TooLarge);
+    let values = unknowns.iter().zip(&values).map(|(unknown, value)| Ok((unknown.clone(), face(value)?)));
+    let pivots = pivots.iter().map(|pivot| face(&Fraction::of(pivot.above.clone())));
+    Ok(Solution { values: values.collect::<Result<_, Undecided>>()?, divisors: pivots.collect::<Result<_, _>>()? })
 }
 
 /// The coefficients of `atoms` in `sum`, and last what is left with the sign changed; or which of them it is not linear in.
@@ -85,12 +97,17 @@ fn linear(ring: &Normaliser, sum: &Polynomial, atoms: &[Atom]) -> Result<Vec<Fra
     Ok(row)
 }
 
+/// Values and pivots.
+type Eliminated = (Vec<Fraction>, Vec<Fraction>);
+
 /// Gauss and Jordan's elimination; `None` where the determinant vanishes.
-fn eliminate(ring: &mut Normaliser, mut rows: Vec<Vec<Fraction>>) -> Result<Option<Vec<Fraction>>, Undecided> {
+fn eliminate(ring: &mut Normaliser, mut rows: Vec<Vec<Fraction>>) -> Result<Option<Eliminated>, Undecided> {
+    let mut pivots = Vec::new();
     let arithmetic = &mut ring.atoms.arithmetic;
     for column in 0..rows.len() {
         let Some(pivot) = (column..rows.len()).find(|&row| !rows[row][column].is_zero()) else { return Ok(None) };
         rows.swap(column, pivot);
+        pivots.push(rows[column][column].clone());
         let Some(inverse) = arithmetic.inverse(&rows[column][column])? else { return Ok(None) };
         for entry in &mut rows[column] {
             *entry = arithmetic.times(entry, &inverse)?;
@@ -107,61 +124,115 @@ fn eliminate(ring: &mut Normaliser, mut rows: Vec<Vec<Fraction>>) -> Result<Opti
             }
         }
     }
-    Ok(Some(rows.into_iter().filter_map(|mut row| row.pop()).collect()))
+    Ok(Some((rows.into_iter().filter_map(|mut row| row.pop()).collect(), pivots)))
 }
 
-/// Whether `to` follows from `from`: an unknown of the one, in which both are polynomials, is eliminated from the
-/// other, and nothing is left (pseudo-division; Ritt, *Differential Algebra*, ch. V). Where the leading coefficient
-/// that is multiplied with vanishes, nothing is said.
-pub fn follows(from: &Equation, to: &Equation) -> Result<bool, Undecided> {
-    Normaliser::default().settle(|ring| {
+/// Whether `to` follows from `from`, and what must not vanish for it: an unknown of the one, in which both are
+/// polynomials, is eliminated from the other, and nothing is left (pseudo-division by its leading coefficient; Ritt,
+/// *Differential Algebra*, ch. V).
+pub fn follows(from: &Equation, to: &Equation) -> Result<Option<Expr>, Undecided> {
+    let mut ring = Normaliser::default();
+    let found = ring.settle(|ring| {
         let (from, to) = (ring.difference(&from.lhs, &from.rhs)?, ring.difference(&to.lhs, &to.rhs)?);
+        if to.is_zero() {
+            return Ok(Some(Fraction::one()));
+        }
         for atom in from.atoms() {
             let is_symbol = matches!(ring.atoms.kind(atom), Kind::Symbol(_));
-            if is_symbol
-                && !ring.hides(&from, atom)
-                && !ring.hides(&to, atom)
-                && ring.remainder(&to, &from, atom)?.is_zero()
-            {
-                return Ok(true);
+            let is_open = is_symbol && !ring.hides(&from, atom) && !ring.hides(&to, atom);
+            let leading = from.coefficient(atom, from.degree(atom));
+            if is_open && !ring.is_branch(&leading, &from)? && ring.remainder(&to, &from, atom)?.is_zero() {
+                return Ok(Some(Fraction::of(leading)));
             }
         }
-        Ok(to.is_zero())
-    })
+        Ok(None)
+    })?;
+    found.map(|leading| ring.expr(&leading).ok_or(Undecided::TooLarge)).transpose()
 }
 
-/// `equation` as a hypothesis: solved for the first of its symbols that it is linear in and that no function hides, else for
-/// one whose square it is linear in (the positive root), known as `by`.
-pub fn orient(equation: &Equation, by: &'static str) -> Result<Given, Unsolvable> {
+/// `equation` as a hypothesis: factors that all its terms share and that are never zero are divided out, and the rest is
+/// solved for the first of its symbols that it is linear in and that no function hides, else for a positive one whose square it is linear in.
+/// Of an equation that always holds nothing follows: no symbol.
+pub fn orient(equation: &Equation) -> Result<Solution, Unsolvable> {
     let mut ring = Normaliser::default();
-    let sum = ring.settle(|ring| ring.difference(&equation.lhs, &equation.rhs))?;
-    if sum.as_constant().is_some_and(|value| value != IBig::ZERO) {
-        return Err(Unsolvable::Contradiction(equation.to_string()));
+    let all = ring.settle(|ring| ring.difference(&equation.lhs, &equation.rhs))?;
+    if all.is_zero() {
+        return Ok(Solution::default());
+    }
+    let (common, one) = (all.common_monomial(), IBig::ONE);
+    let sum = all.divided(&common, &one);
+    if sum.as_constant().is_some() {
+        return ring.one_factor(&common, equation);
+    }
+    if common.powers().iter().any(|(atom, _)| !ring.atoms.never_vanishes(*atom)) {
+        return Err(Unsolvable::NoSymbol(equation.to_string()));
     }
     for degree in [1, 2] {
         for symbol in equation.lhs.symbols().into_iter().chain(equation.rhs.symbols()) {
             let atom = ring.atoms.symbol_atom(symbol);
             let is_pure = sum.degree(atom) == degree && (1..degree).all(|lower| sum.coefficient(atom, lower).is_zero());
-            if !is_pure || ring.hides(&sum, atom) {
+            // Of the two roots a positive quantity is the positive one.
+            let is_one_valued = degree == 1 || symbol.domain().re.0 > 0.0;
+            if !is_pure || !is_one_valued || ring.hides(&sum, atom) {
                 continue;
             }
             let (above, below) = (sum.coefficient(atom, 0), sum.coefficient(atom, degree));
+            if ring.is_branch(&below, &sum)? {
+                continue;
+            }
             let arithmetic = &mut ring.atoms.arithmetic;
-            let Some(inverse) = arithmetic.inverse(&Fraction::of(below))? else { continue };
+            let Some(inverse) = arithmetic.inverse(&Fraction::of(below.clone()))? else { continue };
             let value = arithmetic.times(&Fraction::of(above.negated()), &inverse)?;
-            let value = ring.expr(&value).ok_or(Undecided::TooLarge)?;
-            let value = if degree == 2 { sqrt(value) } else { value };
-            return Ok(Given { what: symbol.into(), value, by });
+            let face = |value: &Fraction| ring.expr(value).ok_or(Undecided::TooLarge);
+            let value = if degree == 2 { sqrt(face(&value)?) } else { face(&value)? };
+            let divisors = vec![face(&Fraction::of(below))?];
+            return Ok(Solution { values: vec![(symbol.clone(), value)], divisors });
         }
     }
     Err(Unsolvable::NoSymbol(equation.to_string()))
 }
 
 impl Normaliser {
+    /// A product that is zero: so is the only one of its factors that may be.
+    fn one_factor(&self, product: &Monomial, equation: &Equation) -> Result<Solution, Unsolvable> {
+        let may_vanish = |(atom, _): &&(Atom, u32)| !self.atoms.never_vanishes(*atom);
+        let factors: Vec<_> =
+            product.powers().iter().filter(may_vanish).map(|(atom, _)| self.atoms.kind(*atom)).collect();
+        let single = match product.powers() {
+            [(atom, _)] => Some(self.atoms.kind(*atom)),
+            _ => None,
+        };
+        // What is said to be zero by itself is, whatever its domain.
+        let factors = single.map_or(factors, |kind| vec![kind]);
+        match factors[..] {
+            [Kind::Imaginary | Kind::Pi | Kind::Exp(_)] | [] => Err(Unsolvable::Contradiction(equation.to_string())),
+            [Kind::Symbol(symbol)] => Ok(Solution { values: vec![(symbol.clone(), Expr::from(0))], divisors: vec![] }),
+            _ => Err(Unsolvable::NoSymbol(equation.to_string())),
+        }
+    }
+
     /// The numerator of `left` − `right`.
     fn difference(&mut self, left: &Expr, right: &Expr) -> Result<Polynomial, Undecided> {
         let (left, right) = (self.fraction(left)?, self.fraction(right)?);
         Ok(self.atoms.arithmetic.plus(&left, &right.negated())?.above)
+    }
+
+    /// Whether `sum` vanishes wherever `divisor` does, which may happen: dividing by it would leave out a branch.
+    fn is_branch(&mut self, divisor: &Polynomial, sum: &Polynomial) -> Result<bool, Undecided> {
+        if Fraction::of(divisor.clone()).is_product(|atom| self.atoms.never_vanishes(atom)) {
+            return Ok(false);
+        }
+        if self.atoms.arithmetic.divides(divisor, sum)? {
+            return Ok(true);
+        }
+        for atom in divisor.atoms() {
+            let is_symbol = matches!(self.atoms.kind(atom), Kind::Symbol(_));
+            let is_open = is_symbol && !self.hides(divisor, atom) && !self.hides(sum, atom);
+            if is_open && self.remainder(sum, divisor, atom)?.is_zero() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Whether `atom` stands inside another atom of `sum`.
@@ -179,7 +250,7 @@ impl Normaliser {
                 let above = Polynomial::term(angle.of.above.clone(), IBig::ONE);
                 within(&above) || below(&angle.of.below)
             }
-            Kind::Root { of, .. } | Kind::Opaque(_, of) => within(&of.above) || below(&of.below),
+            Kind::Root { of, .. } | Kind::Leg(of) | Kind::Opaque(_, of) => within(&of.above) || below(&of.below),
         }
     }
 
@@ -190,7 +261,7 @@ impl Normaliser {
         let mut rest = of.clone();
         while rest.degree(atom) >= degree && !rest.is_zero() {
             let power = rest.degree(atom);
-            let shift = Polynomial::term(super::polynomial::Monomial::power(atom, power - degree), IBig::ONE);
+            let shift = Polynomial::term(Monomial::power(atom, power - degree), IBig::ONE);
             let top = self.atoms.arithmetic.product(&rest.coefficient(atom, power), &shift)?;
             let removed = self.atoms.arithmetic.product(&top, by)?;
             rest = self.atoms.arithmetic.product(&rest, &leading)?.plus(&removed.negated());

@@ -11,6 +11,8 @@ const C: Symbol = Symbol::scalar("c", Dimension::ONE);
 const X: Symbol = Symbol::scalar("x", Dimension::ONE);
 const P: Symbol = Symbol::scalar("p", Dimension::ONE).real(0.1, 4.0);
 const Q: Symbol = Symbol::scalar("q", Dimension::ONE).real(0.1, 4.0);
+/// Nowhere on a branch cut of arcsin.
+const U: Symbol = Symbol::scalar("u", Dimension::ONE).within(-0.9, 0.9);
 /// Real, of either sign.
 const S: Symbol = Symbol::scalar("s", Dimension::ONE).real(-2.0, 2.0);
 
@@ -53,7 +55,10 @@ fn identities_of_algebra_trigonometry_and_roots() {
         (sqrt(Expr::from(8)) * sqrt(Expr::from(2)), Expr::from(4)),
         (1 / (sqrt(P) - sqrt(Q)), (sqrt(P) + sqrt(Q)) / (P - Q)),
         (sin(asin(X)), X.into()),
-        (sin(2 * atan(X)), 2 * X / (1 + X.pow(2))),
+        (sin(2 * atan(P)), 2 * P / (1 + P.pow(2))),
+        (sin(asin(A * sin(X) / B)), A * sin(X) / B),
+        (cos(2 * asin(A / B)), 1 - 2 * (A / B).pow(2)),
+        (cos(asin(U)), sqrt(1 - U.pow(2))),
         (cos(acos(X) + asin(X)), Expr::from(0)),
         (1 / i(), -i()),
         (abs(P * i()), P.into()),
@@ -86,6 +91,8 @@ fn says_nothing_untrue_about_branches() {
         (abs(A), A.into()),
         (conj(A), A.into()),
         (asin(sin(S)), S.into()),
+        (cos(asin(2 * P)), sqrt(1 - 4 * P.pow(2))),
+        (sin(atan(A)), A / sqrt(1 + A.pow(2))),
         (S.pow(3).pow(Rational::new(1, 3).unwrap()), S.into()),
         (exp(i() * A) * conj(exp(i() * A)), Expr::from(1)),
     ];
@@ -121,7 +128,12 @@ fn solves_the_boundary_conditions_in_textbook_form() {
     let [e_1, e_r, e_2] = ["E_1", "E_1'", "E_2"].map(|name| Symbol::scalar(name, Dimension::VOLT_PER_METRE));
     let first = (&e_1 + &e_r, Expr::from(&e_2));
     let second = ((N_1 * &e_1 / Z - N_1 * &e_r / Z) * cos(T_1), N_2 * &e_2 / Z * cos(T_2));
-    let found = solve(&[first.clone(), second], &[e_r.clone(), e_2.clone()]).unwrap();
+    let solution = solve(&[first.clone(), second], &[e_r.clone(), e_2.clone()]).unwrap();
+    let found: Vec<_> = solution.values.iter().map(|(_, value)| value).collect();
+    assert!(
+        solution.divisors.iter().any(|divisor| divisor.to_string().contains("n₁ cos θ₁ + n₂ cos θ₂")),
+        "{solution:?}"
+    );
     assert_eq!(found[0].to_string(), "E₁ (n₁ cos θ₁ − n₂ cos θ₂)/(n₁ cos θ₁ + n₂ cos θ₂)");
     assert_eq!(found[1].to_string(), "2 E₁ n₁ cos θ₁/(n₁ cos θ₁ + n₂ cos θ₂)");
     assert_eq!(solve(&[first.clone(), first.clone()], &[e_r.clone(), e_2.clone()]), Err(Unsolvable::Dependent));
@@ -131,21 +143,45 @@ fn solves_the_boundary_conditions_in_textbook_form() {
 
 #[test]
 fn takes_one_equation_from_another() {
+    let condition = |from: &Equation, to: Equation| follows(from, &to).unwrap().map(|divisor| divisor.to_string());
     let from = Equation::new(A * sin(X), B * cos(X));
-    assert_eq!(follows(&from, &Equation::new(tan(X), B / A)), Ok(true));
-    assert_eq!(follows(&from, &Equation::new(tan(X), A / B)), Ok(false));
+    assert_eq!(condition(&from, Equation::new(tan(X), B / A)).as_deref(), Some("sin x"));
+    assert_eq!(condition(&from, Equation::new(tan(X), A / B)), None);
     let circle = Equation::new(A.pow(2) + B.pow(2), C.pow(2));
-    assert_eq!(follows(&circle, &Equation::new((C - B) * (C + B), A.pow(2))), Ok(true));
-    assert_eq!(follows(&circle, &Equation::new(A, C - B)), Ok(false));
-    assert_eq!(follows(&Equation::new(X, X), &Equation::new(A, B)), Ok(false));
+    assert_eq!(condition(&circle, Equation::new((C - B) * (C + B), A.pow(2))).as_deref(), Some("1"));
+    assert_eq!(condition(&circle, Equation::new(A, C - B)), None);
+    assert_eq!(condition(&Equation::new(X, X), Equation::new(A, B)), None);
 }
 
 #[test]
 fn turns_an_equation_into_a_hypothesis() {
-    let given = orient(&Equation::new(A * sin(X), B * sin(C)), "Snell").unwrap();
-    assert_eq!(Equation::new(given.what, given.value).to_string(), "a = b sin c/sin x");
-    let given = orient(&Equation::new(sin(X) + P.pow(2), Q.pow(2)), "").unwrap();
-    assert_eq!(Equation::new(given.what, given.value).to_string(), "p = √(q² − sin x)");
-    assert!(matches!(orient(&Equation::new(sin(X), cos(X)), ""), Err(Unsolvable::NoSymbol(_))));
-    assert!(matches!(orient(&Equation::new(A + 1, A), ""), Err(Unsolvable::Contradiction(_))));
+    let oriented = |equation: Equation| {
+        let solution = orient(&equation)?;
+        let value = solution.values.iter().map(|(symbol, value)| Equation::new(symbol, value).to_string());
+        let divisors = solution.divisors.iter().map(Expr::to_string).filter(|face| face != "1");
+        Ok(value.chain(divisors).collect::<Vec<_>>().join("; "))
+    };
+    assert_eq!(oriented(Equation::new(A * sin(X), B * sin(C))).unwrap(), "a = b sin c/sin x; sin x");
+    assert_eq!(oriented(Equation::new(sin(X) + P.pow(2), Q.pow(2))).unwrap(), "p = √(q² − sin x)");
+    // A factor of all terms that is never zero is divided out, not set to zero; of others either may be zero.
+    assert_eq!(oriented(Equation::new(A * B, A * C)).unwrap(), "b = c");
+    let products = [
+        Equation::new(sin(X) * B, 3 * C * sin(X)),
+        Equation::new((A + B) * C, (A + B) * X),
+        Equation::new((A - 1) * (B - 2), 0),
+        Equation::new((sin(A) - sin(B)) * C, (sin(A) - sin(B)) * X),
+    ];
+    for product in products {
+        assert!(matches!(oriented(product.clone()), Err(Unsolvable::NoSymbol(_))), "{product}");
+    }
+    let branch = Equation::new((A - 1) * (B - 2), 0);
+    assert_eq!(follows(&branch, &Equation::new(A, 1)), Ok(None));
+    assert_eq!(oriented(Equation::new(P * S, 0)).unwrap(), "s = 0");
+    assert_eq!(oriented(Equation::new(A + B, B + A)).unwrap(), "");
+    // Either sign would do.
+    assert!(matches!(oriented(Equation::new(S.pow(2), 1)), Err(Unsolvable::NoSymbol(_))));
+    assert!(matches!(oriented(Equation::new(S * U, 0)), Err(Unsolvable::NoSymbol(_))));
+    assert!(matches!(oriented(Equation::new(sin(X), cos(X))), Err(Unsolvable::NoSymbol(_))));
+    assert!(matches!(oriented(Equation::new(A + 1, A)), Err(Unsolvable::Contradiction(_))));
+    assert!(matches!(oriented(Equation::new(P * exp(X), 0)), Err(Unsolvable::Contradiction(_))));
 }

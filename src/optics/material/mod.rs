@@ -64,7 +64,8 @@ pub fn named(name: &str) -> Option<&'static Material> {
     MATERIALS.iter().find(|material| std::iter::once(&material.name).chain(material.aliases).any(|own| same(own, name)))
 }
 
-fn same(a: &str, b: &str) -> bool {
+/// Whether two words are the same name; case, `_`, `-` and spaces do not matter.
+pub(crate) fn same(a: &str, b: &str) -> bool {
     letters(a).eq(letters(b))
 }
 

@@ -1,0 +1,225 @@
+//! `lesson prove`: does one expression equal another, does one equation follow from another?
+
+use crate::out;
+use crate::page::{Page, Tone};
+use crate::prove::{conditions, hypothesis, lines};
+use crate::report::LineReport;
+use crate::stop::Stop;
+use crate::text::{Details, show_lines};
+use chapters::vocabulary::verify;
+use light::equation::derivation::{Chain, Claim, Hop, Verdict};
+use light::equation::expr::Node;
+use light::equation::parse::{Fault, parse, parse_equation};
+use light::equation::value::Bindings;
+use light::equation::{Equation, Expr, Relation};
+use num_complex::Complex64;
+use serde::Serialize;
+use std::process::ExitCode;
+
+/// What is asked.
+#[derive(Debug)]
+pub struct Question {
+    pub from: String,
+    pub to: String,
+    pub given: Vec<String>,
+    pub unfold: bool,
+    pub json: bool,
+}
+
+/// The answer, as it is printed.
+#[derive(Debug, Serialize)]
+struct Answer {
+    /// `proved`, `refuted` or `unknown`.
+    verdict: &'static str,
+    claim: String,
+    lines: Vec<LineReport>,
+    /// The equations given, solved for the symbols that they replace.
+    hypotheses: Vec<LineReport>,
+    conditions: Vec<String>,
+    /// Why it is unknown.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    why: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    witness: Option<Witness>,
+}
+
+/// A point where the sides differ, and their values there.
+#[derive(Debug, Serialize)]
+struct Witness {
+    at: Vec<(String, String)>,
+    /// What the sides are there, where they have values by themselves.
+    #[serde(skip_serializing_if = "Option::is_none", flatten)]
+    values: Option<Sides>,
+}
+
+#[derive(Debug, Serialize)]
+struct Sides {
+    left: String,
+    right: String,
+}
+
+/// Answers on standard output.
+pub fn serve(question: &Question) -> Result<ExitCode, Stop> {
+    let (chain, goal) = read(question)?;
+    let answer = answer(&chain, &goal);
+    if question.json {
+        let document = serde_json::to_string_pretty(&answer).expect("plain data");
+        out::print(format!("{document}\n").as_bytes())?;
+    } else {
+        let mut page = Page::for_stdout();
+        show(&mut page, &answer, question.unfold);
+        out::print(page.into_text().as_bytes())?;
+    }
+    Ok(ExitCode::from(match answer.verdict {
+        "proved" => 0,
+        "refuted" => 1,
+        _ => 2,
+    }))
+}
+
+/// The premises, and what is to be shown of them.
+fn read(question: &Question) -> Result<(Chain, Equation), Stop> {
+    let mut chain = Chain::default();
+    for text in &question.given {
+        chain = chain.and(equation(text)?, "given");
+    }
+    let is_equation = |text: &str| text.contains(['=', '≈', '∝']);
+    match (is_equation(&question.from), is_equation(&question.to)) {
+        (false, false) => Ok((chain, Equation::new(expression(&question.from)?, expression(&question.to)?))),
+        (true, true) => Ok((chain.and(equation(&question.from)?, "assumed"), equation(&question.to)?)),
+        _ => Err(Stop::Refused("expected two expressions or two equations, found one of each".to_owned())),
+    }
+}
+
+fn expression(text: &str) -> Result<Expr, Stop> {
+    parse(text, &[]).map_err(|fault| point_at(text, &fault))
+}
+
+fn equation(text: &str) -> Result<Equation, Stop> {
+    let equation = parse_equation(text, &[]).map_err(|fault| point_at(text, &fault))?;
+    match equation.relation {
+        Relation::Equal => Ok(equation),
+        _ => Err(Stop::at(equation, "only equations with = can be proved or given")),
+    }
+}
+
+/// How many characters of a text are shown around a fault, on each side.
+const AROUND: usize = 30;
+
+/// The fault with the place in `text` that it is about, a caret below.
+fn point_at(text: &str, fault: &Fault) -> Stop {
+    let start = fault.column.saturating_sub(AROUND + 1);
+    let excerpt: String =
+        text.chars().skip(start).take(2 * AROUND).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let before = if start > 0 { "…" } else { "" };
+    let after = if text.chars().nth(start + 2 * AROUND).is_some() { "…" } else { "" };
+    let indent = " ".repeat(before.chars().count() + fault.column - 1 - start);
+    Stop::Refused(format!("{fault}\n  {before}{excerpt}{after}\n  {indent}^"))
+}
+
+/// Decides the goal first; only what holds is worth a search for lines.
+fn answer(premises: &Chain, goal: &Equation) -> Answer {
+    let whole = premises.clone().find(goal.clone());
+    let hops = verify(&whole, "prove");
+    let decided = hops.last().map_or(Verdict::Proved, |hop| hop.verdict.clone());
+    let is_proof = |hops: &[Hop]| !hops.is_empty() && hops.iter().all(|hop| hop.verdict == Verdict::Proved);
+    let complete = decided.holds().then(|| whole.complete());
+    let judged = complete.map(|chain| (verify(&chain, "prove"), chain)).filter(|(hops, _)| is_proof(hops));
+    // Without lines the goal stands as the normal form decided it.
+    let (hops, found) = judged.unwrap_or((hops, whole));
+    let proved = is_proof(&hops);
+    let (verdict, why) = match &decided {
+        _ if proved => ("proved", None),
+        Verdict::Refuted { .. } => ("refuted", None),
+        Verdict::Unknown { why } => ("unknown", Some(why.clone())),
+        Verdict::Proved | Verdict::Agrees { .. } => {
+            ("unknown", Some("the sides agree wherever they were compared, but no proof was found".to_owned()))
+        }
+    };
+    let mut lines = lines(&found, &hops);
+    if !proved {
+        // What became of the goal is said once, below.
+        lines.iter_mut().for_each(|line| line.hop = None);
+    }
+    let hypotheses = found.hypotheses().unwrap_or_default();
+    let witness = match &decided {
+        Verdict::Refuted { at, .. } => Some(Witness { at: at.clone(), values: values(goal, at, &found) }),
+        _ => None,
+    };
+    Answer {
+        verdict,
+        claim: goal.to_string(),
+        lines,
+        hypotheses: hypotheses.iter().map(hypothesis).collect(),
+        conditions: if proved { conditions(&found) } else { Vec::new() },
+        why,
+        witness,
+    }
+}
+
+/// Both sides of `goal` at a point, under the hypotheses of `chain`; none if they need more than the point says.
+fn values(goal: &Equation, at: &[(String, String)], chain: &Chain) -> Option<Sides> {
+    let mut bindings = Bindings::new();
+    let claims = chain.lines.iter().flat_map(|line| match &line.claim {
+        Claim::Expr(expr) => vec![expr],
+        Claim::Equation(equation) => vec![&equation.lhs, &equation.rhs],
+    });
+    let symbols: Vec<_> = claims.flat_map(Expr::symbols).collect();
+    for (face, value) in at {
+        let symbol = symbols.iter().find(|symbol| symbol.to_string() == *face)?;
+        bindings.bind(symbol.name(), complex(value)?);
+    }
+    for given in chain.hypotheses().ok()? {
+        if let Node::Symbol(symbol) = given.what.node() {
+            bindings.define(symbol, given.value);
+        }
+    }
+    let value = |side: &Expr| side.evaluate(&bindings).map(shown).ok();
+    Some(Sides { left: value(&goal.lhs)?, right: value(&goal.rhs)? })
+}
+
+/// Reads `0.25`, `0.25 + 0.5i` or `0.25 − 0.5i`.
+fn complex(text: &str) -> Option<Complex64> {
+    let Some(parts) = text.strip_suffix('i') else { return Some(text.parse::<f64>().ok()?.into()) };
+    match (parts.split_once(" + "), parts.split_once(" − ")) {
+        (Some((re, im)), _) => Some(Complex64::new(re.parse().ok()?, im.parse().ok()?)),
+        (_, Some((re, im))) => Some(Complex64::new(re.parse().ok()?, -im.parse::<f64>().ok()?)),
+        _ => None,
+    }
+}
+
+fn shown(value: Complex64) -> String {
+    let sign = if value.im < 0.0 { '−' } else { '+' };
+    let real = value.re.to_string().replace('-', "−");
+    if value.im == 0.0 { real } else { format!("{real} {sign} {}i", value.im.abs()) }
+}
+
+fn show(page: &mut Page, answer: &Answer, unfold: bool) {
+    page.gap();
+    show_lines(page, &answer.lines, Details { units: false, unfold });
+    for line in &answer.hypotheses {
+        page.line(6, Tone::Dim, &format!("with {}", line.unicode));
+    }
+    page.gap();
+    match (answer.verdict, &answer.witness) {
+        ("proved", _) if answer.conditions.is_empty() => page.line(2, Tone::Good, "Proved"),
+        ("proved", _) => {
+            let conditions = format!(" where {}", answer.conditions.join(", "));
+            page.wrap(2, 4, &[(Tone::Good, "Proved"), (Tone::Plain, &conditions)]);
+        }
+        ("refuted", Some(witness)) => {
+            let at: Vec<_> = witness.at.iter().map(|(symbol, value)| format!("{symbol} = {value}")).collect();
+            let at = if at.is_empty() { String::new() } else { format!(" at {}", at.join(", ")) };
+            page.wrap(2, 4, &[(Tone::Bad, "Refuted"), (Tone::Plain, &at)]);
+            if let Some(sides) = &witness.values {
+                page.wrap(4, 12, &[(Tone::Dim, "left   "), (Tone::Plain, &sides.left)]);
+                page.wrap(4, 12, &[(Tone::Dim, "right  "), (Tone::Plain, &sides.right)]);
+            }
+        }
+        ("refuted", None) => page.line(2, Tone::Bad, "Refuted"),
+        _ => {
+            let why = answer.why.as_deref().unwrap_or_default();
+            page.wrap(2, 4, &[(Tone::Bad, "Unknown"), (Tone::Plain, ": "), (Tone::Plain, why)]);
+        }
+    }
+}
