@@ -85,6 +85,17 @@ pub(super) fn clear<D: Curl, C: Coefficient>(e: &mut [f64], curl: D, drive: C) {
     }
 }
 
+/// The same for two components of as many cells.
+#[inline(always)]
+pub(super) fn clear_both<A: Curl, B: Curl>([e, f]: [&mut [f64]; 2], (a, b): (A, B), [of_a, of_b]: [f64; 2]) {
+    let n = e.len();
+    let (f, a, b) = (&mut f[0..n], a.cut(0..n), b.cut(0..n));
+    for i in 0..n {
+        e[i] += of_a * a.at(i);
+        f[i] += of_b * b.at(i);
+    }
+}
+
 /// E += drive·curl − rest·E.
 #[inline(always)]
 pub(super) fn lossy<D: Curl, C: Coefficient>(e: &mut [f64], curl: D, [drive, rest]: [C; 2]) {

@@ -182,6 +182,8 @@ pub(super) struct Grid {
     map: Option<Vec<u16>>,
     across: Strips,
     along: Strips,
+    /// e^(i phase) from one period to the next.
+    turn: Complex64,
     sources: Vec<Source>,
     /// What the processor can do.
     pub(super) level: Level,

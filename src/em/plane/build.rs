@@ -9,6 +9,7 @@ use super::super::span::{Need, Spans};
 use super::super::{Stepping, WORD, total};
 use super::{Fields, Grid, Layout, Plane, Polarisation, Row, Setup, Sides};
 use fearless_simd::Level;
+use num_complex::Complex64;
 use std::sync::Arc;
 
 impl Setup {
@@ -91,8 +92,10 @@ impl Plane {
     /// that leave no room.
     pub fn new(setup: Setup) -> Result<Self, Refusal> {
         setup.check()?;
+        let turn = if let Sides::Bloch(phase) = setup.sides { Complex64::cis(phase) } else { Complex64::ONE };
         let mut grid = Grid {
             map: setup.map(),
+            turn,
             setup,
             layouts: Vec::new(),
             across: Strips::default(),

@@ -2,7 +2,7 @@
 
 use super::super::absorber::Strip;
 use super::super::kernel::{Circulation, Difference};
-use super::super::span::Spans;
+use super::super::span::{Spans, Update};
 use super::{Fields, Grid, Polarisation, Row, Sides};
 use fearless_simd::Level;
 use num_complex::Complex64;
@@ -23,18 +23,12 @@ impl Grid {
         self.wrap_row(here);
         for part in 0..here.parts.len() {
             let under = below.map(|row| &row.parts[part]);
-            match self.setup.polarisation {
-                Polarisation::Tm => {
-                    if let Some(under) = under {
-                        self.e_z(under, &mut here.parts[part], j);
-                    }
-                }
-                Polarisation::Te => {
-                    if let Some(under) = under {
-                        self.e_x(under, &mut here.parts[part], j);
-                    }
-                    self.e_y(&mut here.parts[part], j);
-                }
+            let here = &mut here.parts[part];
+            match (self.setup.polarisation, under) {
+                (Polarisation::Tm, Some(under)) => self.e_z(under, here, j),
+                (Polarisation::Te, Some(under)) => self.e_xy(under, here, j),
+                (Polarisation::Te, None) => self.e_y(here, j),
+                (Polarisation::Tm, None) => {}
             }
         }
         self.inject(here, j, moment.step);
@@ -81,21 +75,28 @@ impl Grid {
     fn h_xy(&self, f: &mut Fields, over: &Fields, j: usize) {
         let (n, layout) = (self.setup.cells[0], &self.layouts[j]);
         let y = Difference { ahead: &f.z[..n], behind: &over.z[..n] };
-        layout.x.step(self.level, 0..n, &mut f.x, &mut [], y);
-        along(self.level, &layout.x, &self.along.half, j, &mut f.x, &mut [], &mut f.psi_xy, y);
         let x = Difference { ahead: &f.z[1..], behind: &f.z[..n] };
-        layout.y.step(self.level, 0..n, &mut f.y[1..], &mut [], x);
+        let of_x = Update { spans: &layout.x, e: &mut f.x, j: &mut [], curl: y };
+        let of_y = Update { spans: &layout.y, e: &mut f.y[1..], j: &mut [], curl: x };
+        Update::step_both(self.level, of_x, of_y);
+        along(self.level, &layout.x, &self.along.half, j, &mut f.x, &mut [], &mut f.psi_xy, y);
         across(self.level, &layout.y, &self.across.half, &mut f.y[1..], &mut [], &mut f.psi_yx, x);
     }
 
     #[inline(always)]
-    fn e_x(&self, under: &Fields, f: &mut Fields, j: usize) {
-        let (n, spans) = (self.setup.cells[0], &self.layouts[j].x);
+    fn e_xy(&self, under: &Fields, f: &mut Fields, j: usize) {
+        let (n, layout) = (self.setup.cells[0], &self.layouts[j]);
         let y = Difference { ahead: &f.z[1..], behind: &under.z[1..] };
-        spans.step(self.level, 0..n, &mut f.x, &mut f.currents[0], y);
-        along(self.level, spans, &self.along.whole, j, &mut f.x, &mut f.currents[0], &mut f.psi_xy, y);
+        let x = Difference { ahead: &f.z[..n], behind: &f.z[1..] };
+        let [j_x, j_y] = &mut f.currents;
+        let of_x = Update { spans: &layout.x, e: &mut f.x, j: j_x, curl: y };
+        let of_y = Update { spans: &layout.y, e: &mut f.y, j: j_y, curl: x };
+        Update::step_both(self.level, of_x, of_y);
+        along(self.level, &layout.x, &self.along.whole, j, &mut f.x, j_x, &mut f.psi_xy, y);
+        across(self.level, &layout.y, &self.across.whole, &mut f.y, j_y, &mut f.psi_yx, x);
     }
 
+    /// E_y of the first row, which has no row below it.
     #[inline(always)]
     fn e_y(&self, f: &mut Fields, j: usize) {
         let (n, spans) = (self.setup.cells[0], &self.layouts[j].y);
@@ -117,7 +118,9 @@ impl Grid {
 
     /// The images across periodic sides, of the components that are differenced along x.
     pub(super) fn wrap_row(&self, row: &mut Row) {
-        let Sides::Bloch(phase) = self.setup.sides else { return };
+        if !matches!(self.setup.sides, Sides::Bloch(_)) {
+            return;
+        }
         let n = self.setup.cells[0];
         let te = self.setup.polarisation == Polarisation::Te;
         // Whole components run from their image on the right, half ones from theirs on the left.
@@ -129,9 +132,8 @@ impl Grid {
                 (last(re)[n], first(re)[0]) = (whole, half);
             }
             [re, im] => {
-                let turn = Complex64::cis(phase);
-                let whole = Complex64::new(last(re)[0], last(im)[0]) * turn;
-                let half = Complex64::new(first(re)[n], first(im)[n]) * turn.conj();
+                let whole = Complex64::new(last(re)[0], last(im)[0]) * self.turn;
+                let half = Complex64::new(first(re)[n], first(im)[n]) * self.turn.conj();
                 (last(re)[n], last(im)[n]) = (whole.re, whole.im);
                 (first(re)[0], first(im)[0]) = (half.re, half.im);
             }

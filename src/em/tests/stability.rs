@@ -45,16 +45,16 @@ fn just_below_the_limit_a_hundred_thousand_steps_are_stable() {
 
 #[test]
 fn a_metal_that_runs_into_a_layer_is_stable_for_a_hundred_thousand_steps() {
-    // At ω_pΔt = 0.3 and 1.5: a well resolved metal and one at the edge of the grid; with and without collisions.
-    for (plasma, collision) in [(0.3, 0.0), (0.3, 0.02), (1.5, 0.0)] {
+    // A well resolved metal and one at the edge of the grid; without collisions, or nearly, nothing else damps it.
+    for (plasma, collision) in [(0.3, 1e-4), (1.5, 0.0)] {
         let dt = 0.7e-3 / crate::em::C;
         let metal = Medium::metal(plasma / dt, collision / dt);
         for polarisation in [Polarisation::Tm, Polarisation::Te] {
             // Its surface meets the layers on the left and right at a right angle, and it fills the one below.
-            let mut setup = plane::Setup::vacuum([18, 20], 1e-3, polarisation, Stepping::at(0.7)).open(5);
-            setup.regions = vec![plane::Region::layer(f64::NEG_INFINITY..10e-3, metal)];
+            let mut setup = plane::Setup::vacuum([14, 16], 1e-3, polarisation, Stepping::at(0.7)).open(5);
+            setup.regions = vec![plane::Region::layer(f64::NEG_INFINITY..8e-3, metal)];
             let mut plane = Plane::new(setup).unwrap();
-            plane.set_z(|x, y| Complex64::from(noise((x * 1e3) as usize * 20 + (y * 1e3) as usize)));
+            plane.set_z(|x, y| Complex64::from(noise((x * 1e3) as usize * 16 + (y * 1e3) as usize)));
             plane.run_serial(1000).unwrap();
             let early = worst(plane.z().into_iter().flatten());
             plane.run_serial(99_000).unwrap();
