@@ -216,7 +216,7 @@ pub(super) struct Update<'a, D> {
 
 impl<D: Curl> Update<'_, D> {
     /// Steps two components of a row; in one loop where both are uniform and clear, for their curls share what they load.
-    pub fn step_both<B: Curl>(level: Level, one: Self, two: Update<B>) {
+    pub fn step_both<B: Curl>(level: Level, one: &mut Self, two: &mut Update<B>) {
         match (one.spans.uniform(), two.spans.uniform()) {
             (Some(a), Some(b)) => dispatch!(level, _ => one.step_clear(a, two, b)),
             _ => {
@@ -227,7 +227,12 @@ impl<D: Curl> Update<'_, D> {
     }
 
     #[inline(always)]
-    fn step_clear<B: Curl>(self, (a, of_a): (Range<usize>, f64), two: Update<B>, (b, of_b): (Range<usize>, f64)) {
+    fn step_clear<B: Curl>(
+        &mut self,
+        (a, of_a): (Range<usize>, f64),
+        two: &mut Update<B>,
+        (b, of_b): (Range<usize>, f64),
+    ) {
         let end = a.end.min(b.end);
         let start = a.start.max(b.start).next_multiple_of(VECTOR).min(end);
         for (a, b) in [(a.start..start, b.start..start), (end..a.end, end..b.end)] {

@@ -1,8 +1,8 @@
 //! One row, one half step.
 
-use super::super::absorber::Strip;
+use super::super::absorber::{Grade, Strip};
 use super::super::kernel::{Circulation, Difference};
-use super::super::span::{Spans, Update};
+use super::super::span::Update;
 use super::{Fields, Grid, Polarisation, Row, Sides};
 use fearless_simd::Level;
 use num_complex::Complex64;
@@ -66,9 +66,12 @@ impl Grid {
         let (n, spans) = (self.setup.cells[0], &self.layouts[j].z);
         let x = Difference { ahead: &f.y[1..], behind: &f.y[..n] };
         let y = Difference { ahead: &f.x, behind: &under.x };
-        spans.step(self.level, 0..n, &mut f.z, &mut f.currents[0], Circulation(x, y));
-        across(self.level, spans, &self.across.whole, &mut f.z, &mut f.currents[0], &mut f.psi_zx, x);
-        along(self.level, spans, &self.along.whole, j, &mut f.z, &mut f.currents[0], &mut f.psi_zy, flipped(y));
+        let [currents, _] = &mut f.currents;
+        spans.step(self.level, 0..n, &mut f.z, currents, Circulation(x, y));
+        let mut of_z = Update { spans, e: &mut f.z, j: currents, curl: x };
+        across(self.level, &mut of_z, &self.across.whole, &mut f.psi_zx);
+        of_z.curl = flipped(y);
+        along(self.level, &mut of_z, &self.along.whole, j, &mut f.psi_zy);
     }
 
     #[inline(always)]
@@ -76,11 +79,11 @@ impl Grid {
         let (n, layout) = (self.setup.cells[0], &self.layouts[j]);
         let y = Difference { ahead: &f.z[..n], behind: &over.z[..n] };
         let x = Difference { ahead: &f.z[1..], behind: &f.z[..n] };
-        let of_x = Update { spans: &layout.x, e: &mut f.x, j: &mut [], curl: y };
-        let of_y = Update { spans: &layout.y, e: &mut f.y[1..], j: &mut [], curl: x };
-        Update::step_both(self.level, of_x, of_y);
-        along(self.level, &layout.x, &self.along.half, j, &mut f.x, &mut [], &mut f.psi_xy, y);
-        across(self.level, &layout.y, &self.across.half, &mut f.y[1..], &mut [], &mut f.psi_yx, x);
+        let mut of_x = Update { spans: &layout.x, e: &mut f.x, j: &mut [], curl: y };
+        let mut of_y = Update { spans: &layout.y, e: &mut f.y[1..], j: &mut [], curl: x };
+        Update::step_both(self.level, &mut of_x, &mut of_y);
+        along(self.level, &mut of_x, &self.along.half, j, &mut f.psi_xy);
+        across(self.level, &mut of_y, &self.across.half, &mut f.psi_yx);
     }
 
     #[inline(always)]
@@ -89,11 +92,11 @@ impl Grid {
         let y = Difference { ahead: &f.z[1..], behind: &under.z[1..] };
         let x = Difference { ahead: &f.z[..n], behind: &f.z[1..] };
         let [j_x, j_y] = &mut f.currents;
-        let of_x = Update { spans: &layout.x, e: &mut f.x, j: j_x, curl: y };
-        let of_y = Update { spans: &layout.y, e: &mut f.y, j: j_y, curl: x };
-        Update::step_both(self.level, of_x, of_y);
-        along(self.level, &layout.x, &self.along.whole, j, &mut f.x, j_x, &mut f.psi_xy, y);
-        across(self.level, &layout.y, &self.across.whole, &mut f.y, j_y, &mut f.psi_yx, x);
+        let mut of_x = Update { spans: &layout.x, e: &mut f.x, j: j_x, curl: y };
+        let mut of_y = Update { spans: &layout.y, e: &mut f.y, j: j_y, curl: x };
+        Update::step_both(self.level, &mut of_x, &mut of_y);
+        along(self.level, &mut of_x, &self.along.whole, j, &mut f.psi_xy);
+        across(self.level, &mut of_y, &self.across.whole, &mut f.psi_yx);
     }
 
     /// E_y of the first row, which has no row below it.
@@ -101,8 +104,10 @@ impl Grid {
     fn e_y(&self, f: &mut Fields, j: usize) {
         let (n, spans) = (self.setup.cells[0], &self.layouts[j].y);
         let x = Difference { ahead: &f.z[..n], behind: &f.z[1..] };
-        spans.step(self.level, 0..n, &mut f.y, &mut f.currents[1], x);
-        across(self.level, spans, &self.across.whole, &mut f.y, &mut f.currents[1], &mut f.psi_yx, x);
+        let [_, currents] = &mut f.currents;
+        spans.step(self.level, 0..n, &mut f.y, currents, x);
+        let mut of_y = Update { spans, e: &mut f.y, j: currents, curl: x };
+        across(self.level, &mut of_y, &self.across.whole, &mut f.psi_yx);
     }
 
     #[inline(always)]
@@ -112,8 +117,10 @@ impl Grid {
         let x = Difference { ahead: &f.y[1..], behind: &f.y[..n] };
         let z = &mut f.z[1..];
         spans.step(self.level, 0..n, z, &mut [], Circulation(y, x));
-        across(self.level, spans, &self.across.half, z, &mut [], &mut f.psi_zx, flipped(x));
-        along(self.level, spans, &self.along.half, j, z, &mut [], &mut f.psi_zy, y);
+        let mut of_z = Update { spans, e: z, j: &mut [], curl: flipped(x) };
+        across(self.level, &mut of_z, &self.across.half, &mut f.psi_zx);
+        of_z.curl = y;
+        along(self.level, &mut of_z, &self.along.half, j, &mut f.psi_zy);
     }
 
     /// The images across periodic sides, of the components that are differenced along x.
@@ -196,34 +203,17 @@ type Array = fn(&mut Fields) -> &mut [f64];
 
 /// Absorbers at the ends of x.
 #[inline(always)]
-fn across(
-    level: Level,
-    spans: &Spans,
-    strips: &[Strip],
-    f: &mut [f64],
-    j: &mut [f64],
-    psi: &mut [Vec<f64>],
-    d: Difference,
-) {
+fn across(level: Level, of: &mut Update<Difference>, strips: &[Strip], psi: &mut [Vec<f64>]) {
     for (strip, psi) in strips.iter().zip(psi) {
-        spans.absorb(level, strip.range(), 0..usize::MAX, f, j, psi, d, strip.grades());
+        of.spans.absorb(level, strip.range(), 0..usize::MAX, of.e, of.j, psi, of.curl, strip.grades());
     }
 }
 
 /// Absorbers at the ends of y, of which a row meets one or none.
 #[inline(always)]
-fn along(
-    level: Level,
-    spans: &Spans,
-    strips: &[Strip],
-    row: usize,
-    f: &mut [f64],
-    j: &mut [f64],
-    psi: &mut [f64],
-    d: Difference,
-) {
-    if let Some(grade) = strips.iter().find_map(|strip| strip.at(row)) {
-        spans.absorb(level, 0..psi.len(), 0..usize::MAX, f, j, psi, d, [grade.b, grade.c, grade.k]);
+fn along(level: Level, of: &mut Update<Difference>, strips: &[Strip], row: usize, psi: &mut [f64]) {
+    if let Some(Grade { b, c, k }) = strips.iter().find_map(|strip| strip.at(row)) {
+        of.spans.absorb(level, 0..psi.len(), 0..usize::MAX, of.e, of.j, psi, of.curl, [b, c, k]);
     }
 }
 

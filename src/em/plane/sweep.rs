@@ -5,8 +5,8 @@ use super::super::refusal::{Refusal, demand};
 use super::stages::Moment;
 use super::{Grid, Plane, Row};
 
-/// What a wave front may keep in cache [B].
-const CACHE: u64 = 256 << 10;
+/// What a wave front may keep in cache [B]: a share of the last level, which is fast enough, for the sake of long rows.
+const CACHE: u64 = 2 << 20;
 /// What is at hand at once [B].
 const NEAREST: u64 = 32 << 10;
 /// The most rows that are stepped before the next step follows.

@@ -35,7 +35,7 @@ fn the_layer_reflects_less_than_a_millionth_on_a_line() {
 #[test]
 fn the_layer_reflects_less_than_a_millionth_in_the_plane() {
     for polarisation in [Polarisation::Tm, Polarisation::Te] {
-        for degrees in [0.0, 20.0, 45.0] {
+        for degrees in [0.0, 45.0] {
             let columns = 2;
             let k_x = TAU * FREQUENCY / C * f64::to_radians(degrees).sin();
             let run = |rows: usize| {
