@@ -23,7 +23,7 @@ use fearless_simd::Level;
 use std::ops::Range;
 
 /// Cells of the wave's own line, and those of them that absorb.
-pub(super) const LENGTH: usize = 4096;
+const LENGTH: usize = 4096;
 const ABSORBER: usize = 512;
 
 /// Where a wave travels.

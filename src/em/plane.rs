@@ -12,8 +12,8 @@
 //! second-order accurate. Along y stand walls; along x walls, or the structure repeats and the field gains a phase
 //! from one period to the next (Bloch): then it is complex, and a second real grid carries its imaginary part.
 //!
-//! A row holds all its components, and rows are stepped in a wave front that carries several steps at once: row j at
-//! step s, then row j − 1 at step s + 1, … while they are in cache. Threads take bands of rows: each band shrinks by a
+//! A row holds all its components, and rows are stepped in a wave front that carries several steps at once: rows up to
+//! j at step s, then those up to j − 1 at step s + 1, … while they are in cache. Threads take bands of rows: each band shrinks by a
 //! row a step at its edges, and then the gaps between bands are filled (trapezoids; Frigo & Strumpen 2005). The
 //! arithmetic of a cell is the same in all of them, bit by bit.
 

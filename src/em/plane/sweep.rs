@@ -153,7 +153,7 @@ fn each<T>(items: Vec<T>, f: impl Fn(T)) {
 }
 
 impl Grid {
-    /// Steps the bands of E and H in a wave front: row j at step s before row j − 1 at step s + 1. `window` holds all
+    /// Steps the bands of E and H in a wave front: rows up to j at step s before those up to j − 1 at step s + 1. `window` holds all
     /// rows that are read or written, from row `first` on.
     fn sweep(&self, window: &mut [Row], first: usize, block: Block, e: Band, h: Band) {
         let deep = block.deep as isize;
