@@ -7,8 +7,8 @@
 //! ∂E ∝ −∂H/∂y − qG,  ∂H ∝ −∂E/∂y,  ∂G ∝ qE,  q = 2 sin(k_xΔ/2).
 //!
 //! No echo falsifies it: a step carries the wave by at most a cell, so that the line is stepped only as far as the wave
-//! has come, and an end [`LENGTH`] cells away is not heard of for twice as many steps. What comes back thereafter has
-//! crossed [`ABSORBER`] cells of graded layer twice.
+//! has come, and of [`LENGTH`] cells the last [`ABSORBER`] are a graded layer, which is not heard of for twice as many
+//! steps as there are cells before it. What comes back thereafter has crossed the layer twice.
 
 use super::absorber::{Cpml, Strip, Strips, Wall};
 use super::aligned::Aligned;

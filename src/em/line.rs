@@ -291,7 +291,7 @@ impl Line {
 
     /// A plane wave of E_x = `amplitude` [V/m] × pulse, travelling to the right, that exists from `node` on (total
     /// field) and not before it (scattered field); T&H §5.6. It is stepped on a line of its own, of the medium at the
-    /// node, which it enters one cell earlier: exact for 8000 steps, and to 1e−13 of the pulse's peak thereafter. It
+    /// node, which it enters one cell earlier: exact for 7000 steps, and to 1e−12 of the pulse's peak thereafter. It
     /// replaces an earlier one.
     ///
     /// # Errors

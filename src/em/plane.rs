@@ -287,7 +287,7 @@ impl Plane {
     /// A plane wave of tangential electric field `amplitude` [V/m] × pulse × e^(ik_x x) that travels towards larger y
     /// and exists from row `row` on (total field) and not before it (scattered field); T&H §5.10. k_x is that of the
     /// sides' Bloch phase, so sin θ = ck_x/(nω). It is stepped on a line of its own, of the medium at the row, which it
-    /// enters one row earlier: exact for 8000 steps, and thereafter but for the echo of a layer of 512 cells. It replaces
+    /// enters one row earlier: exact for 7000 steps, and thereafter but for the echo of a layer of 512 cells. It replaces
     /// an earlier one.
     ///
     /// Of a short pulse some frequencies lie near ck_x/n, where the wave grazes: it hardly moves along y and no layer
