@@ -85,6 +85,17 @@ pub(super) fn clear<D: Curl, C: Coefficient>(e: &mut [f64], curl: D, drive: C) {
     }
 }
 
+/// The same for two components of as many cells.
+#[inline(always)]
+pub(super) fn clear_both<A: Curl, B: Curl>([e, f]: [&mut [f64]; 2], (a, b): (A, B), [of_a, of_b]: [f64; 2]) {
+    let n = e.len();
+    let (f, a, b) = (&mut f[0..n], a.cut(0..n), b.cut(0..n));
+    for i in 0..n {
+        e[i] += of_a * a.at(i);
+        f[i] += of_b * b.at(i);
+    }
+}
+
 /// E += drive·curl − rest·E.
 #[inline(always)]
 pub(super) fn lossy<D: Curl, C: Coefficient>(e: &mut [f64], curl: D, [drive, rest]: [C; 2]) {
@@ -119,14 +130,15 @@ pub(super) fn full<D: Curl, C: Coefficient>(e: &mut [f64], j: &mut [f64], curl: 
     }
 }
 
-/// What an absorber adds: ψ = b ψ + c·d, E += drive·(ψ + k·d).
+/// What an absorber adds: ψ = b ψ + c·d, E += drive·(ψ + k·d). `also` learns by how much each E grew.
 #[inline(always)]
 pub(super) fn absorb<C: Coefficient, G: Coefficient>(
     e: &mut [f64],
     psi: &mut [f64],
     d: Difference,
-    drive: C,
     [b, c, k]: [G; 3],
+    drive: C,
+    mut also: impl FnMut(usize, f64),
 ) {
     let n = e.len();
     let (d, psi, drive) = (d.cut(0..n), &mut psi[0..n], drive.cut(0..n));
@@ -134,6 +146,15 @@ pub(super) fn absorb<C: Coefficient, G: Coefficient>(
     for i in 0..n {
         let d = d.at(i);
         psi[i] = b.at(i) * psi[i] + c.at(i) * d;
-        e[i] += drive.at(i) * (psi[i] + k.at(i) * d);
+        let added = drive.at(i) * (psi[i] + k.at(i) * d);
+        e[i] += added;
+        also(i, added);
     }
+}
+
+/// J += gain·added: the current follows an E that was not yet all it is.
+#[inline(always)]
+pub(super) fn follow<C: Coefficient>(j: &mut [f64], gain: C) -> impl FnMut(usize, f64) {
+    #[inline(always)]
+    move |i, added| j[i] += gain.at(i) * added
 }

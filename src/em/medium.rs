@@ -83,16 +83,21 @@ impl Medium {
         (self.permittivity(omega) * self.mu_r).sqrt()
     }
 
-    /// Refuses what is not physical, NaN included.
+    /// Refuses what is not physical, NaN included, and what no product of two such numbers could hold.
     pub(super) fn check(&self) -> Result<(), Refusal> {
-        demand(self.eps_r > 0.0 && self.eps_r.is_finite(), "relative permittivity", self.eps_r, "finite and above 0")?;
-        demand(self.mu_r > 0.0 && self.mu_r.is_finite(), "relative permeability", self.mu_r, "finite and above 0")?;
-        demand(self.sigma >= 0.0 && self.sigma.is_finite(), "conductivity", self.sigma, "finite and at least 0 S/m")?;
+        let positive = |value: f64| value > 0.0 && value <= HUGE;
+        let not_negative = |value: f64| (0.0..=HUGE).contains(&value);
+        demand(positive(self.eps_r), "relative permittivity", self.eps_r, "above 0 and at most 1e30")?;
+        demand(positive(self.mu_r), "relative permeability", self.mu_r, "above 0 and at most 1e30")?;
+        demand(not_negative(self.sigma), "conductivity", self.sigma, "0 to 1e30 S/m")?;
         let Some(Drude { plasma, collision }) = self.drude else { return Ok(()) };
-        demand(plasma > 0.0 && plasma.is_finite(), "plasma frequency", plasma, "finite and above 0 rad/s")?;
-        demand(collision >= 0.0 && collision.is_finite(), "collision frequency", collision, "finite and at least 0 1/s")
+        demand(positive(plasma), "plasma frequency", plasma, "above 0 and at most 1e30 rad/s")?;
+        demand(not_negative(collision), "collision frequency", collision, "0 to 1e30 1/s")
     }
 }
+
+/// Beyond every number of physics in SI units, and small enough that squares of products do not overflow.
+pub(super) const HUGE: f64 = 1e30;
 
 /// One step of E′ = E + (∇×H − σE) per unit of E and of curl [1].
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -20,11 +20,15 @@
 //! | charge and energy, balanced step by step | [`ledger`] |
 //! | other ways to solve the wave equation | [`wave`] |
 //! | what a scene left out | [`pruning`] |
+//! | an incident plane wave, without echo | `incident` |
+//! | inner loops, compiled for each processor | `kernel`, `span` |
 //!
 //! Inside, H is held as η₀H [V/m], so that vacuum needs one number, the Courant number S = cΔt/Δ; every public
 //! function speaks SI. Fields are real, or a pair of real grids where a Bloch phase makes them complex.
 
 pub mod absorber;
+mod aligned;
+mod incident;
 mod kernel;
 pub mod ledger;
 pub mod line;
@@ -67,7 +71,7 @@ pub struct Stepping {
     pub conduction: Conduction,
     /// Whether what a cell does not need is left out of its update; the fields are the same bit by bit.
     pub pruned: bool,
-    /// The most memory a grid may take [B].
+    /// The most memory a grid may take while it is built and after [B].
     pub memory_limit: u64,
 }
 
@@ -76,7 +80,19 @@ impl Stepping {
     pub const fn at(courant: f64) -> Self {
         Self { courant, unstable: false, conduction: Conduction::Exponential, pruned: true, memory_limit: 2 << 30 }
     }
+
+    /// Refuses what takes more memory [B] than allowed.
+    fn admit(&self, bytes: u64) -> Result<(), Refusal> {
+        let limit = self.memory_limit;
+        if bytes > limit { Err(Refusal::TooLarge { bytes, limit }) } else { Ok(()) }
+    }
 }
 
 /// Number of bytes of an `f64`.
 const WORD: u64 = 8;
+
+/// Σ of products, as much as there is where it exceeds the range: sizes that are still to be refused.
+fn total<const N: usize>(products: [[u64; 3]; N]) -> u64 {
+    let product = |factors: [u64; 3]| factors.into_iter().fold(1, u64::saturating_mul);
+    products.into_iter().map(product).fold(0, u64::saturating_add)
+}

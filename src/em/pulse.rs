@@ -1,5 +1,6 @@
 //! What a source does in time.
 
+use super::refusal::{Refusal, demand};
 use std::f64::consts::TAU;
 use std::fmt;
 use std::sync::Arc;
@@ -25,9 +26,9 @@ pub enum Pulse {
     },
     /// 1 from `start` up to `end`, else 0.
     Square {
-        /// First moment at which it is on [s].
+        /// First moment at which it is on [s]; −∞ for always.
         start: f64,
-        /// First moment at which it is off again [s].
+        /// First moment at which it is off again [s]; ∞ for never.
         end: f64,
     },
     /// Anything else.
@@ -38,6 +39,26 @@ impl Pulse {
     /// Any function of time [s].
     pub fn custom(signal: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
         Self::Custom(Arc::new(signal))
+    }
+
+    /// Refuses a pulse that is not a number anywhere. What a custom one answers is its own affair.
+    pub(super) fn check(&self) -> Result<(), Refusal> {
+        let envelope = |delay: f64, width: f64| {
+            demand(delay.is_finite(), "delay of a pulse", delay, "finite")?;
+            demand(width > 0.0 && width.is_finite(), "width of a pulse", width, "finite and above 0 s")
+        };
+        match *self {
+            Self::Gaussian { delay, width } => envelope(delay, width),
+            Self::Modulated { frequency, delay, width } => {
+                demand(frequency.is_finite(), "frequency of a pulse", frequency, "finite")?;
+                envelope(delay, width)
+            }
+            Self::Square { start, end } => {
+                demand(!start.is_nan(), "start of a pulse", start, "a number")?;
+                demand(!end.is_nan(), "end of a pulse", end, "a number")
+            }
+            Self::Custom(_) => Ok(()),
+        }
     }
 
     /// Its value [1] at time `t` [s].

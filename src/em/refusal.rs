@@ -7,7 +7,7 @@ use std::fmt;
 pub enum Refusal {
     /// The grid would take more memory than allowed.
     TooLarge {
-        /// What it would take [B].
+        /// What it would take at its peak [B]; `u64::MAX` for that or more.
         bytes: u64,
         /// What it may take [B].
         limit: u64,

@@ -1,7 +1,9 @@
 //! A row of cells, cut into runs that need the same update.
 
-use super::kernel::{self, Curl, Difference};
-use super::medium::Coefficients;
+use super::aligned::VECTOR;
+use super::kernel::{self, Coefficient, Curl, Difference};
+use super::medium::{Coefficients, Medium};
+use fearless_simd::{Level, dispatch};
 use std::ops::Range;
 
 /// What a cell needs beyond E += drive·curl, each including the one before.
@@ -18,7 +20,7 @@ pub(super) enum Need {
 }
 
 impl Need {
-    const fn columns(self) -> usize {
+    pub const fn columns(self) -> u64 {
         match self {
             Self::Clear => 1,
             Self::Loss => 2,
@@ -35,6 +37,21 @@ impl Need {
             Self::Conduction => 5,
             Self::Electrons => 11,
         }
+    }
+
+    /// The most that any cell of `media`, or of a mean of them, can need.
+    pub fn of_any<'a>(media: impl Iterator<Item = &'a Medium>) -> Self {
+        let of = |medium: &Medium| match medium {
+            Medium { drude: Some(_), .. } => Self::Electrons,
+            Medium { sigma, .. } if *sigma > 0.0 => Self::Conduction,
+            _ => Self::Clear,
+        };
+        media.map(of).max().unwrap_or(Self::Clear)
+    }
+
+    /// Coefficients, and current, that an E component of its own needs [f64].
+    pub fn words(self) -> u64 {
+        self.columns() + u64::from(self == Self::Electrons)
     }
 
     fn of(c: &Coefficients) -> Self {
@@ -95,7 +112,7 @@ impl Spans {
         let (cells, same) = (&cells[run.range.clone()], run.same);
         let column = |k: usize| move |c: &Coefficients| [c.drive, c.rest, c.base, c.share, c.memory, c.gain][k];
         let kept = if same { &cells[..1] } else { cells };
-        let table = (0..run.need.columns()).flat_map(|k| kept.iter().map(column(k))).collect();
+        let table = (0..run.need.columns() as usize).flat_map(|k| kept.iter().map(column(k))).collect();
         let range = first + run.range.start..first + run.range.end;
         let currents = self.currents;
         self.currents += if run.need == Need::Electrons { range.len() } else { 0 };
@@ -103,22 +120,33 @@ impl Spans {
     }
 
     /// Steps the components within `window` of the row `e`. `curl` and `e` are indexed alike.
+    ///
+    /// Here and in [`Self::absorb`] the loops are compiled once for each `level` of the processor; they are the same
+    /// multiplications and additions in the same order, so that the numbers are too.
+    pub fn step<D: Curl>(&self, level: Level, window: Range<usize>, e: &mut [f64], j: &mut [f64], curl: D) {
+        dispatch!(level, _ => self.step_spans(window, e, j, curl));
+    }
+
     #[inline(always)]
-    pub fn step<D: Curl>(&self, window: Range<usize>, e: &mut [f64], j: &mut [f64], curl: D) {
+    fn step_spans<D: Curl>(&self, window: Range<usize>, e: &mut [f64], j: &mut [f64], curl: D) {
         for span in &self.list {
-            let range = span.range.start.max(window.start)..span.range.end.min(window.end);
-            if range.start < range.end {
-                let inner = range.start - span.range.start..range.end - span.range.start;
-                span.step(inner, &mut e[range.clone()], j, curl.cut(range));
+            let (start, end) = (span.range.start.max(window.start), span.range.end.min(window.end));
+            // The few cells before the first whole vector are stepped apart.
+            let head = start.next_multiple_of(VECTOR).min(end);
+            for range in [start..head, head..end] {
+                if range.start < range.end {
+                    let inner = range.start - span.range.start..range.end - span.range.start;
+                    span.step(inner, &mut e[range.clone()], j, curl.cut(range));
+                }
             }
         }
     }
 
     /// Adds what an absorber does within `strip` of the row; `psi` and the grades are indexed from the strip's start.
     #[expect(clippy::too_many_arguments, reason = "a row's fields, and nothing that belongs together")]
-    #[inline(always)]
-    pub fn absorb<G: kernel::Coefficient>(
+    pub fn absorb<G: Coefficient>(
         &self,
+        level: Level,
         strip: Range<usize>,
         window: Range<usize>,
         e: &mut [f64],
@@ -137,15 +165,7 @@ impl Spans {
             let (e, psi, d) = (&mut e[start..end], &mut psi[of_strip.clone()], d.cut(start..end));
             let grades = grades.map(|grade| grade.cut(of_strip.clone()));
             let inner = start - span.range.start..end - span.range.start;
-            let before = if span.need == Need::Electrons { e.to_vec() } else { Vec::new() };
-            match span.column(0, inner.clone()) {
-                [drive] if span.same => kernel::absorb(e, psi, d, *drive, grades),
-                drive => kernel::absorb(e, psi, d, drive, grades),
-            }
-            // The current follows E, and E was not yet all it is.
-            for ((k, before), e) in inner.zip(before).zip(e) {
-                j[span.currents + k] += span.value(GAIN, k) * (*e - before);
-            }
+            dispatch!(level, _ => span.absorb(inner, e, j, psi, d, grades));
         }
     }
 
@@ -158,6 +178,12 @@ impl Spans {
         if span.need == Need::Electrons {
             j[span.currents + k] += span.value(GAIN, k) * added;
         }
+    }
+
+    /// Its range and coefficient, if it is one clear run with one coefficient.
+    fn uniform(&self) -> Option<(Range<usize>, f64)> {
+        let [span] = &self.list[..] else { return None };
+        (span.need == Need::Clear && span.same).then(|| (span.range.clone(), span.table[DRIVE]))
     }
 
     /// What the curl is multiplied by at a component [1]; 0 if it is not stepped.
@@ -179,10 +205,50 @@ impl Spans {
     }
 }
 
+/// One component of a row, about to be stepped.
+pub(super) struct Update<'a, D> {
+    pub spans: &'a Spans,
+    pub e: &'a mut [f64],
+    pub j: &'a mut [f64],
+    /// Indexed as `e` is.
+    pub curl: D,
+}
+
+impl<D: Curl> Update<'_, D> {
+    /// Steps two components of a row; in one loop where both are uniform and clear, for their curls share what they load.
+    pub fn step_both<B: Curl>(level: Level, one: &mut Self, two: &mut Update<B>) {
+        match (one.spans.uniform(), two.spans.uniform()) {
+            (Some(a), Some(b)) => dispatch!(level, _ => one.step_clear(a, two, b)),
+            _ => {
+                one.spans.step(level, 0..usize::MAX, one.e, one.j, one.curl);
+                two.spans.step(level, 0..usize::MAX, two.e, two.j, two.curl);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn step_clear<B: Curl>(
+        &mut self,
+        (a, of_a): (Range<usize>, f64),
+        two: &mut Update<B>,
+        (b, of_b): (Range<usize>, f64),
+    ) {
+        let end = a.end.min(b.end);
+        let start = a.start.max(b.start).next_multiple_of(VECTOR).min(end);
+        for (a, b) in [(a.start..start, b.start..start), (end..a.end, end..b.end)] {
+            kernel::clear(&mut self.e[a.clone()], self.curl.cut(a), of_a);
+            kernel::clear(&mut two.e[b.clone()], two.curl.cut(b), of_b);
+        }
+        let both = start..end;
+        let fields = [&mut self.e[both.clone()], &mut two.e[both.clone()]];
+        kernel::clear_both(fields, (self.curl.cut(both.clone()), two.curl.cut(both)), [of_a, of_b]);
+    }
+}
+
 impl Span {
     /// How many coefficients were not stored because one set serves all.
     pub fn spared(&self) -> u64 {
-        if self.same { ((self.range.len() - 1) * self.need.columns()) as u64 } else { 0 }
+        if self.same { (self.range.len() - 1) as u64 * self.need.columns() } else { 0 }
     }
 
     /// A coefficient at the k-th component of the run.
@@ -214,6 +280,31 @@ impl Span {
             (Need::Conduction, false) => kernel::conducting(e, curl, [0, 1, 2].map(each)),
             (Need::Electrons, true) => kernel::full(e, &mut j[of_currents], curl, [0, 1, 2, 3, 4, 5].map(same)),
             (Need::Electrons, false) => kernel::full(e, &mut j[of_currents], curl, [0, 1, 2, 3, 4, 5].map(each)),
+        }
+    }
+
+    #[inline(always)]
+    fn absorb<G: Coefficient>(
+        &self,
+        inner: Range<usize>,
+        e: &mut [f64],
+        j: &mut [f64],
+        psi: &mut [f64],
+        d: Difference,
+        grades: [G; 3],
+    ) {
+        let each = |k: usize| self.column(k, inner.clone());
+        let same = |k: usize| self.table[k];
+        let of_currents = self.currents + inner.start..self.currents + inner.end;
+        match (self.need, self.same) {
+            (Need::Electrons, true) => {
+                kernel::absorb(e, psi, d, grades, same(DRIVE), kernel::follow(&mut j[of_currents], same(GAIN)));
+            }
+            (Need::Electrons, false) => {
+                kernel::absorb(e, psi, d, grades, each(DRIVE), kernel::follow(&mut j[of_currents], each(GAIN)));
+            }
+            (_, true) => kernel::absorb(e, psi, d, grades, same(DRIVE), |_, _| ()),
+            (_, false) => kernel::absorb(e, psi, d, grades, each(DRIVE), |_, _| ()),
         }
     }
 }

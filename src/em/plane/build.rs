@@ -1,12 +1,15 @@
 //! From a setup to rows: what is needed is made, and nothing else.
 
 use super::super::absorber::{Strip, Strips, Wall};
-use super::super::line::{check_courant, check_grid};
+use super::super::aligned::Aligned;
+use super::super::line::{FIXED, check_courant, check_grid, check_room};
 use super::super::medium::{Coefficients, Medium, Surroundings};
 use super::super::refusal::{Refusal, demand};
 use super::super::span::{Need, Spans};
-use super::super::{Stepping, WORD};
+use super::super::{Stepping, WORD, total};
 use super::{Fields, Grid, Layout, Plane, Polarisation, Row, Setup, Sides};
+use fearless_simd::Level;
+use num_complex::Complex64;
 use std::sync::Arc;
 
 impl Setup {
@@ -17,31 +20,52 @@ impl Setup {
         }
     }
 
-    /// Bytes of the fields alone.
-    fn bytes(&self) -> u64 {
+    fn all_media(&self) -> impl Iterator<Item = &Medium> {
+        std::iter::once(&self.background).chain(self.regions.iter().map(|region| &region.medium))
+    }
+
+    /// The most memory it takes [B], while it is built and after: fields, the map of the media, coefficients, currents
+    /// and absorbers. `u64::MAX` if that or more.
+    pub fn peak_bytes(&self) -> u64 {
         let [columns, rows] = self.cells.map(|n| (n as u64).saturating_add(1));
-        columns.saturating_mul(rows).saturating_mul(3 * WORD * self.parts() as u64)
+        let parts = self.parts() as u64;
+        let (uniform, pruned) = (self.regions.is_empty(), self.stepping.pruned);
+        let need = if pruned { Need::of_any(self.all_media()) } else { Need::Electrons };
+        let [electric, magnetic] = if self.polarisation == Polarisation::Tm { [1, 2] } else { [2, 1] };
+        let tables = if uniform && pruned { 0 } else { electric * need.columns() + magnetic };
+        let currents = electric * (need.words() - need.columns()) * parts;
+        let thick = |walls: [Wall; 2]| walls.iter().map(|w| w.thickness() as u64).fold(0, u64::saturating_add);
+        let (across, along) = (thick(self.walls_across()), thick(self.ends));
+        total([
+            [columns, rows, (3 * parts + tables + currents) * WORD],
+            [columns, rows, if uniform { 0 } else { size_of::<u16>() as u64 }],
+            // ψ of two components, and the coefficients of the layers.
+            [across, rows, 2 * parts * WORD],
+            [along, columns, 2 * parts * WORD],
+            [across.saturating_add(along), 6, WORD],
+            // A row's coefficients, while runs of equal ones are sought, and what holds it together.
+            [columns, 1, size_of::<Coefficients>() as u64],
+            [rows, parts, FIXED],
+            [1, 1, FIXED],
+        ])
     }
 
     fn check(&self) -> Result<(), Refusal> {
         for cells in self.cells {
             demand(cells >= 1, "number of cells", cells as f64, "at least 1")?;
         }
-        check_grid(self.spacing, &self.stepping, self.bytes())?;
-        let media = || std::iter::once(&self.background).chain(self.regions.iter().map(|region| &region.medium));
-        media().try_for_each(Medium::check)?;
-        check_courant(&self.stepping, media(), 2)?;
+        check_grid(self.spacing, &self.stepping)?;
+        self.walls_across().iter().chain(&self.ends).try_for_each(Wall::check)?;
+        self.all_media().try_for_each(Medium::check)?;
+        check_courant(&self.stepping, self.all_media(), 2)?;
         let regions = self.regions.len();
         demand(regions < usize::from(u16::MAX), "number of regions", regions as f64, "below 65535")?;
         if let Sides::Bloch(phase) = self.sides {
             demand(phase.is_finite(), "Bloch phase", phase, "finite")?;
         }
-        for (walls, cells) in [(self.walls_across(), self.cells[0]), (self.ends, self.cells[1])] {
-            walls.iter().try_for_each(Wall::check)?;
-            let thick = walls[0].thickness().saturating_add(walls[1].thickness());
-            demand(thick < cells, "thickness of both absorbers", thick as f64, "less than the number of cells")?;
-        }
-        Ok(())
+        self.stepping.admit(self.peak_bytes())?;
+        check_room(self.walls_across(), self.cells[0])?;
+        check_room(self.ends, self.cells[1])
     }
 
     /// Which region each cell belongs to; none if all is background.
@@ -52,8 +76,11 @@ impl Setup {
             let covering = self.regions.iter().rposition(|region| (region.covers)(middle(i), middle(j)));
             covering.map_or(0, |k| k as u16 + 1)
         };
-        let all = || (0..rows).flat_map(|j| (0..columns).map(move |i| of(i, j))).collect();
-        (!self.regions.is_empty()).then(all)
+        (!self.regions.is_empty()).then(|| {
+            let mut map = Vec::with_capacity(rows * columns);
+            (0..rows).for_each(|j| map.extend((0..columns).map(|i| of(i, j))));
+            map
+        })
     }
 }
 
@@ -65,14 +92,16 @@ impl Plane {
     /// that leave no room.
     pub fn new(setup: Setup) -> Result<Self, Refusal> {
         setup.check()?;
+        let turn = if let Sides::Bloch(phase) = setup.sides { Complex64::cis(phase) } else { Complex64::ONE };
         let mut grid = Grid {
             map: setup.map(),
+            turn,
             setup,
             layouts: Vec::new(),
             across: Strips::default(),
             along: Strips::default(),
             sources: Vec::new(),
-            entry: None,
+            level: Level::new(),
         };
         let [columns, rows] = grid.setup.cells;
         let impedance = |i: usize, j: usize| {
@@ -193,7 +222,14 @@ impl Grid {
                 ..Fields::default()
             },
         };
-        let full = Fields { x: zeros(columns), y: zeros(columns + 1), z: zeros(columns + 1), ..fields };
+        // The image of the last component at i + ½ stands before the first.
+        let [image_y, image_z] = if self.setup.polarisation == Polarisation::Tm { [1, 0] } else { [0, 1] };
+        let full = Fields {
+            x: Aligned::zeros(columns, 0),
+            y: Aligned::zeros(columns + 1, image_y),
+            z: Aligned::zeros(columns + 1, image_z),
+            ..fields
+        };
         vec![full; self.setup.parts()]
     }
 }

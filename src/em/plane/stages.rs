@@ -1,49 +1,40 @@
 //! One row, one half step.
 
-use super::super::absorber::Strip;
+use super::super::absorber::{Grade, Strip};
 use super::super::kernel::{Circulation, Difference};
-use super::super::span::Spans;
+use super::super::span::Update;
 use super::{Fields, Grid, Polarisation, Row, Sides};
+use fearless_simd::Level;
 use num_complex::Complex64;
 
 /// The moment at which a row is stepped, and what arrives from outside then.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Moment<'a> {
+pub(super) struct Moment {
     /// Steps run before this one.
     pub step: u64,
     /// The row of the incident wave, η₀H below it and E in it, at column 0.
-    pub incident: Option<(usize, &'a [Complex64; 2])>,
+    pub incident: Option<(usize, [f64; 2])>,
 }
 
 impl Grid {
     /// E of row `j`; `below` is row j − 1, `here` row j.
     #[inline(always)]
     pub(super) fn step_electric(&self, below: Option<&Row>, here: &mut Row, j: usize, moment: Moment) {
-        if j == 0 {
-            self.enter(here, moment.step);
-        }
         self.wrap_row(here);
         for part in 0..here.parts.len() {
             let under = below.map(|row| &row.parts[part]);
-            match self.setup.polarisation {
-                Polarisation::Tm => {
-                    if let Some(under) = under {
-                        self.e_z(under, &mut here.parts[part], j);
-                    }
-                }
-                Polarisation::Te => {
-                    if let Some(under) = under {
-                        self.e_x(under, &mut here.parts[part], j);
-                    }
-                    self.e_y(&mut here.parts[part], j);
-                }
+            let here = &mut here.parts[part];
+            match (self.setup.polarisation, under) {
+                (Polarisation::Tm, Some(under)) => self.e_z(under, here, j),
+                (Polarisation::Te, Some(under)) => self.e_xy(under, here, j),
+                (Polarisation::Te, None) => self.e_y(here, j),
+                (Polarisation::Tm, None) => {}
             }
         }
         self.inject(here, j, moment.step);
         if let Some((_, [h, _])) = moment.incident.filter(|(row, _)| *row == j) {
             // The row takes its curl from a row below in which only the scattered field lives.
-            let sign = if self.setup.polarisation == Polarisation::Tm { 1.0 } else { -1.0 };
-            self.add_incident(here, j, sign * h);
+            self.add_incident(here, j, h);
         }
         self.wrap_row(here);
         if self.setup.polarisation == Polarisation::Tm {
@@ -75,36 +66,48 @@ impl Grid {
         let (n, spans) = (self.setup.cells[0], &self.layouts[j].z);
         let x = Difference { ahead: &f.y[1..], behind: &f.y[..n] };
         let y = Difference { ahead: &f.x, behind: &under.x };
-        spans.step(0..n, &mut f.z, &mut f.currents[0], Circulation(x, y));
-        across(spans, &self.across.whole, &mut f.z, &mut f.currents[0], &mut f.psi_zx, x);
-        along(spans, &self.along.whole, j, &mut f.z, &mut f.currents[0], &mut f.psi_zy, flipped(y));
+        let [currents, _] = &mut f.currents;
+        spans.step(self.level, 0..n, &mut f.z, currents, Circulation(x, y));
+        let mut of_z = Update { spans, e: &mut f.z, j: currents, curl: x };
+        across(self.level, &mut of_z, &self.across.whole, &mut f.psi_zx);
+        of_z.curl = flipped(y);
+        along(self.level, &mut of_z, &self.along.whole, j, &mut f.psi_zy);
     }
 
     #[inline(always)]
     fn h_xy(&self, f: &mut Fields, over: &Fields, j: usize) {
         let (n, layout) = (self.setup.cells[0], &self.layouts[j]);
         let y = Difference { ahead: &f.z[..n], behind: &over.z[..n] };
-        layout.x.step(0..n, &mut f.x, &mut [], y);
-        along(&layout.x, &self.along.half, j, &mut f.x, &mut [], &mut f.psi_xy, y);
         let x = Difference { ahead: &f.z[1..], behind: &f.z[..n] };
-        layout.y.step(0..n, &mut f.y[1..], &mut [], x);
-        across(&layout.y, &self.across.half, &mut f.y[1..], &mut [], &mut f.psi_yx, x);
+        let mut of_x = Update { spans: &layout.x, e: &mut f.x, j: &mut [], curl: y };
+        let mut of_y = Update { spans: &layout.y, e: &mut f.y[1..], j: &mut [], curl: x };
+        Update::step_both(self.level, &mut of_x, &mut of_y);
+        along(self.level, &mut of_x, &self.along.half, j, &mut f.psi_xy);
+        across(self.level, &mut of_y, &self.across.half, &mut f.psi_yx);
     }
 
     #[inline(always)]
-    fn e_x(&self, under: &Fields, f: &mut Fields, j: usize) {
-        let (n, spans) = (self.setup.cells[0], &self.layouts[j].x);
+    fn e_xy(&self, under: &Fields, f: &mut Fields, j: usize) {
+        let (n, layout) = (self.setup.cells[0], &self.layouts[j]);
         let y = Difference { ahead: &f.z[1..], behind: &under.z[1..] };
-        spans.step(0..n, &mut f.x, &mut f.currents[0], y);
-        along(spans, &self.along.whole, j, &mut f.x, &mut f.currents[0], &mut f.psi_xy, y);
+        let x = Difference { ahead: &f.z[..n], behind: &f.z[1..] };
+        let [j_x, j_y] = &mut f.currents;
+        let mut of_x = Update { spans: &layout.x, e: &mut f.x, j: j_x, curl: y };
+        let mut of_y = Update { spans: &layout.y, e: &mut f.y, j: j_y, curl: x };
+        Update::step_both(self.level, &mut of_x, &mut of_y);
+        along(self.level, &mut of_x, &self.along.whole, j, &mut f.psi_xy);
+        across(self.level, &mut of_y, &self.across.whole, &mut f.psi_yx);
     }
 
+    /// E_y of the first row, which has no row below it.
     #[inline(always)]
     fn e_y(&self, f: &mut Fields, j: usize) {
         let (n, spans) = (self.setup.cells[0], &self.layouts[j].y);
         let x = Difference { ahead: &f.z[..n], behind: &f.z[1..] };
-        spans.step(0..n, &mut f.y, &mut f.currents[1], x);
-        across(spans, &self.across.whole, &mut f.y, &mut f.currents[1], &mut f.psi_yx, x);
+        let [_, currents] = &mut f.currents;
+        spans.step(self.level, 0..n, &mut f.y, currents, x);
+        let mut of_y = Update { spans, e: &mut f.y, j: currents, curl: x };
+        across(self.level, &mut of_y, &self.across.whole, &mut f.psi_yx);
     }
 
     #[inline(always)]
@@ -113,14 +116,18 @@ impl Grid {
         let y = Difference { ahead: &over.x, behind: &f.x };
         let x = Difference { ahead: &f.y[1..], behind: &f.y[..n] };
         let z = &mut f.z[1..];
-        spans.step(0..n, z, &mut [], Circulation(y, x));
-        across(spans, &self.across.half, z, &mut [], &mut f.psi_zx, flipped(x));
-        along(spans, &self.along.half, j, z, &mut [], &mut f.psi_zy, y);
+        spans.step(self.level, 0..n, z, &mut [], Circulation(y, x));
+        let mut of_z = Update { spans, e: z, j: &mut [], curl: flipped(x) };
+        across(self.level, &mut of_z, &self.across.half, &mut f.psi_zx);
+        of_z.curl = y;
+        along(self.level, &mut of_z, &self.along.half, j, &mut f.psi_zy);
     }
 
     /// The images across periodic sides, of the components that are differenced along x.
     pub(super) fn wrap_row(&self, row: &mut Row) {
-        let Sides::Bloch(phase) = self.setup.sides else { return };
+        if !matches!(self.setup.sides, Sides::Bloch(_)) {
+            return;
+        }
         let n = self.setup.cells[0];
         let te = self.setup.polarisation == Polarisation::Te;
         // Whole components run from their image on the right, half ones from theirs on the left.
@@ -132,9 +139,8 @@ impl Grid {
                 (last(re)[n], first(re)[0]) = (whole, half);
             }
             [re, im] => {
-                let turn = Complex64::cis(phase);
-                let whole = Complex64::new(last(re)[0], last(im)[0]) * turn;
-                let half = Complex64::new(first(re)[n], first(im)[n]) * turn.conj();
+                let whole = Complex64::new(last(re)[0], last(im)[0]) * self.turn;
+                let half = Complex64::new(first(re)[n], first(im)[n]) * self.turn.conj();
                 (last(re)[n], last(im)[n]) = (whole.re, whole.im);
                 (first(re)[0], first(im)[0]) = (half.re, half.im);
             }
@@ -155,18 +161,7 @@ impl Grid {
         }
     }
 
-    /// Imposes the tangential E of the first row.
-    fn enter(&self, row: &mut Row, step: u64) {
-        let Some((amplitude, pulse)) = &self.entry else { return };
-        let e = amplitude * pulse.at((step + 1) as f64 * self.dt());
-        let fields = &mut row.parts[0];
-        match self.setup.polarisation {
-            Polarisation::Tm => fields.z[0] = e,
-            Polarisation::Te => fields.x[0] = e,
-        }
-    }
-
-    fn add_incident(&self, row: &mut Row, j: usize, h: Complex64) {
+    fn add_incident(&self, row: &mut Row, j: usize, h: f64) {
         let layout = &self.layouts[j];
         let turned = self.turned(h);
         for (part, f) in row.parts.iter_mut().enumerate() {
@@ -179,7 +174,7 @@ impl Grid {
         }
     }
 
-    fn add_scattered(&self, row: &mut Row, j: usize, e: Complex64) {
+    fn add_scattered(&self, row: &mut Row, j: usize, e: f64) {
         let layout = &self.layouts[j];
         let turned = self.turned(e);
         for (part, f) in row.parts.iter_mut().enumerate() {
@@ -193,32 +188,32 @@ impl Grid {
     }
 
     /// Real and imaginary part at column i of what is `at_origin` at column 0.
-    fn turned(&self, at_origin: Complex64) -> impl Fn(usize) -> [f64; 2] {
+    fn turned(&self, at_origin: f64) -> impl Fn(usize) -> [f64; 2] {
         let Sides::Bloch(phase) = self.setup.sides else { unreachable!("incident waves need periodic sides") };
         let step = phase / self.setup.cells[0] as f64;
         move |i| {
-            let value = if step == 0.0 { at_origin } else { at_origin * Complex64::cis(step * i as f64) };
+            let value = if step == 0.0 { at_origin.into() } else { at_origin * Complex64::cis(step * i as f64) };
             [value.re, value.im]
         }
     }
 }
 
 /// One of a row's arrays.
-type Array = fn(&mut Fields) -> &mut Vec<f64>;
+type Array = fn(&mut Fields) -> &mut [f64];
 
 /// Absorbers at the ends of x.
 #[inline(always)]
-fn across(spans: &Spans, strips: &[Strip], f: &mut [f64], j: &mut [f64], psi: &mut [Vec<f64>], d: Difference) {
+fn across(level: Level, of: &mut Update<Difference>, strips: &[Strip], psi: &mut [Vec<f64>]) {
     for (strip, psi) in strips.iter().zip(psi) {
-        spans.absorb(strip.range(), 0..usize::MAX, f, j, psi, d, strip.grades());
+        of.spans.absorb(level, strip.range(), 0..usize::MAX, of.e, of.j, psi, of.curl, strip.grades());
     }
 }
 
 /// Absorbers at the ends of y, of which a row meets one or none.
 #[inline(always)]
-fn along(spans: &Spans, strips: &[Strip], row: usize, f: &mut [f64], j: &mut [f64], psi: &mut [f64], d: Difference) {
-    if let Some(grade) = strips.iter().find_map(|strip| strip.at(row)) {
-        spans.absorb(0..psi.len(), 0..usize::MAX, f, j, psi, d, [grade.b, grade.c, grade.k]);
+fn along(level: Level, of: &mut Update<Difference>, strips: &[Strip], row: usize, psi: &mut [f64]) {
+    if let Some(Grade { b, c, k }) = strips.iter().find_map(|strip| strip.at(row)) {
+        of.spans.absorb(level, 0..psi.len(), 0..usize::MAX, of.e, of.j, psi, of.curl, [b, c, k]);
     }
 }
 

@@ -3,11 +3,14 @@
 use super::super::WORD;
 use super::super::refusal::{Refusal, demand};
 use super::stages::Moment;
-use super::{Grid, Incident, Plane, Row};
-use num_complex::Complex64;
+use super::{Grid, Plane, Row};
 
-/// What a wave front may keep in cache [B].
-const CACHE: u64 = 256 << 10;
+/// What a wave front may keep in cache [B]: a share of the last level, which is fast enough, for the sake of long rows.
+const CACHE: u64 = 2 << 20;
+/// What is at hand at once [B].
+const NEAREST: u64 = 32 << 10;
+/// The most rows that are stepped before the next step follows.
+const WIDEST: u64 = 8;
 /// The most steps that are carried at once.
 const DEEPEST: u64 = 32;
 
@@ -32,7 +35,9 @@ impl Band {
 struct Block<'a> {
     start: u64,
     deep: usize,
-    incident: Option<(usize, &'a [[Complex64; 2]])>,
+    /// How many rows are stepped before the next step follows.
+    wide: usize,
+    incident: Option<(usize, &'a [[f64; 2]])>,
 }
 
 impl Plane {
@@ -70,17 +75,26 @@ impl Plane {
 
     /// How many steps are carried at once: as many as there are rows that fit the cache.
     fn deep(&self) -> u64 {
+        (CACHE / self.row_bytes()).saturating_sub(2).clamp(1, DEEPEST)
+    }
+
+    /// How many rows are stepped before the next step follows: with the two beside them they stay in the nearest cache,
+    /// where the next step finds all but one of them.
+    fn wide(&self) -> usize {
+        (NEAREST / self.row_bytes()).saturating_sub(2).clamp(1, WIDEST) as usize
+    }
+
+    fn row_bytes(&self) -> u64 {
         let setup = &self.grid.setup;
-        let row = (setup.cells[0] as u64 + 1) * 3 * WORD * setup.parts() as u64;
-        (CACHE / row).saturating_sub(2).clamp(1, DEEPEST)
+        (setup.cells[0] as u64 + 1) * 3 * WORD * setup.parts() as u64
     }
 
     fn block(&mut self, deep: usize, bands: usize) {
         if let Some(incident) = &mut self.incident {
-            incident.look_ahead(deep);
+            incident.look_ahead(deep, self.grid.level);
         }
-        let incident = self.incident.as_ref().map(|incident| (incident.row, &incident.ahead[..]));
-        let block = Block { start: self.steps, deep, incident };
+        let incident = self.incident.as_ref().map(|incident| (incident.at, &incident.ahead[..]));
+        let block = Block { start: self.steps, deep, wide: self.wide(), incident };
         let rows = self.rows.len() as isize - 1;
         // A band must outlast its shrinking from both sides.
         let bands = bands.clamp(1, (rows as usize / (2 * deep + 4)).max(1));
@@ -139,52 +153,28 @@ fn each<T>(items: Vec<T>, f: impl Fn(T)) {
 }
 
 impl Grid {
-    /// Steps the bands of E and H in a wave front: row j at step s before row j − 1 at step s + 1. `window` holds all
+    /// Steps the bands of E and H in a wave front: rows up to j at step s before those up to j − 1 at step s + 1. `window` holds all
     /// rows that are read or written, from row `first` on.
     fn sweep(&self, window: &mut [Row], first: usize, block: Block, e: Band, h: Band) {
         let deep = block.deep as isize;
         let least = e.lo.min(h.lo) - deep;
         let most = e.hi.max(h.hi) + 2 * deep + 1;
-        for front in least..most {
+        for front in (least..most).step_by(block.wide) {
             for s in 0..block.deep {
-                let j = front - s as isize;
-                let incident = block.incident.map(|(row, ahead)| (row, &ahead[s]));
+                let incident = block.incident.map(|(row, ahead)| (row, ahead[s]));
                 let moment = Moment { step: block.start + s as u64, incident };
-                if e.holds(j, s) {
-                    let (below, here) = window.split_at_mut(j as usize - first);
-                    self.step_electric(below.last(), &mut here[0], j as usize, moment);
-                }
-                if h.holds(j - 1, s) {
-                    let (here, above) = window.split_at_mut(j as usize - first);
-                    self.step_magnetic(here.last_mut().expect("a row"), &above[0], j as usize - 1, moment);
+                let front = front - s as isize;
+                for j in front..front + block.wide as isize {
+                    if e.holds(j, s) {
+                        let (below, here) = window.split_at_mut(j as usize - first);
+                        self.step_electric(below.last(), &mut here[0], j as usize, moment);
+                    }
+                    if h.holds(j - 1, s) {
+                        let (here, above) = window.split_at_mut(j as usize - first);
+                        self.step_magnetic(here.last_mut().expect("a row"), &above[0], j as usize - 1, moment);
+                    }
                 }
             }
         }
-    }
-}
-
-impl Incident {
-    /// Steps the wave's own column through the block at hand.
-    fn look_ahead(&mut self, deep: usize) {
-        self.ahead.clear();
-        for _ in 0..deep {
-            let h = self.at_origin(0, true);
-            self.column.block(1, 1);
-            self.ahead.push([h, self.at_origin(1, false)]);
-        }
-    }
-
-    /// Tangential H half a row above `row`, or tangential E in it.
-    fn at_origin(&self, row: usize, magnetic: bool) -> Complex64 {
-        let te = self.column.is_te();
-        let component = |part: usize| {
-            let Some(f) = self.column.rows[row].parts.get(part) else { return 0.0 };
-            match (magnetic, te) {
-                (true, false) | (false, true) => f.x[0],
-                (true, true) => f.z[1],
-                (false, false) => f.z[0],
-            }
-        };
-        Complex64::new(component(0), component(1))
     }
 }

@@ -35,8 +35,8 @@ fn the_layer_reflects_less_than_a_millionth_on_a_line() {
 #[test]
 fn the_layer_reflects_less_than_a_millionth_in_the_plane() {
     for polarisation in [Polarisation::Tm, Polarisation::Te] {
-        for degrees in [0.0, 20.0, 45.0] {
-            let columns = 4;
+        for degrees in [0.0, 45.0] {
+            let columns = 2;
             let k_x = TAU * FREQUENCY / C * f64::to_radians(degrees).sin();
             let run = |rows: usize| {
                 let phase = k_x * SPACING * columns as f64;
@@ -49,7 +49,7 @@ fn the_layer_reflects_less_than_a_millionth_in_the_plane() {
                 plane.run(2000).unwrap();
                 plane.record(probe)
             };
-            let (short, long) = (run(90), run(900));
+            let (short, long) = (run(90), run(600));
             let at = |record: &[_]| amplitude(record, 0.0, 0.6 * SPACING / C, TAU * FREQUENCY);
             let difference: Vec<_> = short.iter().zip(&long).map(|(a, b)| a - b).collect();
             let reflected = at(&difference).norm() / at(&long).norm();
@@ -65,24 +65,38 @@ fn the_incident_wave_does_not_leak() {
     let (before, after) = (line.probe(99).unwrap(), line.probe(100).unwrap());
     line.run(600).unwrap();
     let scale = worst(line.record(after).iter().copied());
-    // The far layer begins 70 cells on: before 2 × 70/0.8 steps no echo is back, and nothing is there but rounding.
+    // The far layer begins 70 cells on: before 2 × 70/0.8 steps its echo is not back, and nothing is there but rounding.
     let leaked = worst(line.record(before).iter().take(170).copied()) / scale;
-    assert!(leaked < 1e-13, "{leaked:e}");
+    assert!(leaked < 1e-14, "{leaked:e}");
     let errors = line.record(after).iter().zip(line.incident().unwrap()).map(|(a, b)| a - b);
     assert!(worst(errors.take(170)) < 1e-14 * scale.max(1.0));
     for polarisation in [Polarisation::Tm, Polarisation::Te] {
         for phase in [0.0, 0.9] {
-            let setup = plane::Setup::vacuum([5, 300], SPACING, polarisation, Stepping::at(0.6)).bloch(phase, 30);
-            let mut plane = Plane::new(setup).unwrap();
-            plane.illuminate(40, 1.0, packet(FREQUENCY, 1.0)).unwrap();
-            let (before, after) = (plane.probe([3, 38]).unwrap(), plane.probe([3, 41]).unwrap());
-            plane.run(500).unwrap();
-            let scale = worst(plane.record(after).iter().map(|z| z.norm()));
-            let leaked = worst(plane.record(before).iter().map(|z| z.norm())) / scale;
-            assert!(leaked < 1e-13, "{polarisation:?}, phase {phase}: {leaked:e}");
-            assert!(plane.incident().unwrap().len() == 500);
+            for medium in [Medium::VACUUM, Medium::conductor(2.25, 0.01), Medium::metal(3e10, 1e9)] {
+                let setup = plane::Setup::vacuum([5, 300], SPACING, polarisation, Stepping::at(0.6));
+                let mut plane = Plane::new(plane::Setup { background: medium, ..setup.bloch(phase, 30) }).unwrap();
+                plane.illuminate(40, 1.0, packet(FREQUENCY, 1.0)).unwrap();
+                let (before, after) = (plane.probe([3, 38]).unwrap(), plane.probe([3, 41]).unwrap());
+                // The far layer begins 230 rows on.
+                plane.run(500).unwrap();
+                let scale = worst(plane.record(after).iter().map(|z| z.norm()));
+                let leaked = worst(plane.record(before).iter().map(|z| z.norm())) / scale;
+                assert!(leaked < 1e-13, "{polarisation:?}, phase {phase}, {medium:?}: {leaked:e}");
+                assert!(plane.incident().unwrap().len() == 500);
+            }
         }
     }
+}
+
+#[test]
+fn the_echo_of_an_incident_wave_is_faint_when_it_comes_at_last() {
+    let ends = Ends::Walls([Wall::Open(Cpml::thick(30)), Wall::Open(Cpml::thick(600))]);
+    let mut line = Line::new(Setup::vacuum(700, SPACING, ends, Stepping::at(0.8))).unwrap();
+    line.illuminate(60, 1.0, packet(FREQUENCY, 1.0)).unwrap();
+    let before = line.probe(59).unwrap();
+    line.run(12_000).unwrap();
+    let leaked = worst(line.record(before).iter().copied());
+    assert!(leaked < 1e-12, "{leaked:e}");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-use crate::em::plane::{self, Polarisation, Sides};
+use crate::em::plane::{self, Polarisation, Region, Sides};
 use crate::em::{Cpml, Line, Medium, Plane, Pulse, Refusal, Stepping, Wall, line};
 
 fn line_of(edit: impl Fn(&mut line::Setup)) -> Result<Line, Refusal> {
@@ -60,13 +60,106 @@ fn numbers_out_of_range_are_refused() {
 }
 
 #[test]
+fn what_is_not_a_number_is_refused_wherever_it_stands() {
+    for bad in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
+        let layers: [fn(f64) -> Cpml; 4] = [
+            |bad| Cpml { order: bad, ..Cpml::thick(5) },
+            |bad| Cpml { reflection: bad, ..Cpml::thick(5) },
+            |bad| Cpml { kappa: bad, ..Cpml::thick(5) },
+            |bad| Cpml { alpha: bad, ..Cpml::thick(5) },
+        ];
+        for layer in layers {
+            let walls = [Wall::Conductor, Wall::Open(layer(bad))];
+            assert!(line_of(|setup| setup.ends = line::Ends::Walls(walls)).is_err());
+            assert!(plane_of(|setup| setup.ends = walls).is_err());
+            assert!(plane_of(|setup| setup.sides = Sides::Walls(walls)).is_err());
+        }
+        let media = [
+            Medium::dielectric(bad),
+            Medium { mu_r: bad, ..Medium::VACUUM },
+            Medium::conductor(1.0, bad),
+            Medium::metal(bad, 0.0),
+            Medium::metal(1.0, bad),
+        ];
+        for medium in media {
+            assert!(line_of(|setup| setup.layers = vec![(40..60, medium)]).is_err(), "{medium:?}");
+            assert!(plane_of(|setup| setup.regions = vec![Region::disc([0.0; 2], 1.0, medium)]).is_err(), "{medium:?}");
+        }
+        assert!(
+            plane_of(|setup| setup.spacing = bad).is_err() && plane_of(|setup| setup.stepping.courant = bad).is_err()
+        );
+        assert!(plane_of(|setup| setup.sides = Sides::Bloch(bad)).is_err());
+        let pulses = [
+            Pulse::Gaussian { delay: bad, width: 1.0 },
+            Pulse::Gaussian { delay: 0.0, width: bad },
+            Pulse::Modulated { frequency: bad, delay: 0.0, width: 1.0 },
+            Pulse::Modulated { frequency: 1.0, delay: bad, width: 1.0 },
+            Pulse::Modulated { frequency: 1.0, delay: 0.0, width: bad },
+        ];
+        let (line, periodic) = (line_of(|_| ()).unwrap(), plane_of(|setup| setup.sides = Sides::Bloch(0.1)).unwrap());
+        let of_sources = |amplitude: f64, pulse: &Pulse| {
+            let (mut line, mut plane) = (line.clone(), periodic.clone());
+            assert!(line.inject(50, amplitude, pulse.clone()).is_err(), "{amplitude}, {pulse:?}");
+            assert!(line.impose(50, amplitude, pulse.clone()).is_err(), "{amplitude}, {pulse:?}");
+            assert!(line.illuminate(50, amplitude, pulse.clone()).is_err(), "{amplitude}, {pulse:?}");
+            assert!(plane.inject([20, 20], amplitude, pulse.clone()).is_err(), "{amplitude}, {pulse:?}");
+            assert!(plane.illuminate(20, amplitude, pulse.clone()).is_err(), "{amplitude}, {pulse:?}");
+        };
+        pulses.iter().for_each(|pulse| of_sources(1.0, pulse));
+        of_sources(bad, &Pulse::Gaussian { delay: 0.0, width: 1.0 });
+    }
+    let square = |start: f64| Pulse::Square { start, end: f64::INFINITY };
+    assert!(line_of(|_| ()).unwrap().inject(50, 1.0, square(f64::NAN)).is_err());
+    assert!(line_of(|_| ()).unwrap().inject(50, 1.0, square(0.0)).is_ok());
+    assert!(line_of(|_| ()).unwrap().probe(100).is_err());
+    assert!(plane_of(|_| ()).unwrap().probe([50, 0]).is_err() && plane_of(|_| ()).unwrap().probe([0, 50]).is_err());
+}
+
+#[test]
 fn the_limit_of_memory_is_told_in_bytes() {
     let refusal = plane_of(|setup| setup.cells = [1 << 20, 1 << 20]).unwrap_err();
-    let bytes = ((1u64 << 20) + 1).pow(2) * 24;
-    assert_eq!(refusal, Refusal::TooLarge { bytes, limit: 2 << 30 });
+    let Refusal::TooLarge { bytes, limit } = refusal else { panic!("{refusal}") };
+    let fields = ((1u64 << 20) + 1).pow(2) * 24;
+    assert!((fields..fields + fields / 100).contains(&bytes) && limit == 2 << 30);
     assert!(refusal.to_string().contains(&bytes.to_string()) && refusal.to_string().contains("2147483648"));
-    assert!(matches!(line_of(|setup| setup.cells = usize::MAX / 2), Err(Refusal::TooLarge { .. })));
-    assert!(matches!(plane_of(|setup| setup.cells = [usize::MAX; 2]), Err(Refusal::TooLarge { .. })));
+    for cells in [usize::MAX, usize::MAX / 2, 1 << 40] {
+        assert!(matches!(line_of(|setup| setup.cells = cells), Err(Refusal::TooLarge { .. })), "{cells}");
+        assert!(matches!(plane_of(|setup| setup.cells = [cells; 2]), Err(Refusal::TooLarge { .. })), "{cells}");
+        assert!(matches!(plane_of(|setup| setup.cells = [1, cells]), Err(Refusal::TooLarge { .. })), "{cells}");
+        let thick = [Wall::Open(Cpml::thick(cells)); 2];
+        assert!(line_of(|setup| setup.ends = line::Ends::Walls(thick)).is_err(), "{cells}");
+        assert!(plane_of(|setup| setup.ends = thick).is_err(), "{cells}");
+    }
+    assert!(matches!(plane_of(|setup| setup.cells = [1_000_000_000; 2]), Err(Refusal::TooLarge { .. })));
+    assert!(line_of(|setup| setup.layers = vec![(usize::MAX - 1..usize::MAX, Medium::VACUUM)]).is_err());
+}
+
+#[test]
+fn memory_is_counted_with_all_that_is_kept_and_to_the_byte_at_the_limit() {
+    for medium in [Medium::dielectric(2.0), Medium::conductor(2.0, 1.0), Medium::metal(1e11, 1e10)] {
+        for pruned in [true, false] {
+            let line = line_of(|setup| {
+                (setup.layers, setup.stepping.pruned) = (vec![(20..40, medium), (45..50, Medium::VACUUM)], pruned);
+            });
+            let line = line.unwrap();
+            assert!(line.explain().bytes <= line.setup().peak_bytes());
+            for (polarisation, sides) in [
+                (Polarisation::Tm, Sides::Bloch(0.0)),
+                (Polarisation::Tm, Sides::Bloch(0.1)),
+                (Polarisation::Te, Sides::Bloch(0.1)),
+            ] {
+                let edit = |setup: &mut plane::Setup| {
+                    (setup.polarisation, setup.sides, setup.stepping.pruned) = (polarisation, sides, pruned);
+                    setup.regions = vec![Region::disc([0.025; 2], 0.015, medium)];
+                };
+                let plane = plane_of(edit).unwrap();
+                let peak = plane.setup().peak_bytes();
+                assert!(plane.explain().bytes <= peak);
+                let limited = |limit: u64| plane_of(|setup| (edit(setup), setup.stepping.memory_limit = limit).1);
+                assert!(limited(peak).is_ok() && limited(peak - 1).is_err());
+            }
+        }
+    }
 }
 
 #[test]

@@ -43,6 +43,27 @@ fn just_below_the_limit_a_hundred_thousand_steps_are_stable() {
     }
 }
 
+#[test]
+fn a_metal_that_runs_into_a_layer_is_stable_for_a_hundred_thousand_steps() {
+    // A well resolved metal and one at the edge of the grid; without collisions, or nearly, nothing else damps it.
+    for (plasma, collision) in [(0.3, 1e-4), (1.5, 0.0)] {
+        let dt = 0.7e-3 / crate::em::C;
+        let metal = Medium::metal(plasma / dt, collision / dt);
+        for polarisation in [Polarisation::Tm, Polarisation::Te] {
+            // Its surface meets the layers on the left and right at a right angle, and it fills the one below.
+            let mut setup = plane::Setup::vacuum([14, 16], 1e-3, polarisation, Stepping::at(0.7)).open(5);
+            setup.regions = vec![plane::Region::layer(f64::NEG_INFINITY..8e-3, metal)];
+            let mut plane = Plane::new(setup).unwrap();
+            plane.set_z(|x, y| Complex64::from(noise((x * 1e3) as usize * 16 + (y * 1e3) as usize)));
+            plane.run_serial(1000).unwrap();
+            let early = worst(plane.z().into_iter().flatten());
+            plane.run_serial(99_000).unwrap();
+            let late = worst(plane.z().into_iter().flatten());
+            assert!(late < 2.0 * early, "{polarisation:?}, ω_pΔt = {plasma}, γΔt = {collision}: {early:e} to {late:e}");
+        }
+    }
+}
+
 /// ln of the growth per step, over the second half of 2n steps.
 fn growth(n: u64, mut largest_after: impl FnMut(u64) -> f64) -> f64 {
     let (first, second) = (largest_after(n), largest_after(n));
