@@ -5,7 +5,6 @@ use crate::setting::{Kind, Parameter, Setting};
 use crate::symbols::{E, EPSILON, H, SIGMA, T};
 use crate::vocabulary::{Derivation, Expects, Extreme, Figure, Heat, Lane, Quantity, Race, Statement, Step, Stress};
 use light::em::Conduction;
-use light::em::medium::Relaxation;
 use light::equation::derivation::Chain;
 use light::equation::expr::{curl, exp, partial};
 use light::equation::{Dimension, Equation, Expr, Symbol};
@@ -155,12 +154,12 @@ fn coefficients() -> Vec<Extreme> {
     cases
         .flat_map(|((conduction, scheme, name), x)| {
             // In units of ε and Δt.
-            let (ours, book) = (Relaxation::new(conduction, x), Update::as_written(scheme, 1.0, x, 1.0));
+            let (ours, book) = (conduction.update(x), Update::as_written(scheme, 1.0, x, 1.0));
             let [keep, loss, gain] = exact::update(scheme, 1.0, x, 1.0);
             let rows = [
                 ("C_a", keep, book.keep, ours.keep),
                 ("1 − C_a", loss, book.loss, ours.loss),
-                ("C_b", gain, book.gain, ours.drive),
+                ("C_b", gain, book.gain, ours.gain),
             ];
             // Of what lies below the range of f64 there are no digits to keep.
             let kept = rows

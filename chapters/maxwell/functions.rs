@@ -4,7 +4,7 @@ use crate::function::{Arguments, Function, Input, Output};
 use crate::setting::Fault;
 use light::em::line::{Ends, Line, Setup};
 use light::em::theory::{growth_per_step, phase_per_step};
-use light::em::{C, ETA_0, Medium, Stepping};
+use light::em::{C, Medium, Stepping, Z_0};
 use std::f64::consts::TAU;
 
 /// The functions, each with its inputs' units and domains.
@@ -55,7 +55,7 @@ const YEE: Function = Function {
         let relative = stepping.courant / (medium.eps_r * medium.mu_r).sqrt();
         let phase = phase_per_step(&[k], relative).re;
         let spacing = line.setup().spacing;
-        let admittance = (medium.eps_r / medium.mu_r).sqrt() / ETA_0;
+        let admittance = (medium.eps_r / medium.mu_r).sqrt() / Z_0;
         line.set(|z| (k * z / spacing).cos(), |z| admittance * (k * z / spacing - 0.5 * phase).cos());
         line.run(steps).map_err(refused)?;
         let is_stable = relative * (0.5 * k).sin().abs() <= 1.0;

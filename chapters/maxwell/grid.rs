@@ -6,7 +6,7 @@ use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quant
 use light::Complex64;
 use light::em::line::{Ends, Line, Setup};
 use light::em::theory::{growth_per_step, phase_per_step, phase_velocity};
-use light::em::{ETA_0, Stepping};
+use light::em::{Stepping, Z_0};
 use light::equation::derivation::Chain;
 use light::equation::expr::{exp, i, sin};
 use light::equation::{Dimension, Equation, Expr, Symbol};
@@ -133,7 +133,7 @@ fn ring(cells: usize, courant: f64) -> Line {
 
 /// The wave cos(kz − ωt) that runs on the ring, ωΔt as given.
 fn start(line: &mut Line, k: f64, phase: f64) {
-    line.set(|z| (k * z).cos(), |z| (k * z - 0.5 * phase).cos() / ETA_0);
+    line.set(|z| (k * z).cos(), |z| (k * z - 0.5 * phase).cos() / Z_0);
 }
 
 fn run(line: &mut Line, steps: u64) {
@@ -188,7 +188,7 @@ const STABLE: Check = Check {
 fn drift(bench: &mut Bench, courant: f64) -> Measured {
     let mut line = ring(64, courant);
     let noise: Vec<f64> = (0..128).map(|_| uniform(&mut bench.stream, -1.0, 1.0)).collect();
-    line.set(|z| noise[z as usize], |z| noise[64 + z as usize] / ETA_0);
+    line.set(|z| noise[z as usize], |z| noise[64 + z as usize] / Z_0);
     let before = energy(&mut line);
     run(&mut line, 100_000);
     let after = energy(&mut line);
@@ -202,7 +202,7 @@ fn energy(line: &mut Line) -> f64 {
     let magnetic: f64 = before.iter().zip(line.h()).map(|(a, b)| a * b).sum();
     let cells = line.setup().cells;
     let electric: f64 = line.e()[..cells].iter().map(|e| e * e).sum();
-    electric + ETA_0 * ETA_0 * magnetic
+    electric + Z_0 * Z_0 * magnetic
 }
 
 const GROWTH: Check = Check {
@@ -349,7 +349,7 @@ fn blow_up(setting: &Setting) -> Plot {
         |chart, (at, courant)| {
             let mut line = ring(200, courant);
             let pulse = |z: f64| (-((z - 100.0) / 8.0).powi(2)).exp();
-            line.set(pulse, |z| pulse(z - 0.5 * courant) / ETA_0);
+            line.set(pulse, |z| pulse(z - 0.5 * courant) / Z_0);
             let heights = (1..=STEPS).map(|step| {
                 run(&mut line, 1);
                 [step as f64, line.e().iter().fold(0.0f64, |most, e| most.max(e.abs()))]

@@ -5,7 +5,7 @@ use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::vocabulary::{Bench, Bound, Check, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step};
 use light::em::line::{Ends, Line, Setup};
-use light::em::{C, ETA_0, Medium, Pulse, Stepping};
+use light::em::{C, Medium, Pulse, Stepping, Z_0};
 use light::equation::{Dimension, Equation, Symbol};
 use std::f64::consts::TAU;
 
@@ -74,7 +74,7 @@ fn ring(pruned: bool, cell_steps: u64) -> Heat {
     let k = TAU / 20.0;
     let phase = light::em::theory::phase_per_step(&[k], 0.5).re;
     let mut line = Line::new(Setup::vacuum(CELLS, 1.0, Ends::Periodic, stepping(pruned))).expect("within all limits");
-    line.set(|z| (k * z).cos(), |z| (k * z - 0.5 * phase).cos() / ETA_0);
+    line.set(|z| (k * z).cos(), |z| (k * z - 0.5 * phase).cos() / Z_0);
     Heat {
         run: Box::new(move || {
             line.run(cell_steps / CELLS as u64).expect("some steps");

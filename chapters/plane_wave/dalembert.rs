@@ -8,7 +8,7 @@ use crate::symbols::{E, EPSILON, F_1, F_2, MU, T, WAVE, Z};
 use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Statement, Step, fitted_order};
 use light::em::line::{Ends, Line, Setup};
 use light::em::wave::{Problem, Scheme};
-use light::em::{ETA_0, Stepping};
+use light::em::{Stepping, Z_0};
 use light::equation::derivation::Chain;
 use light::equation::expr::{laplacian, sqrt, vector};
 use light::equation::{Equation, Expr};
@@ -146,7 +146,7 @@ fn one_cell_a_step(backwards: f64) -> Measured {
     // Half a cell off, so that no node lies on an edge. H is half a step later and that of a wave to the left negative.
     let electric = |z: f64| shapes(z + 0.5, 0.0, 0.0);
     let magnetic = |z: f64| shapes(z + 0.5, 0.5, 0.5);
-    line.set(|z| electric(z).0 + electric(z).1, |z| (magnetic(z).0 - magnetic(z).1) / ETA_0);
+    line.set(|z| electric(z).0 + electric(z).1, |z| (magnetic(z).0 - magnetic(z).1) / Z_0);
     let cases = (0..20).map(|_| {
         line.run(50).expect("some steps");
         let steps = line.steps() as f64;

@@ -3,7 +3,7 @@
 use crate::symbols::{B, E, EPSILON, F_B, F_E, MU, T, V, Z};
 use crate::vocabulary::{Bound, Check, Derivation, Measured, Statement, Step};
 use light::em::line::{Ends, Line, Setup};
-use light::em::{ETA_0, Medium, Stepping, Wall};
+use light::em::{Medium, Stepping, Wall, Z_0};
 use light::equation::derivation::Chain;
 use light::equation::expr::{curl, divergence, partial, vector};
 use light::equation::{Equation, Expr};
@@ -73,7 +73,7 @@ fn turned_back(share: f64) -> Measured {
     Measured::worst(media.map(|(eps_r, mu_r): (f64, f64)| {
         const CELLS: usize = 600;
         let shape = |z: f64| (-((z - 150.0) / 20.0).powi(2)).exp();
-        let impedance = (mu_r / eps_r).sqrt() * ETA_0;
+        let impedance = (mu_r / eps_r).sqrt() * Z_0;
         let mut line = at_one_cell_a_step(CELLS, eps_r, mu_r);
         // Half a cell on and half a step later is the same point of the shape.
         line.set(shape, |z| share * shape(z - 0.5) / impedance);

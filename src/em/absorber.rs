@@ -6,7 +6,7 @@
 //! Behind it stands a conductor. σ and κ − 1 rise as the power `order` of the depth, a falls linearly.
 
 use super::refusal::{Refusal, demand};
-use super::{EPSILON_0, ETA_0};
+use super::{EPSILON_0, Z_0};
 
 /// A perfectly matched layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,7 +49,7 @@ impl Cpml {
     fn grade(&self, depth: f64, spacing: f64, dt: f64, impedance: f64) -> Grade {
         let share = (depth / self.cells as f64).clamp(0.0, 1.0);
         let thickness = self.cells as f64 * spacing;
-        let largest = -(self.order + 1.0) * self.reflection.ln() / (2.0 * ETA_0 * impedance * thickness);
+        let largest = -(self.order + 1.0) * self.reflection.ln() / (2.0 * Z_0 * impedance * thickness);
         let sigma = largest * share.powf(self.order);
         let kappa = 1.0 + (self.kappa - 1.0) * share.powf(self.order);
         let alpha = self.alpha * (1.0 - share);

@@ -44,7 +44,7 @@ pub(super) struct Incident {
     pub at: usize,
     /// Tangential E [V/m] at node k.
     e: Aligned,
-    /// Tangential η₀H [V/m] at k − ½, of the sign of H_y on a line.
+    /// Tangential Z₀H [V/m] at k − ½, of the sign of H_y on a line.
     h: Aligned,
     electric: Spans,
     magnetic: Spans,
@@ -58,9 +58,9 @@ pub(super) struct Incident {
     /// Steps of the grid before the first of the wave.
     start: u64,
     steps: u64,
-    /// η₀H half a cell before its entry, and E there, for each step of the block at hand.
+    /// Z₀H half a cell before its entry, and E there, for each step of the block at hand.
     pub ahead: Vec<[f64; 2]>,
-    /// The z component: E at its entry or, in TE, η₀H half a cell beyond.
+    /// The z component: E at its entry or, in TE, Z₀H half a cell beyond.
     pub record: Vec<f64>,
     polarisation: Polarisation,
 }

@@ -9,7 +9,7 @@
 //! term by term (C3), and the discrete divergence of εE + Σ JΔt does not change at all (E2), nor that of μH. J is found
 //! here from Ohm's law and from the electrons' equation, not from what the update left over.
 
-use super::medium::{Conduction, Relaxation, Surroundings, time_step};
+use super::medium::{Conduction, Surroundings, time_step};
 use super::plane::Plane;
 use super::refusal::{Refusal, demand, inside};
 use super::{EPSILON_0, Line};
@@ -76,8 +76,8 @@ impl Component<'_> {
         let conducted = match self.conduction {
             Conduction::Exponential if plasma2 == 0.0 && loss > 0.0 => {
                 // σ times the time average of the exact relaxation towards curl/σ.
-                let step = Relaxation::new(Conduction::Exponential, loss / eps_r);
-                loss * step.drive * e + (1.0 - step.drive) * s * self.curl
+                let step = Conduction::Exponential.update(loss / eps_r);
+                loss * step.gain * e + (1.0 - step.gain) * s * self.curl
             }
             _ => loss * mean,
         };

@@ -16,7 +16,7 @@ use super::plane::Polarisation;
 use super::pulse::Pulse;
 use super::refusal::{Refusal, demand, inside};
 use super::span::{Need, Spans};
-use super::{ETA_0, Stepping, WORD, theory, total};
+use super::{Stepping, WORD, Z_0, theory, total};
 use fearless_simd::Level;
 use std::ops::Range;
 
@@ -168,7 +168,7 @@ pub struct Line {
     setup: Setup,
     /// E_k [V/m], k = 0 … N.
     pub(super) e: Aligned,
-    /// η₀H_(k−½) [V/m], k = 1 … N; the first is the image of the last if periodic.
+    /// Z₀H_(k−½) [V/m], k = 1 … N; the first is the image of the last if periodic.
     pub(super) h: Aligned,
     pub(super) electric: Spans,
     pub(super) magnetic: Spans,
@@ -245,7 +245,7 @@ impl Line {
 
     /// H_y [A/m] at z = (k + ½)Δ, k = 0 … N − 1.
     pub fn h(&self) -> Vec<f64> {
-        self.h[1..].iter().map(|h| h / ETA_0).collect()
+        self.h[1..].iter().map(|h| h / Z_0).collect()
     }
 
     /// Sets the fields: E_x [V/m] of z [m] at the present time, H_y [A/m] of z half a step later. E on a conductor
@@ -257,7 +257,7 @@ impl Line {
             self.e[k] = e(k as f64 * spacing);
         }
         for k in 0..n {
-            self.h[k + 1] = ETA_0 * h((k as f64 + 0.5) * spacing);
+            self.h[k + 1] = Z_0 * h((k as f64 + 0.5) * spacing);
         }
         self.wrap();
     }
@@ -269,7 +269,7 @@ impl Line {
     pub fn inject(&mut self, node: usize, amplitude: f64, pulse: Pulse) -> Result<(), Refusal> {
         self.add_source(
             "a current",
-            Source { node, amplitude: amplitude * ETA_0 * self.setup.spacing, pulse, hard: false },
+            Source { node, amplitude: amplitude * Z_0 * self.setup.spacing, pulse, hard: false },
         )
     }
 

@@ -18,6 +18,7 @@
 
 use super::refusal::{Refusal, demand};
 use super::{C, EPSILON_0};
+use crate::waves::conduction::{Scheme, Update};
 use num_complex::Complex64;
 
 /// A homogeneous, isotropic medium.
@@ -49,6 +50,17 @@ pub enum Conduction {
     SemiImplicit,
     /// The exact relaxation towards a constant curl: second order; decays in a good conductor.
     Exponential,
+}
+
+impl Conduction {
+    /// One step for x = σΔt/ε ≥ 0 [1]: the gain is what the curl is multiplied by over Δt/ε.
+    pub fn update(self, x: f64) -> Update {
+        let scheme = match self {
+            Self::SemiImplicit => Scheme::SemiImplicit,
+            Self::Exponential => Scheme::Exponential,
+        };
+        Update::new(scheme, 1.0, x, 1.0)
+    }
 }
 
 impl Medium {
@@ -98,40 +110,6 @@ impl Medium {
 
 /// Beyond every number of physics in SI units, and small enough that squares of products do not overflow.
 pub(super) const HUGE: f64 = 1e30;
-
-/// One step of E′ = E + (∇×H − σE) per unit of E and of curl [1].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Relaxation {
-    /// 1 − keep, computed as itself.
-    pub loss: f64,
-    /// 1 − loss, computed as itself.
-    pub keep: f64,
-    /// What the curl is multiplied by, over Δt/ε.
-    pub drive: f64,
-}
-
-impl Relaxation {
-    /// For x = σΔt/ε ≥ 0 [1]; every coefficient within a few ε over the whole range of `f64`.
-    pub fn new(conduction: Conduction, x: f64) -> Self {
-        match conduction {
-            Conduction::SemiImplicit => {
-                let half = 0.5 * x;
-                // Divided by x where it is large, so that nothing overflows.
-                let (loss, keep) = if x > 1e3 {
-                    let rest = 1.0 / x;
-                    (1.0 / (rest + 0.5), (rest - 0.5) / (rest + 0.5))
-                } else {
-                    (x / (1.0 + half), (1.0 - half) / (1.0 + half))
-                };
-                Self { loss, keep, drive: 1.0 / (1.0 + half) }
-            }
-            Conduction::Exponential => {
-                let loss = -f64::exp_m1(-x);
-                Self { loss, keep: f64::exp(-x), drive: if x == 0.0 { 1.0 } else { loss / x } }
-            }
-        }
-    }
-}
 
 /// What surrounds one E component: the mean of the cells it touches, which makes E along an interface
 /// second-order accurate.
@@ -188,15 +166,15 @@ impl Surroundings {
         let pull = 0.5 * plasma2 / (self.eps_r * pole);
         // Electrons are stepped semi-implicitly, and conduction with them.
         let scheme = if plasma2 > 0.0 { Conduction::SemiImplicit } else { conduction };
-        let step = Relaxation::new(scheme, self.conduction(dt) / self.eps_r + pull);
+        let step = scheme.update(self.conduction(dt) / self.eps_r + pull);
         let (base, rest) = match step.keep {
             keep if keep >= 0.5 => (1.0, step.loss),
             keep if keep > -0.5 => (0.0, -keep),
             // Only the semi-implicit step goes there, and its 1 + keep is 2/(1 + x/2).
-            _ => (-1.0, -2.0 * step.drive),
+            _ => (-1.0, -2.0 * step.gain),
         };
         Coefficients {
-            drive: courant / self.eps_r * step.drive,
+            drive: courant / self.eps_r * step.gain,
             base,
             rest,
             share: 1.0 / pole,

@@ -23,7 +23,7 @@
 //! | an incident plane wave, without echo | `incident` |
 //! | inner loops, compiled for each processor | `kernel`, `span` |
 //!
-//! Inside, H is held as η₀H [V/m], so that vacuum needs one number, the Courant number S = cΔt/Δ; every public
+//! Inside, H is held as Z₀H [V/m], so that vacuum needs one number, the Courant number S = cΔt/Δ; every public
 //! function speaks SI. Fields are real, or a pair of real grids where a Bloch phase makes them complex.
 
 pub mod absorber;
@@ -51,14 +51,7 @@ pub use plane::Plane;
 pub use pulse::Pulse;
 pub use refusal::Refusal;
 
-/// Speed of light in vacuum, c [m/s], exact.
-pub const C: f64 = 299_792_458.0;
-/// Permeability of vacuum, μ₀ [H/m] (CODATA 2022).
-pub const MU_0: f64 = 1.256_637_061_27e-6;
-/// Permittivity of vacuum, ε₀ = 1/(μ₀c²) [F/m].
-pub const EPSILON_0: f64 = 1.0 / (MU_0 * C * C);
-/// Impedance of vacuum, η₀ = μ₀c [Ω].
-pub const ETA_0: f64 = MU_0 * C;
+pub use crate::waves::constants::{C, EPSILON_0, MU_0, Z_0};
 
 /// How a run is stepped, whatever its shape.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -29,7 +29,7 @@ use super::medium::{Medium, time_step};
 use super::pulse::Pulse;
 use super::refusal::{Refusal, demand, inside};
 use super::span::Spans;
-use super::{ETA_0, Stepping};
+use super::{Stepping, Z_0};
 use fearless_simd::Level;
 use num_complex::Complex64;
 use std::fmt;
@@ -168,7 +168,7 @@ pub(super) struct Layout {
 #[derive(Clone, Debug)]
 struct Source {
     at: [usize; 2],
-    /// Current times spacing times η₀ [V/m].
+    /// Current times spacing times Z₀ [V/m].
     amplitude: f64,
     pulse: Pulse,
 }
@@ -222,7 +222,7 @@ impl Plane {
         match self.grid.setup.polarisation {
             Polarisation::Tm => self.rows.iter().map(|row| row.parts[0].z.to_vec()).collect(),
             Polarisation::Te => {
-                let si = |row: &Row| row.parts[0].z[1..].iter().map(|h| h / ETA_0).collect();
+                let si = |row: &Row| row.parts[0].z[1..].iter().map(|h| h / Z_0).collect();
                 self.rows[..rows].iter().map(si).collect()
             }
         }
@@ -232,7 +232,7 @@ impl Plane {
     /// half a step later. Components on a conductor stay zero, and the imaginary part is dropped where fields are real.
     pub fn set_z(&mut self, field: impl Fn(f64, f64) -> Complex64) {
         let [columns, rows] = self.grid.setup.cells;
-        let (spacing, scale) = (self.grid.setup.spacing, [1.0, ETA_0][usize::from(self.is_te())]);
+        let (spacing, scale) = (self.grid.setup.spacing, [1.0, Z_0][usize::from(self.is_te())]);
         let (shift, offset) = if self.is_te() { (0.5, 1) } else { (0.0, 0) };
         let periodic = matches!(self.grid.setup.sides, Sides::Bloch(_));
         let first = usize::from(!self.is_te());
@@ -274,7 +274,7 @@ impl Plane {
     /// If the place is not stepped.
     pub fn inject(&mut self, at: [usize; 2], amplitude: f64, pulse: Pulse) -> Result<(), Refusal> {
         let [columns, rows] = self.grid.setup.cells;
-        let amplitude = amplitude * ETA_0 * self.grid.setup.spacing;
+        let amplitude = amplitude * Z_0 * self.grid.setup.spacing;
         demand(amplitude.is_finite(), "amplitude of a source", amplitude, "finite")?;
         pulse.check()?;
         let first = usize::from(!self.is_te() && matches!(self.grid.setup.sides, Sides::Walls(_)));
@@ -327,7 +327,7 @@ impl Plane {
 
     /// The z component [V/m or A/m] after each step since the probe was set.
     pub fn record(&self, probe: usize) -> Vec<Complex64> {
-        let scale = if self.is_te() { 1.0 / ETA_0 } else { 1.0 };
+        let scale = if self.is_te() { 1.0 / Z_0 } else { 1.0 };
         let mut probes = self.rows.iter().flat_map(|row| &row.probes);
         let found = probes.find(|(_, number, _)| *number == probe);
         found.map(|(_, _, record)| record.iter().map(|z| z * scale).collect()).unwrap_or_default()
@@ -335,7 +335,7 @@ impl Plane {
 
     /// The incident wave's z component [V/m or A/m] at column 0 after each step: E_z in its row, H_z half a row above.
     pub fn incident(&self) -> Option<Vec<Complex64>> {
-        let scale = if self.is_te() { 1.0 / ETA_0 } else { 1.0 };
+        let scale = if self.is_te() { 1.0 / Z_0 } else { 1.0 };
         let incident = self.incident.as_ref()?;
         Some(incident.record.iter().map(|z| Complex64::from(z * scale)).collect())
     }

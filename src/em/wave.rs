@@ -1,9 +1,9 @@
 //! Several ways to carry a wave along a periodic line of vacuum, for races: all start from the same travelling wave
-//! E = f(z), η₀H = f(z) and answer E at the nodes at the same moment, where d'Alembert's f(z − ct) is exact (E10).
+//! E = f(z), Z₀H = f(z) and answer E at the nodes at the same moment, where d'Alembert's f(z − ct) is exact (E10).
 
 use super::line::{Ends, Line, Setup};
 use super::refusal::{Refusal, demand};
-use super::{ETA_0, Stepping};
+use super::{Stepping, Z_0};
 use num_complex::Complex64;
 use rustfft::{Fft, FftPlanner};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -106,7 +106,7 @@ fn yee(problem: &Problem, cells: usize, courant: f64, steps: u64) -> Result<Vec<
     let spacing = problem.length / cells as f64;
     let mut line = Line::new(Setup::vacuum(cells, spacing, Ends::Periodic, Stepping::at(courant)))?;
     // H starts half a step later, when the wave has moved on.
-    line.set(|z| problem.at(z), |z| problem.at(z - 0.5 * courant * spacing) / ETA_0);
+    line.set(|z| problem.at(z), |z| problem.at(z - 0.5 * courant * spacing) / Z_0);
     line.run(steps)?;
     Ok(line.e()[..cells].to_vec())
 }

@@ -12,7 +12,7 @@ use num_complex::Complex64;
 pub(super) struct Moment {
     /// Steps run before this one.
     pub step: u64,
-    /// The row of the incident wave, η₀H below it and E in it, at column 0.
+    /// The row of the incident wave, Z₀H below it and E in it, at column 0.
     pub incident: Option<(usize, [f64; 2])>,
 }
 

@@ -1,6 +1,6 @@
 use crate::em::line::{Ends, Setup};
 use crate::em::plane::{self, Polarisation, Region, Sides};
-use crate::em::{Conduction, EPSILON_0, ETA_0, Line, Medium, Plane, Stepping};
+use crate::em::{Conduction, EPSILON_0, Line, Medium, Plane, Stepping, Z_0};
 use num_complex::Complex64;
 
 /// Clear, faintly conducting, a Drude metal, magnetic, strongly conducting.
@@ -21,7 +21,7 @@ fn energy_on_a_line_balances_at_every_step() {
         let mut setup = Setup::vacuum(200, 1e-3, Ends::open(12), stepping);
         setup.layers = media().into_iter().enumerate().map(|(k, m)| (40 + 25 * k..65 + 25 * k, m)).collect();
         let mut line = Line::new(setup).unwrap();
-        line.set(|z| (-((z - 0.06) / 0.01).powi(2)).exp(), |z| (-((z - 0.07) / 0.01).powi(2)).exp() / ETA_0);
+        line.set(|z| (-((z - 0.06) / 0.01).powi(2)).exp(), |z| (-((z - 0.07) / 0.01).powi(2)).exp() / Z_0);
         let (mut inflow, mut heat) = (0.0, 0.0);
         for step in 0..600 {
             let balance = line.audited_step(30..=180).unwrap();

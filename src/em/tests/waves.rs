@@ -2,7 +2,7 @@ use super::worst;
 use crate::em::line::{Ends, Setup};
 use crate::em::plane::{self, Polarisation, Sides};
 use crate::em::wave::{Problem, Scheme};
-use crate::em::{ETA_0, Line, Medium, Plane, Stepping, theory};
+use crate::em::{Line, Medium, Plane, Stepping, Z_0, theory};
 use crate::evidence::order;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -18,7 +18,7 @@ fn a_plane_wave_travels_at_the_speed_of_the_dispersion_relation() {
         let mut line = Line::new(setup).unwrap();
         let k = TAU * turns / cells as f64;
         let phase = theory::phase_per_step(&[k], courant / eps_r.sqrt()).re;
-        let impedance = ETA_0 / eps_r.sqrt();
+        let impedance = Z_0 / eps_r.sqrt();
         line.set(|z| (k * z).cos(), |z| (k * z - 0.5 * phase).cos() / impedance);
         let steps = 1000;
         line.run(steps).unwrap();
