@@ -83,5 +83,8 @@ fn whole(arguments: &Arguments, name: &str) -> Result<u64, Fault> {
     if (0.0..=1e15).contains(&value) && value.fract() == 0.0 {
         return Ok(value as u64);
     }
-    Err(Fault::new(name, format!("{value} is not a whole number; valid: 0 to 1e15")))
+    Err(Fault::new(
+        name,
+        format!("{} is out of range; valid: whole numbers from 0 to 1e15", crate::setting::number(value)),
+    ))
 }

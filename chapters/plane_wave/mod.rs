@@ -50,9 +50,12 @@ pub(crate) fn wave(setting: &Setting) -> Wave {
     setting.conductor("medium").wave(setting.frequency()).expect("validated when it was set")
 }
 
-/// `copper at 1GHz`: the setting as a heading.
+/// `copper at 1 GHz`: the setting as a heading.
 pub(crate) fn described(setting: &Setting) -> String {
-    format!("{} at {}", setting.text("medium"), setting.text("freq"))
+    let frequency = setting.text("freq");
+    let unit = frequency.trim_start_matches(|c: char| !c.is_alphabetic() || c == 'e');
+    let number = &frequency[..frequency.len() - unit.len()];
+    format!("{} at {} {unit}", setting.text("medium"), number.trim_end())
 }
 
 /// The root of the mean square of what two lists differ by, place by place.
