@@ -16,7 +16,7 @@ const TANGENT: Parameter = Parameter {
     name: "tau",
     symbol: "σ/(ωε)",
     says: "conduction over displacement current",
-    default: "20",
+    default: "100",
     kind: Kind::Number { min: 1e-6, max: 1e12, unit: "1" },
 };
 const STEPS: Parameter = Parameter {
