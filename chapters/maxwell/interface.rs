@@ -164,6 +164,7 @@ fn pill_box(last: Equation) -> Chain {
 fn flat_box() -> Chain {
     Chain::assume(step_across_b(), "the box, for B")
         .and(step_across_d(D_1 - D_2), "the box, for D")
+        .given(NORMAL, vector(0, 0, 1), "n along z")
         .given(HEIGHT, 0, "h → 0")
 }
 
@@ -171,7 +172,7 @@ fn flat_box() -> Chain {
 /// what flows through it, per area.
 fn loop_of(way: &Expr, [near, far]: [Symbol; 2], short: Symbol, through: Symbol) -> Equation {
     let along = |field: Symbol| LENGTH * dot(cross(way, NORMAL), field);
-    Equation::new(along(far) - along(near) + HEIGHT * short, LENGTH * HEIGHT * through)
+    Equation::new(short * HEIGHT + along(far) - along(near), LENGTH * HEIGHT * through)
 }
 
 /// The same solved for the step of the tangential part along b: everything else comes with an h.
