@@ -27,31 +27,43 @@ const YEE: Function = Function {
     ],
     outputs: &[
         Output { name: "dt", says: "time step", unit: "s" },
-        Output { name: "bytes", says: "memory of fields and coefficients", unit: "B" },
+        Output {
+            name: "bytes",
+            says: "memory of fields and coefficients once built; while it is built it takes more",
+            unit: "B",
+        },
         Output {
             name: "v_phase",
-            says: "speed of the wave on the grid without conduction; nan beyond the limit",
+            says: "speed of the wave on the grid without conduction; nan if it is short enough to grow",
             unit: "m/s",
         },
         Output { name: "growth", says: "ln of the growth of the shortest wave per step", unit: "1" },
-        Output { name: "E_max", says: "largest electric field after the last step", unit: "V/m" },
+        Output {
+            name: "E_max",
+            says: "largest electric field after the last step; nan or infinite if it blew up",
+            unit: "V/m",
+        },
     ],
     call: |arguments| {
         let number = |name| arguments.number(name);
         let medium = Medium { eps_r: number("eps_r")?, mu_r: number("mu_r")?, sigma: number("sigma")?, drude: None };
-        let stepping = Stepping { unstable: whole(arguments, "unstable")? != 0, ..Stepping::at(number("courant")?) };
+        let stepping = Stepping { unstable: flag(arguments, "unstable")?, ..Stepping::at(number("courant")?) };
         let (cells, steps) = (whole(arguments, "cells")?, whole(arguments, "steps")?);
         let refused = |refusal: light::em::Refusal| Fault::new("yee", refusal.to_string());
         let setup =
             Setup { background: medium, ..Setup::vacuum(cells as usize, number("spacing")?, Ends::Periodic, stepping) };
         let mut line = Line::new(setup).map_err(refused)?;
-        if cells.saturating_mul(steps) > MOST_WORK {
+        if cells.saturating_add(OVERHEAD).saturating_mul(steps) > MOST_WORK {
             return Err(Fault::new(
                 "steps",
-                format!("cells × steps is {:e}; valid: up to 1e11", cells as f64 * steps as f64),
+                format!("{steps} are too many for {cells} cells; valid: up to {}", MOST_WORK / (cells + OVERHEAD)),
             ));
         }
-        let k = TAU * (whole(arguments, "waves")? % cells) as f64 / cells as f64;
+        let waves = whole(arguments, "waves")?;
+        if !(1..=cells / 2).contains(&waves) {
+            return Err(Fault::new("waves", format!("{waves} do not fit; valid: 1 to half the cells, {}", cells / 2)));
+        }
+        let k = TAU * waves as f64 / cells as f64;
         let relative = stepping.courant / (medium.eps_r * medium.mu_r).sqrt();
         let phase = phase_per_step(&[k], relative).re;
         let spacing = line.setup().spacing;
@@ -70,11 +82,21 @@ const YEE: Function = Function {
     },
 };
 
-/// Cells times steps that are run: some minutes.
+/// Cells times steps that are run, counting what a step takes beside its cells: some minutes.
 const MOST_WORK: u64 = 100_000_000_000;
+const OVERHEAD: u64 = 100;
 
 const fn input(name: &'static str, says: &'static str, unit: &'static str, default: Option<f64>) -> Input {
     Input { name, says, unit, domain: None, default }
+}
+
+/// The input `name`, 0 or 1.
+fn flag(arguments: &Arguments, name: &str) -> Result<bool, Fault> {
+    match whole(arguments, name)? {
+        0 => Ok(false),
+        1 => Ok(true),
+        other => Err(Fault::new(name, format!("{other} is out of range; valid: 0 or 1"))),
+    }
 }
 
 /// The input `name`, which counts something.

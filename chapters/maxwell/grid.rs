@@ -5,6 +5,7 @@ use crate::setting::{Kind, Parameter, Setting};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
 use light::Complex64;
 use light::em::line::{Ends, Line, Setup};
+use light::em::plane::{self, Plane, Polarisation};
 use light::em::theory::{growth_per_step, phase_per_step, phase_velocity};
 use light::em::{Stepping, Z_0};
 use light::equation::derivation::Chain;
@@ -21,7 +22,7 @@ const COURANT: Parameter = Parameter {
     kind: Kind::Number { min: 0.01, max: 1.5, unit: "1" },
 };
 const CELLS: Parameter = Parameter {
-    name: "cells",
+    name: "per_wave",
     symbol: "λ/Δ",
     says: "cells to a wavelength",
     default: "20",
@@ -71,7 +72,7 @@ pub(super) const STEP: Step = Step {
         slip: "the fields a whole cell apart",
     }],
     readout: Some(readout),
-    checks: &[SPEED, STABLE, GROWTH],
+    checks: &[SPEED, STABLE, GROWTH, GROWTH_IN_THE_PLANE],
     stress: &[],
     races: &[],
     figures: &[
@@ -229,6 +230,45 @@ fn growth(theory: fn(f64) -> f64) -> Measured {
     }))
 }
 
+const GROWTH_IN_THE_PLANE: Check = Check {
+    id: "growth_in_the_plane",
+    claim: "in two dimensions the limit is 1/√2 over sin(kΔ/2), and beyond it the shortest wave of a box grows by 2 arcosh(√2 S sin(kΔ/2)) a step",
+    rows: &["C2"],
+    route: "the two-dimensional solver, E along z and H along z: how the logarithm of the field rises",
+    bound: Bound::AtMost {
+        limit: 1e-9,
+        unit: "1",
+        why: "rounding of up to 4000 steps, against a rate of 0.03 at least",
+    },
+    measure: |_| growth_in_the_plane(|courant| growth_per_step(courant * 2f64.sqrt())),
+    spoiled: |_| growth_in_the_plane(growth_per_step),
+    slip: "the limit of one dimension",
+};
+
+fn growth_in_the_plane(theory: fn(f64) -> f64) -> Measured {
+    let excesses = [(1e-4, 2000), (1e-2, 400), (0.1, 100)];
+    let cases =
+        [Polarisation::Tm, Polarisation::Te].into_iter().flat_map(|polarisation| excesses.map(|e| (polarisation, e)));
+    Measured::worst(cases.map(|(polarisation, (excess, steps))| {
+        // The mode of a box of conductors that is nearest to two cells a wave both ways; it grows from here on.
+        let k = 15.0 * PI / 16.0;
+        let courant = (1.0 + excess) / (2f64.sqrt() * (0.5 * k).sin());
+        let stepping = Stepping { unstable: true, ..Stepping::at(courant) };
+        let mut plane = Plane::new(plane::Setup::vacuum([16, 16], 1.0, polarisation, stepping)).expect("asked for");
+        plane.set_z(|x, y| match polarisation {
+            Polarisation::Tm => ((k * x).sin() * (k * y).sin()).into(),
+            Polarisation::Te => ((k * x).cos() * (k * y).cos()).into(),
+        });
+        let largest = |plane: &Plane| plane.z().iter().flatten().fold(0.0_f64, |most, z| most.max(z.abs())).ln();
+        plane.run(steps).expect("some steps");
+        let before = largest(&plane);
+        plane.run(steps).expect("some steps");
+        let found = (largest(&plane) - before) / steps as f64;
+        let of_mode = theory(courant * (0.5 * k).sin());
+        (found / of_mode - 1.0, format!("{polarisation:?}, S = {courant:.6}"))
+    }))
+}
+
 /// ln of the growth per step of the shortest wave, in the second half of 2 × `steps` steps.
 fn grown(courant: f64, steps: u64) -> f64 {
     let mut line = ring(16, courant);
@@ -240,7 +280,7 @@ fn grown(courant: f64, steps: u64) -> f64 {
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
-    let (courant, cells) = (setting.number("courant"), setting.number("cells"));
+    let (courant, cells) = (setting.number("courant"), setting.number("per_wave"));
     let k = TAU / cells;
     let value = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
     let growth = value("growth", "ln g", "growth of the shortest wave per step", growth_per_step(courant));

@@ -18,8 +18,8 @@ pub(super) struct Scene {
     pub polarisation: Polarisation,
     /// Thickness over the vacuum wavelength, and ε_r, in the order of the light.
     pub films: Vec<(f64, f64)>,
-    /// ε_r.
-    pub substrate: f64,
+    /// What lies behind.
+    pub substrate: Medium,
 }
 
 /// Vacuum wavelength [m] of all runs: nothing depends on it.
@@ -31,7 +31,12 @@ const ABSORBER: usize = 14;
 const COURANT: f64 = 0.7;
 
 impl Scene {
-    /// (R, T) by the formulas of chapter `fresnel`.
+    /// Whether anything comes out behind.
+    fn is_clear(&self) -> bool {
+        self.substrate.sigma == 0.0 && self.substrate.drude.is_none()
+    }
+
+    /// (R, T) by the formulas of chapter `fresnel`; T = 0 behind what absorbs.
     pub fn exact(&self) -> (f64, f64) {
         let index = |eps: f64| Complex64::from(eps.sqrt());
         let layers: Vec<Layer> = self
@@ -39,12 +44,12 @@ impl Scene {
             .iter()
             .map(|&(thickness, eps)| Layer { index: index(eps), thickness: thickness * WAVELENGTH })
             .collect();
-        let stack = Stack { n_i: 1.0, layers: &layers, substrate: index(self.substrate) };
+        let stack = Stack { n_i: 1.0, layers: &layers, substrate: self.substrate.index(OMEGA) };
         let response = stack.response(WAVELENGTH, Incidence::from_angle(self.theta), self.polarisation);
-        (response.reflectance, response.transmittance)
+        (response.reflectance, if self.is_clear() { response.transmittance } else { 0.0 })
     }
 
-    /// (R, T) of a grid with so many cells to the vacuum wavelength; films must be whole numbers of cells.
+    /// The same on a grid with so many cells to the vacuum wavelength; films must be whole numbers of cells.
     ///
     /// One column with a Bloch phase holds the wave of fixed k_x; its pulse is so long that next to nothing of it is
     /// slower than light grazing the interface, which no absorber takes.
@@ -56,9 +61,10 @@ impl Scene {
         let incident = ABSORBER + 4;
         let face = incident + 4;
         let back = face + film_rows.iter().sum::<usize>();
-        let rows = back + 6 + ABSORBER;
+        // Behind a metal as much of it as swallows what has entered.
+        let rows = back + if self.is_clear() { 6 } else { cells } + ABSORBER;
         let height = |row: usize| row as f64 * spacing;
-        let mut regions = vec![Region::layer(height(back)..height(rows), Medium::dielectric(self.substrate))];
+        let mut regions = vec![Region::layer(height(back)..height(rows), self.substrate)];
         let mut at = face;
         for (&(_, eps), &count) in self.films.iter().zip(&film_rows) {
             regions.push(Region::layer(height(at)..height(at + count), Medium::dielectric(eps)));
@@ -80,7 +86,8 @@ impl Scene {
         let spectrum = |record: &[Complex64]| amplitude(record, grid.dt(), grid.dt(), OMEGA).norm_sqr();
         let sent = spectrum(&grid.incident().expect("a wave was sent"));
         let normal = |eps: f64| (eps - self.theta.sin().powi(2)).sqrt();
-        let through = normal(self.substrate) * to_flux(self.substrate) / normal(1.0);
+        let eps = self.substrate.eps_r;
+        let through = if self.is_clear() { normal(eps) * to_flux(eps) / normal(1.0) } else { 0.0 };
         (spectrum(&grid.record(returned)) / sent, through * spectrum(&grid.record(passed)) / sent)
     }
 
