@@ -150,10 +150,14 @@ const INTERFACES: Check = Check {
 
 const OPEN_SPACE: Check = Check {
     id: "open_space",
-    claim: "the absorbing layers send back less than a millionth, corners and slanting waves included",
+    claim: "the absorbing layers send back a few millionths at most, with corners, slanting waves and the lamp's near field",
     rows: &["C2"],
     route: "the same lamp in a plane so large that nothing comes back in time",
-    bound: Bound::AtMost { limit: 1e-6, unit: "1", why: "what a graded layer of 30 cells is made for" },
+    bound: Bound::AtMost {
+        limit: 5e-6,
+        unit: "1",
+        why: "a graded layer of 30 cells is made for 1e−6 of a wave that travels; near fields do a little worse",
+    },
     measure: |_| echo(30),
     spoiled: |_| echo(6),
     slip: "layers of 6 cells",
