@@ -29,15 +29,15 @@ pub(super) const STEP: Step = Step {
     statements: &[
         Statement {
             id: "average",
-            says: "the mean flow",
+            says: "the mean flow; in a clear wave S never turns back, so that |⟨S⟩| and ⟨|S|⟩ are the same",
             rows: &["E23"],
-            equation: || Equation::new(mean(abs(S)), 1 / PERIOD * integral_between(abs(S), T, 0, PERIOD)),
+            equation: || Equation::new(mean(S), 1 / PERIOD * integral_between(S, T, 0, PERIOD)),
         },
         Statement {
             id: "half",
-            says: "of a harmonic wave of amplitude A",
+            says: "of a harmonic wave of amplitude A in a clear medium",
             rows: &["E23"],
-            equation: || Equation::new(mean(abs(S)), ratio(1, 2) * V * EPSILON * AMPLITUDE.pow(2)),
+            equation: || Equation::new(abs(mean(S)), ratio(1, 2) * V * EPSILON * AMPLITUDE.pow(2)),
         },
     ],
     derivations: &[
