@@ -1,6 +1,6 @@
 //! E18: waves where there is a current.
 
-use super::perspective::{span, travelling};
+use super::perspective::{LONGEST, span, travelling};
 use super::transverse::{oblique, solves_maxwell};
 use super::wave_equation::twice;
 use super::{described, quantity, wave};
@@ -376,8 +376,14 @@ fn describe(medium: &Medium, omega: f64) -> String {
 
 fn perspective(setting: &Setting) -> Plot {
     let wave = wave(setting);
-    let shown = format!("{} wavelengths", crate::setting::number((100.0 * span(&wave)).round() / 100.0));
-    Plot::of(format!("E, upright, and B, across, in {}", described(setting)), travelling(shown, &wave, 0.0))
+    let shown = match span(&wave) {
+        far if far < LONGEST => format!("five skin depths, {far:.1} wavelengths"),
+        far => format!("{far} wavelengths"),
+    };
+    Plot::of(
+        format!("E (blue, upright) and B (red, across) along z, in {}", described(setting)),
+        travelling(shown, &wave, 0.0),
+    )
 }
 
 fn decay(setting: &Setting) -> Plot {
