@@ -455,7 +455,7 @@ fn lags(setting: &Setting) -> Plot {
     let axis = || Axis::log("σ/(ωε)", "").range(1e-6, 1e10);
     let (shown, note) = match own {
         Some(own) if (1e-6..=1e10).contains(&own) => (Some(own), String::new()),
-        Some(own) => (None, format!(" ({}: {own:.1e}, off the axis)", described(setting))),
+        Some(_) => (None, format!(" ({}: off the axis)", described(setting))),
         None => (None, format!(" ({}: by its index, no σ)", described(setting))),
     };
     let mark = |chart: Chart| shown.into_iter().fold(chart, |chart, own| chart.at_x(own, "the setting"));

@@ -209,7 +209,7 @@ fn windows(setting: &Setting) -> Plot {
         // One key for all.
         let name = |name: &str| if at == 0 { name.to_owned() } else { String::new() };
         Chart::new(
-            format!("{}: off by {} at most", name_of(window), power(worst(&flux, window, set))),
+            format!("{}: error at most {}", name_of(window), power(worst(&flux, window, set))),
             Axis::linear("time in periods", "").range(0.0, periods),
             Axis::linear("weight, and S over its peak", "").range(1.1 * least - 0.1, 1.1 * most),
         )
@@ -238,7 +238,7 @@ fn name_of(window: Window) -> &'static str {
 /// `2.0·10^{−2}`, in the markup of labels.
 fn power(x: f64) -> String {
     if x == 0.0 {
-        return "nothing".into();
+        return "0".into();
     }
     let text = format!("{x:.1e}").replace('-', "−");
     text.split_once('e').map_or(text.clone(), |(digits, power)| format!("{digits}·10^{{{power}}}"))
