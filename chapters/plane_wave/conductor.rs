@@ -1,10 +1,10 @@
 //! E18: waves where there is a current.
 
-use super::perspective::{span, travelling};
+use super::perspective::{LONGEST, span, travelling};
 use super::transverse::{oblique, solves_maxwell};
 use super::wave_equation::twice;
 use super::{described, quantity, wave};
-use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::figure::{Axis, Chart, Dash, Hue, Mark, Plot};
 use crate::setting::{Conductor, FREQUENCY, MEDIUM, Setting};
 use crate::symbols::{AMPLITUDE, B, DELTA, E, EPSILON, H, J, K, K_VECTOR, MU, OMEGA, SIGMA, T, Z, Z_C};
 use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
@@ -27,7 +27,7 @@ const K_C: Symbol = Symbol::scalar("k", Dimension::RADIAN_PER_METRE).within(0.5,
 pub(super) const STEP: Step = Step {
     id: "conductor",
     title: "Where there is a current",
-    says: "A current makes k and Z complex: the wave decays as it runs, and H lags E by up to an eighth of a period.",
+    says: "A current makes k and Z complex: the wave decays as it runs, and H lags E, by up to an eighth of a period where ε > 0 and σ are real (metals in light are not such).",
     rows: &["E18"],
     parameters: &[MEDIUM, FREQUENCY],
     statements: &[
@@ -126,7 +126,7 @@ pub(super) const STEP: Step = Step {
         },
         Figure {
             id: "decay",
-            says: "E and H against depth at one instant, between their envelopes, and S, which falls twice as fast.",
+            says: "E and H against depth at one instant, between their envelopes, and S, whose envelope falls twice as fast.",
             rows: &["E18"],
             plot: decay,
         },
@@ -376,8 +376,14 @@ fn describe(medium: &Medium, omega: f64) -> String {
 
 fn perspective(setting: &Setting) -> Plot {
     let wave = wave(setting);
-    let shown = format!("{} wavelengths", crate::setting::number((100.0 * span(&wave)).round() / 100.0));
-    Plot::of(format!("E, upright, and B, across, in {}", described(setting)), travelling(shown, &wave, 0.0))
+    let shown = match span(&wave) {
+        far if far < LONGEST => format!("five skin depths, {far:.1} wavelengths"),
+        far => format!("{far} wavelengths"),
+    };
+    Plot::of(
+        format!("E (blue, upright) and B (red, across) along z, in {}", described(setting)),
+        travelling(shown, &wave, 0.0),
+    )
 }
 
 fn decay(setting: &Setting) -> Plot {
@@ -395,15 +401,22 @@ fn decay(setting: &Setting) -> Plot {
         Axis::linear("field over its amplitude at z = 0", "").range(-1.05, 1.05),
     )
     .line(Hue::S, "E", curve(&|z| envelope(z) * (turn * z).cos()))
-    .line(Hue::P, "H", curve(&|z| envelope(z) * (turn * z + lag).cos()))
+    .dashed(Hue::P, "H", curve(&|z| envelope(z) * (turn * z + lag).cos()))
     .line(
         Hue::Transmitted,
         "S over |E||H| at z = 0",
         curve(&|z| envelope(z).powi(2) * (turn * z).cos() * (turn * z + lag).cos()),
     )
-    .dashed(Hue::Reference, "e^{−z/δ}", curve(&envelope))
-    .dashed(Hue::Reference, "", curve(&|z| -envelope(z)))
     .at_y(0.0, "");
+    if wave.k.im == 0.0 {
+        return Plot::of(title, chart);
+    }
+    let dotted =
+        |label: &str, points| Mark::Line { label: label.into(), hue: Hue::Natural, dash: Dash::Dotted, points };
+    let chart = chart
+        .dashed(Hue::Reference, "±e^{−z/δ}", curve(&envelope))
+        .dashed(Hue::Reference, "", curve(&|z| -envelope(z)))
+        .with(dotted("e^{−2z/δ}", curve(&|z| envelope(z).powi(2))));
     Plot::of(title, chart)
 }
 
@@ -429,7 +442,7 @@ fn skin_depths(setting: &Setting) -> Plot {
     if known.iter().all(|known| Conductor::Substance(known) != own) {
         chart = chart.dashed(Hue::Natural, setting.text("medium"), depths(own));
     }
-    Plot::of("Skin depth, as far as each medium is known", chart.at_x(setting.frequency(), "f"))
+    Plot::of("Skin depth, as far as each medium is known", chart.at_x(setting.frequency(), "the setting"))
 }
 
 fn lags(setting: &Setting) -> Plot {
@@ -438,16 +451,21 @@ fn lags(setting: &Setting) -> Plot {
         let medium = Medium::relative(1.0, 1.0, tangent * EPSILON_0).expect("a medium");
         Wave::new(&medium, 1.0).expect("a positive frequency")
     };
-    let own = setting.conductor("medium").loss_tangent(setting.frequency()).unwrap_or(f64::NAN);
+    let own = setting.conductor("medium").loss_tangent(setting.frequency());
     let axis = || Axis::log("σ/(ωε)", "").range(1e-6, 1e10);
-    let mark = |chart: Chart| if (1e-6..=1e10).contains(&own) { chart.at_x(own, "the setting") } else { chart };
+    let (shown, note) = match own {
+        Some(own) if (1e-6..=1e10).contains(&own) => (Some(own), String::new()),
+        Some(_) => (None, format!(" ({}: off the axis)", described(setting))),
+        None => (None, format!(" ({}: by its index, no σ)", described(setting))),
+    };
+    let mark = |chart: Chart| shown.into_iter().fold(chart, |chart, own| chart.at_x(own, "the setting"));
     let lag = Chart::new("Lag", axis(), Axis::linear("lag of H behind E, φ", "°").range(0.0, 55.0).tick(15.0))
         .line(Hue::Ours, "", tangents().map(|tangent| [tangent, wave_at(tangent).phase_lag.to_degrees()]).collect())
         .at_y(45.0, "45°");
-    let lost = Chart::new("Decay", axis(), Axis::log("1 − E(λ)/E(0)", "").range(1e-6, 10.0))
+    let lost = Chart::new("Decay", axis(), Axis::log("1 − |E(λ)|/|E(0)|", "").range(1e-6, 10.0))
         .line(
             Hue::Ours,
-            "",
+            "lost over a wavelength",
             tangents()
                 .map(wave_at)
                 .zip(tangents())
@@ -455,5 +473,5 @@ fn lags(setting: &Setting) -> Plot {
                 .collect(),
         )
         .dashed(Hue::Reference, "π σ/(ωε)", tangents().map(|t| [t, PI * t]).collect());
-    Plot::grid("A conductor is what has σ ≫ ωε", 2, vec![mark(lag).into(), mark(lost).into()])
+    Plot::grid(format!("A conductor is what has σ ≫ ωε{note}"), 2, vec![mark(lag).into(), mark(lost).into()])
 }

@@ -216,6 +216,6 @@ fn perspective(setting: &Setting) -> Plot {
         let turn = TAU * f64::from(step) / 6.0;
         travelling(format!("ωt = {}°", 60 * step), &wave, turn).into()
     };
-    let title = format!("E, upright, and B, across, in {}", described(setting));
+    let title = format!("E (blue, upright) and B (red, across) along z, in {}", described(setting));
     Plot::grid(title, 2, (0..4).map(panel).collect())
 }

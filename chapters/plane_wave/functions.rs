@@ -14,7 +14,7 @@ pub(super) const FUNCTIONS: &[Function] = &[PLANE_WAVE];
 const ABSOLUTE: (f64, f64) = (1e-30, 1e30);
 
 /// Frequencies taken [Hz], and angular ones [rad/s].
-const FREQUENCIES: (f64, f64) = (1e-12, 1e24);
+pub(crate) const FREQUENCIES: (f64, f64) = (1e-12, 1e24);
 
 const PLANE_WAVE: Function = Function {
     name: "plane-wave",
@@ -46,11 +46,11 @@ const PLANE_WAVE: Function = Function {
     },
 };
 
-const fn input(name: &'static str, says: &'static str, unit: &'static str, domain: (f64, f64)) -> Input {
+pub(crate) const fn input(name: &'static str, says: &'static str, unit: &'static str, domain: (f64, f64)) -> Input {
     Input { name, says, unit, domain: Some(domain), default: None }
 }
 
-const fn output(name: &'static str, says: &'static str, unit: &'static str) -> Output {
+pub(crate) const fn output(name: &'static str, says: &'static str, unit: &'static str) -> Output {
     Output { name, says, unit }
 }
 

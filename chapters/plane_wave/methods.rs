@@ -4,11 +4,12 @@ use super::rms_difference;
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::symbols::{C, T, WAVE, Z};
-use crate::vocabulary::{Expects, Figure, Heat, Lane, Quantity, Race, Statement, Step};
+use crate::vocabulary::{Bench, Expects, Figure, Heat, Lane, Quantity, Race, Statement, Step};
 use light::em::wave::{Problem, Scheme};
 use light::equation::Equation;
 use light::equation::expr::partial;
 use light::precise;
+use light::sampling::uniform;
 use std::f64::consts::TAU;
 
 const CELLS: Parameter = Parameter {
@@ -54,14 +55,15 @@ pub(super) const STEP: Step = Step {
     ],
     figures: &[Figure {
         id: "after_a_while",
-        says: "Both pulses after they have run round the line once and a bit.",
+        says: "Once round the line and a third: what four methods get wrong of the smooth pulse, and what the second-order one and the spectrum make of the square one.",
         rows: &["E10"],
         plot: after_a_while,
     }],
 };
 
-/// How far the pulses run round a line of 1 m: no whole number of anything.
-const DISTANCE: f64 = 1.13;
+/// How far the pulses run round a line of 1 m. On a power of two of cells the last cell is left at a third or two
+/// thirds, which are alike to a method that knows no left and right: no grid of a race is luckier than another.
+const DISTANCE: f64 = 4.0 / 3.0;
 
 /// Entire in z, so that its spectrum falls faster than any power.
 fn smooth(z: f64) -> f64 {
@@ -75,36 +77,39 @@ fn square(z: f64) -> f64 {
 /// The smooth pulse at the end in 256 bits, at every node.
 fn smooth_at_the_end(cells: usize) -> Vec<f64> {
     let (turn, ten, one) = (precise::pi(precise::BITS) * precise::real(2.0), precise::real(10.0), precise::real(1.0));
-    // z − ct − ½ in hundredths of a cell, so that nothing is rounded.
-    let hundredths = |node: usize| 100.0 * node as f64 - 163.0 * cells as f64;
+    // z − ct − ½ in sixths of a cell, so that nothing is rounded.
+    let sixths = |node: usize| 6.0 * node as f64 - 11.0 * cells as f64;
     let value = |node| {
-        let away = precise::real(hundredths(node)) / precise::real(100.0 * cells as f64);
+        let away = precise::real(sixths(node)) / precise::real(6.0 * cells as f64);
         precise::to_f64(&(&ten * ((&turn * away).cos() - &one)).exp())
     };
     (0..cells).map(value).collect()
 }
 
-/// The square pulse at the end in whole numbers, at every node.
-fn square_at_the_end(cells: usize) -> Vec<f64> {
-    let cells = cells as i64;
-    let away = |node: i64| (100 * node - 113 * cells).rem_euclid(100 * cells) - 50 * cells;
-    (0..cells).map(|node| if away(node).abs() < 20 * cells { 1.0 } else { 0.0 }).collect()
+/// Parts of a cell in which the square pulses of the race are shifted. Odd numbers of them leave no node on an edge.
+const PARTS: i64 = 128;
+
+/// The square pulse at the end, shifted by `parts` of a cell, at every node; in whole numbers.
+fn square_at_the_end(cells: usize, parts: i64) -> Vec<f64> {
+    // In units of 1/30 of a part.
+    let (cell, line) = (30 * PARTS, 30 * PARTS * cells as i64);
+    let away = |node: i64| (cell * node - 30 * parts - 4 * line / 3).rem_euclid(line) - line / 2;
+    (0..cells as i64).map(|node| if away(node).abs() < line / 5 { 1.0 } else { 0.0 }).collect()
 }
 
 const RACE: Race = Race {
     id: "",
     claim: "",
     rows: &["E10"],
-    work: "cells squared: cell-steps but for a factor",
+    work: "cells; the steps of those that step grow with them",
     error: "RMS error of E over the peak",
     reference: "f(z − ct) at every node, the smooth pulse in 256 bits, the square one in whole numbers",
     lanes: &[],
 };
 
-/// 32 to 1024 cells; a step is a fixed share of a cell, so there are as many steps.
-const COUNTS: &[u64] = &[1 << 10, 1 << 12, 1 << 14, 1 << 16, 1 << 18, 1 << 20];
+const COUNTS: &[u64] = &[32, 64, 128, 256, 512];
 /// The smooth pulse is resolved from 64 cells on.
-const RESOLVED: &[u64] = &[1 << 12, 1 << 14, 1 << 16, 1 << 18, 1 << 20];
+const RESOLVED: &[u64] = &[64, 128, 256, 512, 1024];
 
 const fn order(order: f64, tolerance: f64) -> Expects {
     Expects::Order { order, tolerance }
@@ -113,34 +118,45 @@ const fn order(order: f64, tolerance: f64) -> Expects {
 const EXACT: Expects = Expects::Within { limit: 1e-13, why: "nothing but rounding, of the transform or of f itself" };
 
 const SMOOTH: [Lane; 5] = [
-    Lane::once("yee", "Yee: second order", RESOLVED, order(1.0, 0.1), |_, n| of_smooth(Scheme::Yee, n)),
-    Lane::once("fourth_order", "fourth order", RESOLVED, order(2.0, 0.2), |_, n| of_smooth(Scheme::FourthOrder, n)),
-    Lane::once("pseudo_spectral", "pseudo-spectral", RESOLVED, order(2.0, 0.2), |_, n| {
+    Lane::once("yee", "Yee: second order", RESOLVED, order(2.0, 0.2), |_, n| of_smooth(Scheme::Yee, n)),
+    Lane::once("fourth_order", "fourth order", RESOLVED, order(4.0, 0.4), |_, n| of_smooth(Scheme::FourthOrder, n)),
+    Lane::once("pseudo_spectral", "pseudo-spectral", RESOLVED, order(4.0, 0.4), |_, n| {
         of_smooth(Scheme::PseudoSpectral, n)
     }),
     Lane::once("spectral", "every harmonic by itself", RESOLVED, EXACT, |_, n| of_smooth(Scheme::Spectral, n)),
     Lane::once("dalembert", "d'Alembert", RESOLVED, EXACT, |_, n| of_smooth(Scheme::DAlembert, n)),
 ];
 
+/// A jump has half a derivative in the mean square, of which a method of order p makes the order p/(2(p + 1)) (Brenner,
+/// Thomée & Wahlbin, *Besov Spaces and Applications to Difference Methods*, 1975); the bare transform keeps all of it.
 const SQUARE: [Lane; 5] = [
-    Lane::once("yee", "Yee: second order", COUNTS, order(1.0 / 6.0, 0.04), |_, n| of_square(Scheme::Yee, n)),
-    Lane::once("fourth_order", "fourth order", COUNTS, order(0.2, 0.04), |_, n| of_square(Scheme::FourthOrder, n)),
-    Lane::once("pseudo_spectral", "pseudo-spectral", COUNTS, order(0.2, 0.04), |_, n| {
-        of_square(Scheme::PseudoSpectral, n)
+    of_square("yee", "Yee: second order", order(0.333, 0.06), |bench, n| edges(Scheme::Yee, bench, n)),
+    of_square("fourth_order", "fourth order", order(0.4, 0.06), |bench, n| edges(Scheme::FourthOrder, bench, n)),
+    of_square("pseudo_spectral", "pseudo-spectral", order(0.4, 0.06), |bench, n| {
+        edges(Scheme::PseudoSpectral, bench, n)
     }),
-    Lane::once("spectral", "every harmonic by itself", COUNTS, order(0.25, 0.08), |_, n| {
-        of_square(Scheme::Spectral, n)
-    }),
-    Lane::once("dalembert", "d'Alembert", COUNTS, EXACT, |_, n| of_square(Scheme::DAlembert, n)),
+    of_square("spectral", "every harmonic by itself", order(0.5, 0.06), |bench, n| edges(Scheme::Spectral, bench, n)),
+    of_square("dalembert", "d'Alembert", EXACT, |bench, n| edges(Scheme::DAlembert, bench, n)),
 ];
+
+/// Where its edges fall within a cell decides about the error of a square pulse: a lane takes the mean over several
+/// places.
+const fn of_square(
+    id: &'static str,
+    label: &'static str,
+    expects: Expects,
+    prepare: fn(&mut Bench, u64) -> Heat,
+) -> Lane {
+    Lane { id, label, works: COUNTS, expects, repeats: 16, prepare }
+}
 
 /// 80 % of what is stable, 0.5 for Yee's, which is exact at its limit and would tell nothing.
 fn courant(scheme: Scheme) -> f64 {
     if scheme == Scheme::Yee { 0.5 } else { (0.8 * scheme.courant_limit()).min(0.5) }
 }
 
-fn carry(scheme: Scheme, profile: fn(f64) -> f64, cells: usize) -> Vec<f64> {
-    let problem = Problem { profile: &profile, length: 1.0, distance: DISTANCE };
+fn carry(scheme: Scheme, profile: &dyn Fn(f64) -> f64, cells: usize) -> Vec<f64> {
+    let problem = Problem { profile, length: 1.0, distance: DISTANCE };
     scheme.carry(&problem, cells, courant(scheme)).expect("a stable step").e
 }
 
@@ -148,19 +164,28 @@ fn exact(profile: fn(f64) -> f64, cells: usize) -> Vec<f64> {
     Problem { profile: &profile, length: 1.0, distance: DISTANCE }.exact(cells)
 }
 
-fn of_smooth(scheme: Scheme, work: u64) -> Heat {
-    carried(scheme, smooth, smooth_at_the_end, work)
+fn of_smooth(scheme: Scheme, cells: u64) -> Heat {
+    let cells = cells as usize;
+    carried(scheme, smooth, cells, move || smooth_at_the_end(cells))
 }
 
-fn of_square(scheme: Scheme, work: u64) -> Heat {
-    carried(scheme, square, square_at_the_end, work)
+/// A square pulse, shifted by a part of a cell.
+fn edges(scheme: Scheme, bench: &mut Bench, cells: u64) -> Heat {
+    let cells = cells as usize;
+    let parts = 2 * uniform(&mut bench.stream, 0.0, PARTS as f64 / 2.0) as i64 + 1;
+    let shift = parts as f64 / PARTS as f64 / cells as f64;
+    carried(scheme, move |z| square(z - shift), cells, move || square_at_the_end(cells, parts))
 }
 
-fn carried(scheme: Scheme, profile: fn(f64) -> f64, exact: fn(usize) -> Vec<f64>, work: u64) -> Heat {
-    let cells = work.isqrt() as usize;
+fn carried(
+    scheme: Scheme,
+    profile: impl Fn(f64) -> f64 + 'static,
+    cells: usize,
+    exact: impl Fn() -> Vec<f64> + 'static,
+) -> Heat {
     Heat {
-        run: Box::new(move || carry(scheme, profile, cells)),
-        error: Box::new(move |found| rms_difference(found, &exact(cells))),
+        run: Box::new(move || carry(scheme, &profile, cells)),
+        error: Box::new(move |found| rms_difference(found, &exact())),
     }
 }
 
@@ -182,7 +207,7 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
             key,
             symbol: "ΔE",
             says,
-            value: rms_difference(&carry(scheme, profile, cells), &exact(profile, cells)),
+            value: rms_difference(&carry(scheme, &profile, cells), &exact(profile, cells)),
             unit: "1",
         })
     });
@@ -204,10 +229,11 @@ fn after_a_while(setting: &Setting) -> Plot {
     };
     let z = || Axis::linear("z", "m").range(0.0, 1.0);
     let truth = exact(smooth, cells);
-    let errors = Chart::new("smooth: what is wrong", z(), Axis::log("|ΔE| over the peak", "").range(1e-18, 1.0));
+    let errors =
+        Chart::new("smooth: what is wrong", z(), Axis::log("|ΔE| over the peak (0 as 10^{−18})", "").range(1e-18, 1.0));
     let errors = SHOWN.into_iter().enumerate().fold(errors, |chart, (at, (scheme, name))| {
-        let found = carry(scheme, smooth, cells);
-        let missed = found.iter().zip(&truth).map(|(found, truth)| (found - truth).abs()).collect();
+        let found = carry(scheme, &smooth, cells);
+        let missed = found.iter().zip(&truth).map(|(found, truth)| (found - truth).abs().max(1e-18)).collect();
         chart.line(Hue::Nth(at as u8), name, curve(missed))
     });
     let fields = Chart::new("square: the field", z(), Axis::linear("E over the peak", "").range(-0.4, 1.4));
@@ -215,7 +241,7 @@ fn after_a_while(setting: &Setting) -> Plot {
         .into_iter()
         .zip([0, 3])
         .fold(fields.dashed(Hue::Natural, "exact", curve(exact(square, cells))), |chart, ((scheme, name), hue)| {
-            chart.line(Hue::Nth(hue), name, curve(carry(scheme, square, cells)))
+            chart.line(Hue::Nth(hue), name, curve(carry(scheme, &square, cells)))
         });
-    Plot::grid(format!("Once and a bit round {cells} cells"), 2, vec![errors.into(), fields.into()])
+    Plot::grid(format!("Once and a third round {cells} cells"), 2, vec![errors.into(), fields.into()])
 }

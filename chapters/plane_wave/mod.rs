@@ -4,7 +4,7 @@ mod conductor;
 mod cosine;
 mod dalembert;
 pub(crate) mod fields;
-mod functions;
+pub(crate) mod functions;
 mod harmonics;
 mod methods;
 mod one_way;
@@ -55,6 +55,7 @@ pub(crate) fn described(setting: &Setting) -> String {
     let frequency = setting.text("freq");
     let unit = frequency.trim_start_matches(|c: char| !c.is_alphabetic() || c == 'e');
     let number = &frequency[..frequency.len() - unit.len()];
+    let unit = if unit.is_empty() { "Hz" } else { unit };
     format!("{} at {} {unit}", setting.text("medium"), number.trim_end())
 }
 

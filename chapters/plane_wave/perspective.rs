@@ -5,9 +5,12 @@ use light::Complex64;
 use light::waves::Wave;
 use std::f64::consts::TAU;
 
+/// How many wavelengths are shown of a wave that does not decay.
+pub const LONGEST: f64 = 1.75;
+
 /// How many wavelengths show what the wave does: not quite two, or five skin depths if that is less.
 pub fn span(wave: &Wave) -> f64 {
-    (5.0 * wave.k.re / (wave.k.im * TAU)).min(1.75)
+    (5.0 * wave.k.re / (wave.k.im * TAU)).min(LONGEST)
 }
 
 /// Where x (E), y (B) and z (the propagation) go on paper: E up, B towards the reader and to the left, z to the right

@@ -29,15 +29,15 @@ pub(super) const STEP: Step = Step {
     statements: &[
         Statement {
             id: "average",
-            says: "the mean flow",
+            says: "the mean flow; in a clear wave S never turns back, so that |⟨S⟩| and ⟨|S|⟩ are the same",
             rows: &["E23"],
-            equation: || Equation::new(mean(abs(S)), 1 / PERIOD * integral_between(abs(S), T, 0, PERIOD)),
+            equation: || Equation::new(mean(S), 1 / PERIOD * integral_between(S, T, 0, PERIOD)),
         },
         Statement {
             id: "half",
-            says: "of a harmonic wave of amplitude A",
+            says: "of a harmonic wave of amplitude A in a clear medium",
             rows: &["E23"],
-            equation: || Equation::new(mean(abs(S)), ratio(1, 2) * V * EPSILON * AMPLITUDE.pow(2)),
+            equation: || Equation::new(abs(mean(S)), ratio(1, 2) * V * EPSILON * AMPLITUDE.pow(2)),
         },
     ],
     derivations: &[
@@ -65,10 +65,10 @@ pub(super) const STEP: Step = Step {
             quantity("A_sun", "A", "amplitude that carries 1 kW/m²", (1000.0 / wave.mean_flux).sqrt(), "V/m"),
         ]
     }),
-    checks: &[QUADRATURE],
+    checks: &[QUADRATURE, ALIASES],
     stress: &[Stress {
         id: "late",
-        claim: "the flow of light keeps its digits a nanosecond, a second and a year after the start",
+        claim: "on its steep flanks the flow of light keeps its digits a nanosecond, a second and a year after the start",
         rows: &["E23"],
         textbook: "cos² of the rounded product 2πft",
         reference: "the exact product f·t less its whole cycles, in 256 bits; f and t are taken as exact, so κ is 0",
@@ -138,10 +138,44 @@ fn averaged(program: fn(&Wave) -> f64) -> Measured {
     }))
 }
 
+const ALIASES: Check = Check {
+    id: "aliases",
+    claim: "over a period the trapezoid errs by the harmonics that its points take for the mean, and by nothing else",
+    rows: &["E23"],
+    route: "Σ 2I_{jn}(10)/I_0(10), j = 1, 2, …, the harmonics of the pulse train e^(10(cos 2πx − 1)), by power series",
+    bound: Bound::AtMost { limit: 1e-14, unit: "1", why: "sums of up to 48 terms of either sign, and one division" },
+    measure: |_| aliases(|points| points),
+    spoiled: |_| aliases(|points| points + 1),
+    slip: "the harmonics of one interval more",
+};
+
+fn aliases(first: fn(u32) -> u32) -> Measured {
+    let mean = mean_of_pulse_train(SHARPNESS);
+    Measured::worst([4, 6, 8, 12, 16, 24, 32, 48].map(|points| {
+        let missed: f64 = (1..=12).map(|j| 2.0 * bessel_i(j * first(points))).sum();
+        let found = total(&trapezoid(points as usize), 0.0, 1.0);
+        (found / mean - 1.0 - missed / bessel_i(0), format!("{points} points"))
+    }))
+}
+
+/// I_n(10), by its power series (DLMF §10.25.2): all terms are positive.
+fn bessel_i(order: u32) -> f64 {
+    let first = (1..=order).fold(1.0, |term, k| term * SHARPNESS / f64::from(k));
+    let terms = (1..60).scan(first, |term, m| {
+        *term *= SHARPNESS * SHARPNESS / (f64::from(m) * f64::from(m + order));
+        Some(*term)
+    });
+    first + terms.sum::<f64>()
+}
+
+/// Moments where the flow is steep: an eighth of a period, or a little more, beyond a whole number of periods.
 fn late() -> Vec<Extreme> {
     let frequencies = [50.0, 1e9, 4.736_123_536_04e14, 5.45e14, 1e16];
-    let times = [1e-15, 1e-9, 1e-6, 0.02, 1.0, 3.155_76e7];
-    let each = frequencies.into_iter().flat_map(|f| times.map(|t| (f, t)));
+    let starts = [0.0_f64, 1e-15, 1e-9, 1e-6, 0.02, 1.0, 3.155_76e7];
+    // In a year of light a period is shorter than what a time can tell apart: the phase there is steep by chance.
+    let each = frequencies.into_iter().flat_map(|f| {
+        starts.into_iter().zip(1..).map(move |(start, at)| (f, ((f * start).floor() + 0.1 + 0.013 * f64::from(at)) / f))
+    });
     each.map(|(f, t)| {
         let exact = phase(f, t).cos;
         Extreme {
@@ -161,9 +195,8 @@ fn late() -> Vec<Extreme> {
 /// How peaked the pulses of the race are.
 const SHARPNESS: f64 = 5.0;
 
-/// The error of the trapezoid with n points over a period is Σ 2I_{jn}(10)/I₀(10), j = 1, 2, …: the harmonics that it
-/// takes for the mean. That of Simpson's rule is (4 of it − the one with n/2)/3. Both fall faster than any power; the
-/// orders below are the slopes of these sums over the works raced.
+/// Over a whole period all but chance converge faster than any power, so that no order is asserted of them; the check
+/// `aliases` holds every error of the trapezoid against what it must be.
 const AVERAGES: Race = Race {
     id: "averages",
     claim: "over a whole period the plainest rule is the best: the trapezoid gains digits in proportion to its points",
@@ -201,22 +234,27 @@ const AVERAGES: Race = Race {
             "simpson",
             "Simpson",
             &[8, 16, 24, 32, 48],
-            Expects::Order { order: 11.46, tolerance: 0.1 },
+            converging(
+                1.6,
+                "eight points take the harmonics 4, 8, … for the mean; what is left falls faster than any power",
+            ),
             |_, work| summed(simpson(work as usize)),
         ),
-        // No closed form is known: that it is faster than rules of fixed order are is all that is asserted.
         Lane::once(
             "gauss",
             "Gauss",
             &[8, 12, 16, 24, 32],
-            Expects::Order { order: 14.0, tolerance: 6.0 },
+            converging(0.1, "exact for the polynomial part of degree 15; what is left falls faster than any power"),
             |_, work| summed(gauss_legendre(work as usize)),
         ),
         Lane::once(
             "trapezoid",
             "trapezoid",
             &[4, 8, 12, 16, 24],
-            Expects::Order { order: 11.68, tolerance: 0.1 },
+            converging(
+                1.0,
+                "four points take the harmonics 4, 8, … for the mean; what is left falls faster than any power",
+            ),
             |_, work| summed(trapezoid(work as usize)),
         ),
         Lane {
@@ -232,6 +270,10 @@ const AVERAGES: Race = Race {
         },
     ],
 };
+
+const fn converging(limit: f64, why: &'static str) -> Expects {
+    Expects::Within { limit, why }
+}
 
 fn total(rule: &[(f64, f64)], from: f64, to: f64) -> f64 {
     let flow = |share: f64| pulse_train(SHARPNESS, from + (to - from) * share);

@@ -1,6 +1,7 @@
 //! Energy flow: rows E20–E24 and C3–C5. One module a step, in teaching order.
 
 mod flow;
+mod functions;
 mod mean;
 mod orders;
 mod phasor;
@@ -20,7 +21,7 @@ pub const CHAPTER: Chapter = Chapter {
     builds_on: &["plane-wave"],
     prose: include_str!("prose.md"),
     steps: &[flow::STEP, theorem::STEP, orders::STEP, mean::STEP, phasor::STEP, window::STEP],
-    functions: &[],
+    functions: functions::FUNCTIONS,
 };
 
 /// The flow at z = 0 of the setting's wave, of amplitude 1 V/m.

@@ -35,13 +35,13 @@ pub(super) const STEP: Step = Step {
             id: "square",
             says: "the mean flow goes as the square of the amplitude",
             rows: &["E24"],
-            equation: || Equation::proportional(mean(abs(S)), AMPLITUDE.pow(2)),
+            equation: || Equation::proportional(abs(mean(S)), AMPLITUDE.pow(2)),
         },
         Statement {
             id: "phasors",
-            says: "from the complex amplitudes of E and H",
+            says: "from the complex amplitudes of E and H; where S turns back for a part of the period, ⟨|S|⟩ is more",
             rows: &["E24"],
-            equation: || Equation::new(mean(abs(S)), ratio(1, 2) * re(E_HAT * conj(H_HAT))),
+            equation: || Equation::new(abs(mean(S)), ratio(1, 2) * re(E_HAT * conj(H_HAT))),
         },
     ],
     derivations: &[Derivation {

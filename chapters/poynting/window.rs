@@ -26,14 +26,13 @@ pub(super) const STEP: Step = Step {
     statements: &[],
     derivations: &[],
     readout: Some(|setting| {
-        let flux = super::flux(setting);
-        let duration = setting.number("periods") / flux.frequency;
-        let off = |window: Window| flux.average(window, 0.0, duration) / flux.mean - 1.0;
+        let (flux, periods) = (super::flux(setting), setting.number("periods"));
+        let off = |window: Window| worst(&flux, window, periods);
         vec![
-            quantity("duration", "T", "how long it looks", duration, "s"),
-            quantity("box", "Δ(box)", "error of a shutter, over the mean", off(Window::Box), "1"),
-            quantity("hann", "Δ(Hann)", "error of a window 1 − cos", off(Window::Hann), "1"),
-            quantity("nuttall", "Δ(Nuttall)", "error of Nuttall's window", off(Window::Nuttall), "1"),
+            quantity("duration", "T", "how long it looks", periods / flux.frequency, "s"),
+            quantity("box", "Δ(box)", "a shutter's error over the mean, at the worst opening", off(Window::Box), "1"),
+            quantity("hann", "Δ(Hann)", "the same of a window 1 − cos", off(Window::Hann), "1"),
+            quantity("nuttall", "Δ(Nuttall)", "the same of Nuttall's window", off(Window::Nuttall), "1"),
         ]
     }),
     checks: &[CLOSED_FORM, BOX_FALLS, HANN_FALLS, BILLION],
@@ -42,18 +41,23 @@ pub(super) const STEP: Step = Step {
     figures: &[
         Figure {
             id: "windows",
-            says: "The flow as the detector weighs it through a shutter and through soft windows, with what it then reads.",
+            says: "The flow as the detector weighs it through a shutter and through soft windows that open at a crest of E, with what it then reads, and by how much it may be off at the worst opening.",
             rows: &["C5"],
             plot: windows,
         },
         Figure {
             id: "error",
-            says: "Error of the average against its length in periods: the shutter is right after whole half periods, the rest falls as 1/T or faster.",
+            says: "Error of the average, at the worst opening, against its length in periods: the shutter is right after whole half periods, the rest falls as 1/T or faster. From 10 periods on the curves would be solid bars; points mark the worst lengths, a quarter of a period beyond whole ones.",
             rows: &["C5"],
             plot: errors,
         },
     ],
 };
+
+/// The error over the mean [1] of a look of so many `periods`, at the worst of all moments to open.
+pub(super) fn worst(flux: &Flux, window: Window, periods: f64) -> f64 {
+    (flux.swing / flux.mean * window.response(2.0, periods)).abs()
+}
 
 /// A clear wave of one period a second whose mean flow is 1.
 const CLEAR: Flux = Flux { mean: 1.0, swing: 1.0, frequency: 1.0, phase: 0.0, lag: 0.0 };
@@ -86,11 +90,11 @@ const BOX_FALLS: Check = Check {
     id: "box_falls",
     claim: "a shutter's error falls as 1/T",
     rows: &["C5"],
-    route: "the slope of the error at the worst lengths, an eighth of a period beyond the whole ones",
+    route: "the slope of the error at the worst opening and lengths, a quarter of a period beyond the whole ones",
     bound: Bound::Order {
         order: 1.0,
         tolerance: 1e-6,
-        why: "at these lengths the sine is 1 and the error exactly 1/(4πN)",
+        why: "at these lengths the sine is 1 and the error exactly 1/(2πN)",
     },
     measure: |_| falls(Window::Box),
     spoiled: |_| falls(Window::Hann),
@@ -101,7 +105,7 @@ const HANN_FALLS: Check = Check {
     id: "hann_falls",
     claim: "a window that opens and closes gently has one that falls as 1/T³",
     rows: &["C5"],
-    route: "the slope of the error at the worst lengths",
+    route: "the slope of the error at the worst opening and lengths",
     bound: Bound::Order {
         order: 3.0,
         tolerance: 0.02,
@@ -113,9 +117,8 @@ const HANN_FALLS: Check = Check {
 };
 
 fn falls(window: Window) -> Measured {
-    let swing = Flux { mean: 0.0, ..CLEAR };
-    let lengths = [10.125, 100.125, 1000.125, 10_000.125];
-    let points = lengths.map(|duration| (duration, swing.average(window, 0.0, duration).abs()));
+    let lengths = [10.25, 100.25, 1000.25, 10_000.25];
+    let points = lengths.map(|periods| (periods, worst(&CLEAR, window, periods)));
     let value = fitted_order(&points).unwrap_or(f64::NAN);
     Measured { value, at: "10 to 10⁴ periods".into(), cases: points.len() }
 }
@@ -161,7 +164,7 @@ const SAMPLED: Race = Race {
     claim: "sampled sixteen times a period, the average gets better with its length, and how fast the window decides",
     rows: &["C5"],
     work: "samples",
-    error: "error over the mean",
+    error: "relative error of the mean, opened at a crest",
     reference: "the mean over whole periods, which is known",
     lanes: &[
         Lane::once("shutter", "shutter", &[18, 66, 258, 1026, 4098], order(1.0), |_, work| sampled(Window::Box, work)),
@@ -192,29 +195,34 @@ fn sampled(window: Window, work: u64) -> Heat {
 }
 
 fn windows(setting: &Setting) -> Plot {
-    let flux = super::flux(setting);
-    // More than a few dozen periods would be a grey bar.
-    let periods = setting.number("periods").min(12.0);
+    let (flux, set) = (super::flux(setting), setting.number("periods"));
+    // More than a few dozen periods would be a solid bar.
+    let periods = set.min(12.0);
     let (peak, duration) = (2.0 * flux.swing, periods / flux.frequency);
     let most = Window::ALL.map(|window| window.weight(0.5)).into_iter().fold(0.0, f64::max);
+    let least = most * (flux.mean - flux.swing) / peak;
     let panel = |(at, window): (usize, Window)| {
         let curve = |value: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
             (0..=1200).map(|at| f64::from(at) / 1200.0).map(|u| [u * periods, value(u)]).collect()
         };
-        let (seen, mean) = (flux.average(window, 0.0, duration), flux.mean);
+        let seen = flux.average(window, 0.0, set / flux.frequency);
         // One key for all.
         let name = |name: &str| if at == 0 { name.to_owned() } else { String::new() };
         Chart::new(
-            format!("{}: off by {}", name_of(window), power(seen / mean - 1.0)),
+            format!("{}: error at most {}", name_of(window), power(worst(&flux, window, set))),
             Axis::linear("time in periods", "").range(0.0, periods),
-            Axis::linear("weight, and S over its peak", "").range(-0.3, 1.1 * most),
+            Axis::linear("weight, and S over its peak", "").range(1.1 * least - 0.1, 1.1 * most),
         )
         .dashed(Hue::Reference, name("weight"), curve(&|u| window.weight(u)))
         .line(Hue::Transmitted, name("S, weighed"), curve(&|u| window.weight(u) * flux.at(u * duration) / peak))
-        .at_y(seen / peak, "")
+        .at_y(seen / peak, "reads")
         .into()
     };
-    let title = format!("{} periods in {}", crate::setting::number(periods), described(setting));
+    let number = crate::setting::number;
+    let title = match number(set) {
+        drawn if periods == set => format!("{drawn} periods in {}", described(setting)),
+        all => format!("{all} periods in {}, drawn as {}", described(setting), number(periods)),
+    };
     Plot::grid(title, 2, Window::ALL.into_iter().enumerate().map(panel).collect())
 }
 
@@ -227,30 +235,32 @@ fn name_of(window: Window) -> &'static str {
     }
 }
 
-/// `−2.03·10^{−2}`, in the markup of labels.
+/// `2.0·10^{−2}`, in the markup of labels.
 fn power(x: f64) -> String {
-    let text = format!("{x:+.2e}").replace('-', "−");
+    if x == 0.0 {
+        return "0".into();
+    }
+    let text = format!("{x:.1e}").replace('-', "−");
     text.split_once('e').map_or(text.clone(), |(digits, power)| format!("{digits}·10^{{{power}}}"))
 }
 
 fn errors(setting: &Setting) -> Plot {
-    let flux = Flux { phase: 0.0, ..super::flux(setting) };
-    let share = flux.swing / flux.mean;
+    let flux = super::flux(setting);
     let chart = Chart::new(
         "",
-        Axis::log("length of the average in periods", "").range(0.3, 1e4),
-        Axis::log("error over the mean", "").range(1e-16, 10.0),
+        Axis::log("length in periods N (from 10 on the worst ones)", "").range(0.3, 1e4),
+        Axis::log("error over the mean, at the worst opening", "").range(1e-16, 10.0),
     );
     // Everywhere while the curves can be told apart, then at the worst lengths alone.
     let near = || (60..=2000).map(|at| f64::from(at) / 200.0);
     let far = || (20..=80).map(|at| (10f64.powf(f64::from(at) / 20.0)).floor() + 0.25);
     let chart = Window::ALL.into_iter().enumerate().fold(chart, |chart, (at, window)| {
-        let left = |periods: f64| [periods, (share * window.response(2.0, periods)).abs()];
+        let left = |periods: f64| [periods, worst(&flux, window, periods)];
         let hue = Hue::Nth(at as u8);
         let envelope = far().map(left).filter(|point| point[1] > 1e-16);
         chart.line(hue, name_of(window), near().map(left).filter(|point| point[1] > 1e-16).collect()).with(
             Mark::Points { label: String::new(), hue, shape: Shape::Disc, joined: false, points: envelope.collect() },
         )
     });
-    Plot::of("How long must one look?", chart.at_x(setting.number("periods"), "N"))
+    Plot::of("How long must one look?", chart.at_x(setting.number("periods"), "the setting"))
 }
