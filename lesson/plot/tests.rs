@@ -177,7 +177,7 @@ fn svg_holds_every_label_as_text() {
         "relative error",
         "10^{−6}",
         "10^{−14}",
-        "10^{0}",
+        "1",
         "Gauss–Legendre",
         "Sobol’ points",
         "slope −½",
