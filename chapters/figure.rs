@@ -193,7 +193,16 @@ pub enum Mark {
         /// Their x in axis units.
         at: Vec<f64>,
     },
-    /// A thin vertical reference line with its name.
+    /// Points whose y is exactly 0, which a logarithmic axis cannot hold, in a band of their own under the frame.
+    Vanished {
+        /// Colour.
+        hue: Hue,
+        /// Shape of each point.
+        shape: Shape,
+        /// Their x in axis units.
+        at: Vec<f64>,
+    },
+    /// A thin vertical reference line with its name; beyond the axis only the name, with an arrow.
     AtX {
         /// Where.
         x: f64,

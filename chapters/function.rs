@@ -106,7 +106,8 @@ impl<'a> Arguments<'a> {
 pub fn number(place: &str, argument: &Argument, unit: &str, domain: Option<(f64, f64)>) -> Result<f64, Fault> {
     let given = match argument {
         Argument::Text(text) => excerpt(text),
-        Argument::Number(value) => value.to_string(),
+        // The shorter of decimals and powers of ten, to the last digit.
+        Argument::Number(value) => format!("{value:?}").trim_end_matches(".0").to_owned(),
         _ => String::new(),
     };
     let valid = domain.map_or(String::new(), |(min, max)| format!("; {}", range(min, max, unit, &given)));

@@ -5,6 +5,7 @@ use crate::proof::Question;
 use crate::run::Parts;
 use crate::stop::Stop;
 use crate::text::Details;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgAction, Args, CommandFactory, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
 use std::path::PathBuf;
@@ -71,6 +72,17 @@ pub fn parse() -> Result<Request, Stop> {
 fn refusal(error: clap::Error) -> Stop {
     if !error.use_stderr() {
         error.exit();
+    }
+    let said = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text),
+        _ => None,
+    };
+    // clap would advise to pass the option as a value, which none of ours can be.
+    if error.kind() == ErrorKind::UnknownArgument
+        && let Some(option) = said(ContextKind::InvalidArg).filter(|option| option.starts_with('-'))
+    {
+        let meant = said(ContextKind::SuggestedArg).map_or(String::new(), |arg| format!(" (did you mean `{arg}`?)"));
+        return Stop::at(option, format!("unknown option{meant}; `--help` lists them"));
     }
     let text = error.to_string();
     Stop::Refused(text.strip_prefix("error: ").unwrap_or(&text).trim_end().to_owned())

@@ -51,6 +51,9 @@ impl Tone {
     }
 }
 
+/// Columns that the last cell of a row is worth being wrapped in.
+const LAST_CELL: usize = 16;
+
 /// A piece of text and what it means.
 pub type Span<'a> = (Tone, &'a str);
 
@@ -178,7 +181,8 @@ impl Page {
         self.text.push('\n');
     }
 
-    /// Cells padded to `widths` (right-aligned where negative), at column `indent`; the last one is wrapped.
+    /// Cells padded to `widths` (right-aligned where negative), at column `indent`; the last one is wrapped, or all as
+    /// a paragraph if that leaves it less than [`LAST_CELL`].
     pub fn row(&mut self, indent: usize, widths: &[i32], cells: &[Span]) {
         let mut column = indent;
         let mut padded = Vec::new();
@@ -197,6 +201,12 @@ impl Page {
             if at + 1 < padded.len() {
                 column += cell.width() + 2;
             }
+        }
+        let last = padded.last().map_or(0, |(_, cell)| cell.width());
+        if column + last.min(LAST_CELL) > self.width {
+            let stacked: Vec<Span> = spans.iter().map(|(tone, text)| (*tone, text.trim())).collect();
+            let stacked = stacked.into_iter().map(|(tone, text)| (tone, if text.is_empty() { "  " } else { text }));
+            return self.wrap(indent, indent + 2, &stacked.collect::<Vec<_>>());
         }
         self.wrap(indent, column, &spans);
     }
@@ -292,8 +302,9 @@ fn words<'a>(spans: &[Span<'a>]) -> Vec<Vec<Span<'a>>> {
     for &(tone, text) in spans {
         let mut start = 0;
         while start < text.len() {
-            let next = text[start..].char_indices().skip(1).find(|(_, letter)| *letter == ' ');
-            let end = next.map_or(text.len(), |(at, _)| start + at);
+            let spaces = text[start..].char_indices().skip(1).filter(|(_, letter)| *letter == ' ');
+            let mut breaks = spaces.map(|(at, _)| start + at).filter(|at| !is_within_number(text, *at));
+            let end = breaks.next().unwrap_or(text.len());
             let piece = (tone, &text[start..end]);
             match words.last_mut() {
                 Some(word) if !piece.1.starts_with(' ') => word.push(piece),
@@ -303,6 +314,12 @@ fn words<'a>(spans: &[Span<'a>]) -> Vec<Vec<Span<'a>>> {
         }
     }
     words
+}
+
+/// Whether the space at a place parts groups of digits: `100 000`.
+fn is_within_number(text: &str, at: usize) -> bool {
+    let after = text[at + 1..].bytes();
+    text[..at].ends_with(|c: char| c.is_ascii_digit()) && after.take_while(u8::is_ascii_digit).count() == 3
 }
 
 /// The line being filled.
@@ -338,13 +355,14 @@ fn breaking(lines: &[&str], height: usize) -> usize {
 }
 
 /// Label markup (`R_s`, `10^{−6}`) with Unicode's own small letters where it has them all, and minus signs for the
-/// hyphens of numbers. Longer names (`r_plus_t`) and assignments (`n_t=gold`) are left alone.
+/// hyphens of numbers; `2.5e-7` becomes 2.5·10⁻⁷. Longer names (`r_plus_t`) and assignments (`n_t=gold`) are left alone.
 pub fn typeset(text: &str) -> String {
     let (mut out, mut rest) = (String::new(), text);
-    while let Some(at) = rest.find(['_', '^', '-']) {
+    while let Some(at) = rest.find(['_', '^', '-', 'e']) {
         out.push_str(&rest[..at]);
         let (mark, tail) = rest[at..].split_at(1);
         let small = match mark {
+            "e" => power_of_ten(&mut out, tail).map(|next| (String::new(), next)),
             "-" => minus(&out, tail).then(|| ("−".to_owned(), tail)),
             _ => small(mark == "_", tail).filter(|(_, next)| ends_symbol(next) && is_symbol(&out)),
         };
@@ -353,6 +371,42 @@ pub fn typeset(text: &str) -> String {
         rest = next;
     }
     out + rest
+}
+
+/// Digits of the longest number whose power of ten is raised; longer ones are there to be copied.
+const SHORT: usize = 9;
+
+/// Ends the number that `out` ends in with the power of ten that `tail` says, and gives what follows; nothing if they
+/// are no such number.
+fn power_of_ten<'a>(out: &mut String, tail: &'a str) -> Option<&'a str> {
+    let start = out
+        .rfind(|c: char| !(c.is_ascii_digit() || c == '.'))
+        .map_or(0, |at| at + out[at..].chars().next().map_or(0, char::len_utf8));
+    let (before, mantissa) = out.split_at(start);
+    let (sign, digits) = match tail.strip_prefix(['-', '−']) {
+        Some(digits) => ("−", digits),
+        None => ("", tail.strip_prefix('+').unwrap_or(tail)),
+    };
+    let (exponent, next) = digits.split_at(digits.find(|c: char| !c.is_ascii_digit()).unwrap_or(digits.len()));
+    let is_number = mantissa.starts_with(|c: char| c.is_ascii_digit()) && !exponent.is_empty();
+    let is_apart = !before.ends_with(|c: char| c.is_alphanumeric() || c == '_');
+    if !is_number || !is_apart || mantissa.len() > SHORT || next.starts_with(|c: char| c.is_alphanumeric() || c == '_')
+    {
+        return None;
+    }
+    let raised: String = format!("{sign}{exponent}").chars().map(|c| shifted(c, false)).collect::<Option<_>>()?;
+    // What is taken from a number stands apart from it on both sides.
+    let taken = before
+        .strip_suffix('−')
+        .filter(|number| number.ends_with(' '))
+        .is_some_and(|number| number.trim_end().ends_with(|c: char| c.is_ascii_digit()));
+    let factor = if mantissa == "1" { String::new() } else { format!("{mantissa}·") };
+    out.truncate(start);
+    if taken {
+        out.push(' ');
+    }
+    out.push_str(&format!("{factor}10{raised}"));
+    Some(next)
 }
 
 /// The mark's letter or `{letters}` at the start of `tail` in small, and what follows.
@@ -478,7 +532,34 @@ mod tests {
 
     #[test]
     fn numbers_carry_minus_signs_and_words_hyphens() {
-        assert_eq!(typeset("-1.5e-10, s-polarised, n-1, x = -2"), "−1.5e−10, s-polarised, n-1, x = −2");
+        assert_eq!(typeset("-1.5e-10, s-polarised, n-1, x = -2"), "−1.5·10⁻¹⁰, s-polarised, n-1, x = −2");
+    }
+
+    #[test]
+    fn powers_of_ten_are_raised() {
+        for (typed, set) in [
+            ("1e12 or 2.5e-7", "10¹² or 2.5·10⁻⁷"),
+            ("n = 1 -1e-6", "n = 1 − 10⁻⁶"),
+            ("at -3e+20,", "at −3·10²⁰,"),
+            ("1.2345678901234567e-45", "1.2345678901234567e−45"),
+            ("x1e5, 1e5m, the 2e, 0x1e", "x1e5, 1e5m, the 2e, 0x1e"),
+        ] {
+            assert_eq!(typeset(typed), set);
+        }
+    }
+
+    #[test]
+    fn groups_of_digits_stay_together() {
+        let text = set(40, &[(Tone::Plain, "thirty-five columns are taken by it 100 000 times 5 in")]);
+        assert_eq!(text, "  thirty-five columns are taken by it\n    100 000 times 5 in\n");
+    }
+
+    #[test]
+    fn rows_too_wide_become_paragraphs() {
+        let mut page = Page::new(40, false);
+        let cells = [(Tone::Plain, "textbook"), (Tone::Plain, "1.2345678901234567"), (Tone::Plain, "some 12 digits")];
+        page.row(8, &[9, 25, 0], &cells);
+        assert_eq!(page.into_text(), "        textbook  1.2345678901234567\n          some 12 digits\n");
     }
 
     #[test]

@@ -4,7 +4,7 @@ use crate::report::{LaneReport, RaceReport};
 use chapters::figure::{Axis, Chart, Dash, Hue, Mark, Plot, Shape};
 use chapters::vocabulary::Expects;
 
-/// Where an error of exactly zero is drawn: half a rounding unit, below which `f64` cannot tell.
+/// Half a rounding unit: errors below it are all the same to `f64`.
 const FLOOR: f64 = f64::EPSILON / 2.0;
 /// Decades that the axis of the errors shows at least, lest rounding look like a result.
 const DECADES: f64 = 3.0;
@@ -28,12 +28,17 @@ pub fn plot(race: &RaceReport) -> Plot {
             hue: Hue::Nth(at),
             shape: shape(at),
             joined: converges(lane),
-            points: points.iter().copied().filter(|point| point[1].is_finite()).collect(),
+            points: points.iter().copied().filter(|point| point[1].is_finite() && point[1] != 0.0).collect(),
         });
-        let broken: Vec<f64> = points.iter().filter(|point| !point[1].is_finite()).map(|point| point[0]).collect();
-        if !broken.is_empty() {
-            chart = chart.with(Mark::Broken { hue: Hue::Nth(at), shape: shape(at), at: broken });
-        }
+        let times = |is_beyond: fn(f64) -> bool| -> Vec<f64> {
+            points.iter().filter(|point| is_beyond(point[1])).map(|point| point[0]).collect()
+        };
+        let (hue, shape) = (Hue::Nth(at), shape(at));
+        let broken = Mark::Broken { hue, shape, at: times(|error| !error.is_finite()) };
+        let vanished = Mark::Vanished { hue, shape, at: times(|error| error == 0.0) };
+        let is_used =
+            |mark: &Mark| !matches!(mark, Mark::Broken { at, .. } | Mark::Vanished { at, .. } if at.is_empty());
+        chart.marks.extend([broken, vanished].into_iter().filter(is_used));
     }
     Plot::of(sentence(race.claim), chart)
 }
@@ -47,7 +52,7 @@ fn sentence(claim: &str) -> String {
 fn curve(lane: &LaneReport, whole: bool) -> Vec<[f64; 2]> {
     let points = lane.points.iter().map(|point| {
         let time = if whole { point.seconds * 1e6 } else { point.ns_per_work };
-        [time, if point.error.0 == 0.0 { FLOOR } else { point.error.0 }]
+        [time, point.error.0]
     });
     points.collect()
 }
@@ -59,7 +64,8 @@ fn errors(race: &RaceReport) -> Axis {
     let ends = drawn.filter(|power| power.is_finite()).fold(None, |ends: Option<(f64, f64)>, power| {
         Some(ends.map_or((power, power), |(low, high)| (low.min(power), high.max(power))))
     });
-    let Some((low, high)) = ends else { return axis };
+    let is_zero = || race.lanes.iter().flat_map(|lane| &lane.points).any(|point| point.error.0 == 0.0);
+    let Some((low, high)) = ends.or_else(|| is_zero().then(|| (FLOOR.log10(), FLOOR.log10()))) else { return axis };
     let span = high - low;
     let (pad, least) = (MARGIN * span, (DECADES - span) / 2.0);
     let first = (low - pad.max(least)).max(LOWEST.min(low - pad));
@@ -78,7 +84,8 @@ fn legend(lane: &LaneReport) -> String {
 /// stands at the time that it took, whether that grows with it, with its square or from a start-up cost. None beside a
 /// lane that bends away from it, as those do that are faster than any power.
 fn guide(lane: &LaneReport, points: &[[f64; 2]], order: f64) -> Option<Mark> {
-    let drawn: Vec<_> = lane.points.iter().zip(points).filter(|(_, [x, y])| *x > 0.0 && y.is_finite()).collect();
+    let drawn: Vec<_> =
+        lane.points.iter().zip(points).filter(|(_, [x, y])| *x > 0.0 && *y > 0.0 && y.is_finite()).collect();
     let (last, [_, error]) = drawn.last()?;
     let due = |work: u64| error * (last.work as f64 / work as f64).powf(order);
     let follows = drawn.iter().all(|(point, [_, error])| (0.1..=10.0).contains(&(due(point.work) / error)));
@@ -175,16 +182,20 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_stands_in_a_band_of_its_own() {
+    fn what_no_axis_holds_stands_in_bands_of_its_own() {
         let race = race(&[0.0, 1e-3, f64::NAN, f64::INFINITY], Expects::Breaks { limit: 1.0, why: "" });
         let marks = marks(&race);
-        let [Mark::Points { points, hue, shape, label, .. }, Mark::Broken { hue: same_hue, shape: same_shape, at }] =
-            &marks[..]
+        let [
+            Mark::Points { points, hue, shape, label, .. },
+            Mark::Broken { hue: broken_hue, shape: broken_shape, at: broken },
+            Mark::Vanished { hue: vanished_hue, shape: vanished_shape, at: vanished },
+        ] = &marks[..]
         else {
             panic!("{marks:?}")
         };
-        assert_eq!(points.iter().map(|point| point[1]).collect::<Vec<_>>(), [FLOOR, 1e-3]);
-        assert_eq!((at.len(), hue, shape, label.as_str()), (2, same_hue, same_shape, "lane (breaks)"));
+        assert_eq!(points.iter().map(|point| point[1]).collect::<Vec<_>>(), [1e-3]);
+        assert_eq!((broken.len(), vanished.len(), label.as_str()), (2, 1, "lane (breaks)"));
+        assert_eq!([(hue, shape); 2], [(broken_hue, broken_shape), (vanished_hue, vanished_shape)]);
     }
 
     fn error_axis(errors: &[f64]) -> Axis {
@@ -200,8 +211,7 @@ mod tests {
         for errors in [&[1e-15, 2.5e-15][..], &[0.0], &[3e-16, f64::NAN], &[1e-14, 1e-12], &[1e-19, 2e-19]] {
             let (first, last) = error_axis(errors).range.unwrap();
             assert!(last / first > 999.0, "{errors:?}: from {first} to {last}");
-            let drawn = |error: f64| if error == 0.0 { FLOOR } else { error };
-            assert!(errors.iter().filter(|error| !error.is_nan()).all(|e| first < drawn(*e) && drawn(*e) < last));
+            assert!(errors.iter().filter(|error| **error > 0.0).all(|error| first < *error && *error < last));
             assert!(first > 9.9e-18 || errors[0] < 1e-18, "{errors:?}: from {first}");
         }
         let (first, last) = error_axis(&[1e-12, 1.0]).range.unwrap();

@@ -319,17 +319,24 @@ pub fn limit(x: f64) -> String {
 
 /// Up to six significant digits.
 pub fn short(x: f64) -> String {
+    significant(x, 6)
+}
+
+/// Up to `digits` significant digits, the very small and the large in powers of ten.
+pub fn significant(x: f64, digits: usize) -> String {
     if let Some(name) = Number(x).non_finite() {
         return name.to_owned();
     }
     // Adding zero takes the sign off a negative one.
     let x = x + 0.0;
     let magnitude = x.abs();
+    let scientific = format!("{x:.*e}", digits.saturating_sub(1));
     if magnitude != 0.0 && !(1e-4..1e6).contains(&magnitude) {
-        return trimmed(&format!("{x:.5e}"));
+        return trimmed(&scientific);
     }
-    let whole_digits = if magnitude < 1.0 { 0 } else { magnitude.log10() as usize + 1 };
-    trimmed(&format!("{x:.*}", 6_usize.saturating_sub(whole_digits)))
+    // The exponent after rounding, which may have carried into another digit.
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i64>().ok()).unwrap_or(0);
+    trimmed(&format!("{x:.*}", usize::try_from(digits as i64 - 1 - exponent).unwrap_or(0)))
 }
 
 /// Without the zeros at the end of its fraction.
@@ -370,5 +377,8 @@ mod tests {
     fn short_numbers_keep_six_digits() {
         let texts: Vec<_> = [-0.0, 1.0, 56.309_932_474, 0.04, 1e-12, 123_456.789, -2.5e7, f64::NAN].map(short).into();
         assert_eq!(texts, ["0", "1", "56.3099", "0.04", "1e-12", "123457", "-2.5e7", "nan"]);
+        let texts: Vec<_> = [0.001_327_209_4, 1e-29, 9.999_999_9, 0.999_999_96, 999_999.9].map(short).into();
+        assert_eq!(texts, ["0.00132721", "1e-29", "10", "1", "1000000"]);
+        assert_eq!([1.0 / 6.0, 0.04, 11.0, -2.0].map(|x| significant(x, 3)), ["0.167", "0.04", "11", "-2"]);
     }
 }

@@ -145,7 +145,7 @@ fn check(check: &Check, setting: &Setting, address: String) -> CheckReport {
     let words = crate::report::limit;
     let (bound, limit, unit, why) = match check.bound {
         Bound::AtMost { limit, unit, why } => (format!("at most {} {unit}", words(limit)), limit, unit, why),
-        Bound::Order { order, tolerance, why } => (format!("order {order} ± {tolerance}"), order, "1", why),
+        Bound::Order { order, tolerance, why } => (expected_order(order, tolerance), order, "1", why),
         Bound::PValue { significance } => {
             let limit = sidak(significance, tests);
             (format!("p at least {}", short(limit)), limit, "1", "Šidák's share of the curriculum's significance")
@@ -256,10 +256,14 @@ fn run_lane(lane: &Lane, chosen: &Chosen, address: String, patience: Duration) -
 
 fn expectation(expects: Expects) -> String {
     match expects {
-        Expects::Order { order, tolerance } => format!("order {order} ± {tolerance}"),
+        Expects::Order { order, tolerance } => expected_order(order, tolerance),
         Expects::Within { limit, why } => format!("error at most {}: {why}", crate::report::limit(limit)),
         Expects::Breaks { limit, why } => format!("error above {}: {why}", crate::report::limit(limit)),
     }
+}
+
+fn expected_order(order: f64, tolerance: f64) -> String {
+    format!("order {} ± {}", significant(order, 3), significant(tolerance, 3))
 }
 
 /// What all heats of one race may take together, as long as each runs once.

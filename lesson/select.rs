@@ -187,10 +187,14 @@ pub fn chapter_names() -> Vec<&'static str> {
 impl Selection {
     /// Applies `--set`: each change goes to every selected step that has the name. Where it clashes with what the step
     /// itself demands, a clear medium or a default that has no index at the wavelength set, the step keeps its own
-    /// value; the notes returned say so. A change that every step would have to leave is refused.
+    /// value; the notes returned say so. A change that every step would have to leave is refused, and so is a second one
+    /// of the same parameter.
     pub fn set(&mut self, changes: &[(String, String)]) -> Result<Vec<String>, Stop> {
-        for (name, _) in changes {
+        for (at, (name, _)) in changes.iter().enumerate() {
             self.require(name)?;
+            if changes[..at].iter().any(|(earlier, _)| earlier == name) {
+                return Err(Stop::at(name, "given twice"));
+            }
         }
         let alone = self.steps.len() == 1;
         let mut all_left = Vec::new();

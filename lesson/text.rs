@@ -219,7 +219,10 @@ pub fn show_derivation(page: &mut Page, derivation: &DerivationReport, details: 
     show_lines(page, &derivation.lines, details);
     conditions(page, &derivation.conditions);
     // The hypotheses as substitutions: they place the sample points, the lines above are the argument.
-    let given = |line: &LineReport| format!("{} ({})", line.unicode, line.by.join(", "));
+    let given = |line: &LineReport| match line.by.join(", ") {
+        by if by == line.unicode => by,
+        by => format!("{} ({by})", line.unicode),
+    };
     let points: Vec<String> = derivation.hypotheses.iter().map(given).collect();
     if !points.is_empty() {
         page.line(6, Tone::Dim, &format!("under {}", points.join(", ")));
@@ -282,14 +285,24 @@ fn widest(texts: &[String]) -> i32 {
     texts.iter().map(|text| text.width()).max().unwrap_or(0) as i32
 }
 
-/// A value with its unit as people read it: angles in degrees, lengths of light in nanometres.
+/// What lengths are told in [m].
+const LENGTHS: [(f64, &str); 5] = [(1e-9, "nm"), (1e-6, "µm"), (1e-3, "mm"), (1.0, "m"), (1e3, "km")];
+
+/// A length [m] in the unit that leaves one to three digits before the point, as far as there is one.
+fn length(metres: f64) -> String {
+    let reached = LENGTHS.iter().rev().find(|(size, _)| metres.abs() >= *size);
+    let (size, unit) = if metres == 0.0 { (1.0, "m") } else { *reached.unwrap_or(&LENGTHS[0]) };
+    format!("{} {unit}", short(metres / size))
+}
+
+/// A value with its unit as people read it: angles in degrees, lengths in the prefix of their size.
 fn value(value: f64, unit: &str) -> String {
     let sign = if value < 0.0 { "−" } else { "" };
     match unit {
         _ if value.is_nan() => "none".to_owned(),
         _ if value.is_infinite() => format!("{sign}∞"),
         "rad" => format!("{}°", short(value.to_degrees())),
-        "m" if value.abs() < 1e-5 => format!("{} nm", short(value * 1e9)),
+        "m" => length(value),
         "1" | "" => short(value),
         _ => format!("{} {unit}", short(value)),
     }
@@ -458,6 +471,15 @@ pub fn tally(passed: usize, failed: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn values_carry_the_unit_of_their_size() {
+        let lengths = [550.078e3, 550e-9, 2.06e-6, 0.0, -1.5e-3, 1e-12, 5.0, 1e-29];
+        let told = ["550.078 km", "550 nm", "2.06 µm", "0 m", "-1.5 mm", "0.001 nm", "5 m", "1e-20 nm"];
+        assert_eq!(lengths.map(|x| value(x, "m")), told);
+        assert_eq!(value(0.001_327_209_4, "W/m²"), "0.00132721 W/m²");
+        assert_eq!(value(std::f64::consts::FRAC_PI_2, "rad"), "90°");
+    }
 
     #[test]
     fn sections_run_from_marker_to_marker() {

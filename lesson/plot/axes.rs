@@ -2,12 +2,13 @@
 
 use super::canvas::{Anchor, Canvas, Frame, Place};
 use super::label::Label;
-use super::marks::{self, Plane};
+use super::marks::{Beyond, Plane};
 use super::palette::{AID, BROKEN, GRID, INK};
 use super::ticks::{Extent, Tick};
 use super::{TEXT, text};
-use chapters::figure::{Axis, Mark};
+use chapters::figure::{Axis, Mark, Scale};
 use plotters::style::text_anchor::{HPos, VPos};
+use std::borrow::Cow;
 
 const TICK: f64 = 6.0;
 const MINOR: f64 = 3.5;
@@ -22,10 +23,9 @@ const LEAST: f64 = 10.0;
 const ROWS: usize = 4;
 /// Between the frame or another line and the lowest part of a name above it.
 const NAME_GAP: f64 = 3.0;
-/// Height of the band of what has no finite value, its distance from the frame, and its name.
+/// Height of a band of what has no place on the vertical axis, and its distance from the frame.
 const BAND: f64 = 18.0;
 const BAND_GAP: f64 = 5.0;
-const BAND_NAME: &str = "not finite";
 /// Steps of the search for places for the names: ample for a handful, and an end for a hundred.
 const PATIENCE: usize = 20_000;
 
@@ -46,6 +46,8 @@ pub struct Axes<'a> {
     pub plane: Plane,
     /// The band above the frame for what has no finite value, where there is any.
     pub band: Option<Frame>,
+    /// The band under the frame for what is exactly zero, where there is any.
+    pub zeros: Option<Frame>,
     marks: &'a [Mark],
     room: Frame,
     is_bare: bool,
@@ -58,10 +60,12 @@ pub struct Axes<'a> {
 }
 
 /// The name of a vertical reference line, above the frame.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct Name<'a> {
-    label: &'a str,
+    label: Cow<'a, str>,
     x: f64,
+    /// Whether its line is beyond the axis: the label then has an arrow that way.
+    is_beyond: bool,
     row: usize,
     place: Frame,
 }
@@ -70,10 +74,12 @@ impl<'a> Axes<'a> {
     /// Lays axes out in `room`, keeping `spare` free.
     pub fn new(x: &'a Axis, y: &'a Axis, plane: Plane, marks: &'a [Mark], room: &Frame, spare: Spare) -> Self {
         let (x_label, y_label) = (Label::new(x, 0.9 * room.width()), Label::new(y, 0.9 * room.height()));
-        let beneath = TICK + GAP + LINE + x_label.thickness() + spare.below;
+        let [has_band, has_zeros] =
+            [Beyond::Broken, Beyond::Vanished].map(|beyond| beyond.points(marks).next().is_some());
+        let under = if has_zeros { BAND_GAP + BAND } else { 0.0 };
+        let beneath = under + TICK + GAP + LINE + x_label.thickness() + spare.below;
         let y_ticks = ticks(&plane.y, y, room.height() - beneath - LEAST, Direction::Up);
-        let has_band = marks::broken(marks).next().is_some();
-        let left = y_label.thickness() + tick_room(&y_ticks).max(band_room(has_band)) + 2.0;
+        let left = y_label.thickness() + beside(&y_ticks, has_band, has_zeros) + 2.0;
         let x_ticks = ticks(&plane.x, x, room.width() - left - spare.right - LEAST, Direction::Across);
         let overhang =
             x_ticks.iter().filter(|tick| tick.at > 0.9).map(|tick| tick_width(tick) / 2.0).fold(0.0, f64::max);
@@ -92,12 +98,17 @@ impl<'a> Axes<'a> {
         let band = has_band.then_some(Frame { top: lines, bottom: lines + BAND, ..frame });
         frame.top = band.map_or(lines, |band| band.bottom + BAND_GAP);
         frame.bottom = frame.bottom.max(frame.top + 1.0);
+        let zeros = has_zeros.then_some(Frame {
+            top: frame.bottom + BAND_GAP,
+            bottom: frame.bottom + BAND_GAP + BAND,
+            ..frame
+        });
         for name in &mut names {
             let bottom = lines - NAME_GAP - text::DESCENT * TEXT - name.row as f64 * LINE;
             name.place = Frame { bottom, top: bottom - text::CAPITAL * TEXT, ..name.place };
         }
         let is_bare = x.is_bare() && y.is_bare();
-        Self { frame, plane, band, marks, room: *room, is_bare, x_label, y_label, x_ticks, y_ticks, names }
+        Self { frame, plane, band, zeros, marks, room: *room, is_bare, x_label, y_label, x_ticks, y_ticks, names }
     }
 
     /// Gives pairs of axes the same ticks where they show the same extents: as many as all have room for.
@@ -123,8 +134,9 @@ impl<'a> Axes<'a> {
         if !self.is_bare {
             canvas.outline(frame, INK, 1.0);
         }
+        let foot = self.zeros.map_or(frame.bottom, |zeros| zeros.bottom);
         for tick in &self.x_ticks {
-            let (x, y) = frame.place(tick.at, 0.0);
+            let (x, y) = (frame.place(tick.at, 0.0).0, foot);
             canvas.line((x, y), (x, y + tick_length(tick)), INK, 1.0);
             if let Some(label) = &tick.label {
                 let anchor = Anchor(HPos::Center, VPos::Bottom);
@@ -135,30 +147,32 @@ impl<'a> Axes<'a> {
             draw_y_tick(canvas, frame.place(0.0, tick.at), tick, -1.0);
         }
         let ((across, up), room) = (frame.place(0.5, 0.5), &self.room);
-        self.x_label.draw_under(canvas, frame.bottom + TICK + GAP + LINE, across, (room.left, room.right));
-        let beside = tick_room(&self.y_ticks).max(band_room(self.band.is_some()));
+        self.x_label.draw_under(canvas, foot + TICK + GAP + LINE, across, (room.left, room.right));
+        let beside = beside(&self.y_ticks, self.band.is_some(), self.zeros.is_some());
         let left = frame.left - beside - self.y_label.thickness();
         self.y_label.draw_upwards(canvas, left, up, (room.top, room.bottom));
         let top = self.band.map_or(frame.top, |band| band.top);
-        if let Some(band) = &self.band {
-            self.draw_band(canvas, band);
+        for (band, beyond) in [(&self.band, Beyond::Broken), (&self.zeros, Beyond::Vanished)] {
+            if let Some(band) = band {
+                self.draw_band(canvas, band, beyond);
+            }
         }
         for name in &self.names {
             // The line of a name in a higher row goes on through the lower ones, which keep clear of it.
-            if name.row > 0 {
+            if name.row > 0 && !name.is_beyond {
                 canvas.line((name.x, top), (name.x, top - name.row as f64 * LINE), AID, 1.2);
             }
             let place = (name.place.left, name.place.bottom);
-            canvas.text(name.label, place, Anchor(HPos::Left, VPos::Bottom), TEXT, AID);
+            canvas.text(&name.label, place, Anchor(HPos::Left, VPos::Bottom), TEXT, AID);
         }
     }
 
-    fn draw_band(&self, canvas: &Canvas, band: &Frame) {
+    fn draw_band(&self, canvas: &Canvas, band: &Frame, beyond: Beyond) {
         canvas.fill(band, BROKEN.1, 1.0);
         canvas.outline(band, INK, 1.0);
-        let tick = Tick { at: 0.5, label: Some(BAND_NAME.into()) };
+        let tick = Tick { at: 0.5, label: Some(beyond.name().into()) };
         draw_y_tick(canvas, band.place(0.0, tick.at), &tick, -1.0);
-        marks::draw_broken(canvas, band, &self.plane, self.marks);
+        beyond.draw(canvas, band, &self.plane, self.marks);
     }
 }
 
@@ -177,9 +191,12 @@ fn agree<'a>(all: &mut [&mut Axes<'a>], of: impl for<'b> Fn(&'b mut Axes<'a>) ->
     }
 }
 
-/// Width that the name of the band takes beside the vertical axis.
-fn band_room(has_band: bool) -> f64 {
-    if has_band { text::width(BAND_NAME, TEXT) + TICK + GAP } else { 0.0 }
+/// Width that the labels of the ticks and the names of the bands take beside the vertical axis.
+fn beside(ticks: &[Tick], has_band: bool, has_zeros: bool) -> f64 {
+    let bands =
+        [(has_band, Beyond::Broken), (has_zeros, Beyond::Vanished)].into_iter().filter(|(is_there, _)| *is_there);
+    let names = bands.map(|(_, beyond)| text::width(beyond.name(), TEXT) + TICK + GAP);
+    names.fold(tick_room(ticks), f64::max)
 }
 
 fn tick_length(tick: &Tick) -> f64 {
@@ -218,7 +235,11 @@ pub fn ticks(extent: &Extent, axis: &Axis, length: f64, direction: Direction) ->
     if axis.is_bare() {
         return Vec::new();
     }
-    let (pitch, gap) = if direction == Direction::Across { (66.0, 12.0) } else { (38.0, 5.0) };
+    let (pitch, gap) = match (direction, axis.scale) {
+        (Direction::Across, _) => (66.0, 12.0),
+        (Direction::Up, Scale::Linear) => (38.0, 5.0),
+        (Direction::Up, Scale::Log) => (28.0, 5.0),
+    };
     let size = |tick: &Tick| if direction == Direction::Across { tick_width(tick) } else { TEXT };
     let apart = |a: &Tick, b: &Tick| (b.at - a.at) * length >= (size(a) + size(b)) / 2.0 + gap;
     let most = ((length / pitch) as usize).clamp(2, 12);
@@ -239,22 +260,36 @@ pub fn ticks(extent: &Extent, axis: &Axis, length: f64, direction: Direction) ->
             tick.label = None;
         }
     }
+    let first = ticks.iter().position(|tick| tick.label.is_some());
+    if let Some((start, first)) = extent.start_tick().zip(first)
+        && apart(&start, &ticks[first])
+    {
+        ticks.retain(|tick| tick.label.is_some() || (tick.at - start.at).abs() > 1e-9);
+        ticks.insert(ticks.partition_point(|tick| tick.at < start.at), start);
+    }
     ticks
 }
 
 /// Places the names of vertical reference lines above the frame, clear of each other and of each other's lines.
 fn names<'a>(plane: &Plane, marks: &'a [Mark], frame: &Frame, room: &Frame) -> Vec<Name<'a>> {
-    let mut lines: Vec<(f64, &str)> = marks.iter().filter_map(|mark| at_x(plane, mark)).collect();
+    let mut lines: Vec<(f64, Cow<str>)> = marks.iter().filter_map(|mark| at_x(plane, mark)).collect();
     lines.retain(|(_, label)| !label.is_empty());
     lines.sort_by(|a, b| a.0.total_cmp(&b.0));
     let candidates: Vec<Vec<Name>> = lines
         .into_iter()
         .map(|(fraction, label)| {
-            let (x, width) = (frame.place(fraction, 0.0).0, text::width(label, TEXT));
+            let is_beyond = !(0.0..=1.0).contains(&fraction);
+            let (x, width) = (frame.place(fraction.clamp(0.0, 1.0), 0.0).0, text::width(&label, TEXT));
             let places = (0..ROWS).flat_map(|row| [0.5, 0.0, 1.0].map(|share| (row, x - share * width)));
             let names = places.map(|(row, left)| {
                 let left = left.min(room.right - width).max(room.left);
-                Name { label, x, row, place: Frame { left, right: left + width, top: 0.0, bottom: 0.0 } }
+                Name {
+                    label: label.clone(),
+                    x,
+                    is_beyond,
+                    row,
+                    place: Frame { left, right: left + width, top: 0.0, bottom: 0.0 },
+                }
             });
             names.collect()
         })
@@ -262,7 +297,7 @@ fn names<'a>(plane: &Plane, marks: &'a [Mark], frame: &Frame, room: &Frame) -> V
     let mut chosen = Vec::new();
     if !choose(&candidates, &mut chosen, &mut { PATIENCE }) {
         // Rather on top of each other's lines than of each other.
-        chosen = candidates.iter().enumerate().map(|(k, names)| names[3 * (k % ROWS)]).collect();
+        chosen = candidates.iter().enumerate().map(|(k, names)| names[3 * (k % ROWS)].clone()).collect();
     }
     chosen
 }
@@ -273,7 +308,7 @@ fn choose<'a>(candidates: &[Vec<Name<'a>>], chosen: &mut Vec<Name<'a>>, patience
     for name in names {
         *patience = patience.saturating_sub(1);
         if *patience > 0 && chosen.iter().all(|other| apart(name, other)) {
-            chosen.push(*name);
+            chosen.push(name.clone());
             if choose(candidates, chosen, patience) {
                 return true;
             }
@@ -286,15 +321,24 @@ fn choose<'a>(candidates: &[Vec<Name<'a>>], chosen: &mut Vec<Name<'a>>, patience
 /// Whether neither name touches the other or the line that leads to it.
 fn apart(a: &Name, b: &Name) -> bool {
     let crosses = |line: &Name, name: &Name| {
-        line.row > name.row && name.place.left - GAP < line.x && line.x < name.place.right + GAP
+        !line.is_beyond && line.row > name.row && name.place.left - GAP < line.x && line.x < name.place.right + GAP
     };
     let touches = a.row == b.row && a.place.left < b.place.right + GAP && b.place.left < a.place.right + GAP;
     !touches && !crosses(a, b) && !crosses(b, a)
 }
 
-/// Fraction of the axis and name of a vertical reference line within the frame.
-fn at_x<'a>(plane: &Plane, mark: &'a Mark) -> Option<(f64, &'a str)> {
+/// Fraction of the axis and name of a vertical reference line; one beyond the axis has an arrow that way.
+fn at_x<'a>(plane: &Plane, mark: &'a Mark) -> Option<(f64, Cow<'a, str>)> {
     let Mark::AtX { x, label } = mark else { return None };
-    let fraction = plane.x.fraction(*x);
-    (0.0..=1.0).contains(&fraction).then_some((fraction, label.as_str()))
+    let shown = plane.x.fraction(*x);
+    // Zero and the infinities have no place on the axis, but a side of it.
+    let fraction = if shown.is_nan() { 2.0 * plane.x.position(*x) - 0.5 } else { shown };
+    let label = match fraction {
+        _ if fraction.is_nan() => return None,
+        _ if label.is_empty() => Cow::Borrowed(""),
+        _ if fraction < 0.0 => format!("← {label}").into(),
+        _ if fraction > 1.0 => format!("{label} →").into(),
+        _ => Cow::Borrowed(label.as_str()),
+    };
+    Some((fraction, label))
 }

@@ -4,7 +4,7 @@ use super::axes::{Axes, Spare};
 use super::canvas::{Anchor, Canvas, Frame, Place};
 use super::ink::{Ink, Survey};
 use super::key::{Key, Side};
-use super::marks::{self, Plane};
+use super::marks::{self, Beyond, Plane};
 use super::palette::{AID, PAPER};
 use super::ticks::Extent;
 use super::{TEXT, text};
@@ -124,10 +124,12 @@ fn place_key<'a>(
 
 /// The axes in numbers: as given, or else as the marks need them.
 pub fn plane(x: &Axis, y: &Axis, marks: &[Mark]) -> Plane {
-    let dots = marks.iter().any(|mark| matches!(mark, Mark::Points { .. } | Mark::Broken { .. }));
+    let dots =
+        marks.iter().any(|mark| matches!(mark, Mark::Points { .. } | Mark::Broken { .. } | Mark::Vanished { .. }));
     let xs = marks::points(marks).filter(|[_, y]| y.is_finite()).map(|[x, _]| x);
+    let beyond = [Beyond::Broken, Beyond::Vanished].into_iter().flat_map(|beyond| beyond.points(marks));
     let at_x = marks.iter().filter_map(|mark| if let Mark::AtX { x, .. } = mark { Some(*x) } else { None });
-    let x = Extent::new(x, xs.chain(marks::broken(marks)).chain(at_x), if dots { 0.04 } else { 0.0 });
+    let x = Extent::new(x, xs.chain(beyond).chain(at_x), if dots { 0.04 } else { 0.0 });
     let shown = |[along, _]: &[f64; 2]| (0.0..=1.0).contains(&x.fraction(*along));
     let at_y = marks.iter().filter_map(|mark| if let Mark::AtY { y, .. } = mark { Some(*y) } else { None });
     let ys = marks::points(marks).filter(shown).map(|[_, y]| y).chain(at_y);

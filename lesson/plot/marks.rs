@@ -4,7 +4,7 @@ use super::canvas::{Canvas, Frame, Place};
 use super::ink::Ink;
 use super::palette::{self, PAPER};
 use super::ticks::Extent;
-use chapters::figure::{Dash, Mark, Shape};
+use chapters::figure::{Dash, Hue, Mark, Shape};
 use plotters::style::RGBColor;
 use std::collections::HashSet;
 
@@ -16,6 +16,8 @@ const JOIN: f64 = 1.2;
 const AID: f64 = 1.2;
 /// Radius of a point where there are few, and the least where there are many.
 const POINT: (f64, f64) = (4.2, 1.7);
+/// Half the width of the widest shape with its rim, in radii.
+const WIDEST: f64 = 1.6;
 /// How many points are few.
 const FEW: f64 = 60.0;
 /// Width of the white casing of what is drawn over a map.
@@ -40,7 +42,7 @@ impl Plane {
     fn stroke(&self, mark: &Mark) -> Stroke {
         let pieces = match mark {
             Mark::Line { points, .. } | Mark::Points { points, joined: true, .. } => self.pieces(points),
-            Mark::Points { .. } | Mark::Broken { .. } => Vec::new(),
+            Mark::Points { .. } | Mark::Broken { .. } | Mark::Vanished { .. } => Vec::new(),
             Mark::AtX { x, .. } => reference(self.x.fraction(*x), |along, across| (along, across)),
             Mark::AtY { y, .. } => reference(self.y.fraction(*y), |along, across| (across, along)),
         };
@@ -89,7 +91,9 @@ type Look = (RGBColor, f64, &'static [f32]);
 fn look(mark: &Mark) -> Look {
     match mark {
         Mark::Line { hue, dash, .. } => (palette::colour(*hue), CURVE, palette::dashes(*dash)),
-        Mark::Points { hue, .. } | Mark::Broken { hue, .. } => (palette::colour(*hue), JOIN, &[]),
+        Mark::Points { hue, .. } | Mark::Broken { hue, .. } | Mark::Vanished { hue, .. } => {
+            (palette::colour(*hue), JOIN, &[])
+        }
         Mark::AtX { .. } | Mark::AtY { .. } => (palette::AID, AID, &[]),
     }
 }
@@ -196,21 +200,51 @@ fn draw_point(canvas: &Canvas, (x, y): Place, radius: f64, shape: Shape, colour:
     }
 }
 
-/// Draws the points without a finite y into their band.
-pub fn draw_broken(canvas: &Canvas, band: &Frame, plane: &Plane, marks: &[Mark]) {
-    for mark in marks {
-        let Mark::Broken { hue, shape, at } = mark else { continue };
-        let along = at.iter().map(|x| plane.x.fraction(*x)).filter(|along| (0.0..=1.0).contains(along));
-        for place in apart(band, along.map(|along| (along, 0.5)).collect()) {
-            draw_point(canvas, place, radius(at.len()), *shape, palette::colour(*hue));
-        }
-    }
+/// What has no place on the vertical axis, and its band beside the frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beyond {
+    /// Not finite: above the frame.
+    Broken,
+    /// Exactly zero: under the frame.
+    Vanished,
 }
 
-/// The x of points without a finite y.
-pub fn broken(marks: &[Mark]) -> impl Iterator<Item = f64> + '_ {
-    let at = marks.iter().filter_map(|mark| if let Mark::Broken { at, .. } = mark { Some(at) } else { None });
-    at.flatten().copied()
+impl Beyond {
+    /// What the band is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Broken => "not finite",
+            Self::Vanished => "exactly 0",
+        }
+    }
+
+    /// The points of a mark that belong here: how they look, and their x.
+    fn of(self, mark: &Mark) -> Option<(Hue, Shape, &[f64])> {
+        match (self, mark) {
+            (Self::Broken, Mark::Broken { hue, shape, at }) | (Self::Vanished, Mark::Vanished { hue, shape, at }) => {
+                Some((*hue, *shape, at))
+            }
+            _ => None,
+        }
+    }
+
+    /// The x of all points that belong here.
+    pub fn points(self, marks: &[Mark]) -> impl Iterator<Item = f64> + '_ {
+        marks.iter().filter_map(move |mark| self.of(mark)).flat_map(|(.., at)| at).copied()
+    }
+
+    /// Draws the points into their band; those at its ends are moved in until they are whole.
+    pub fn draw(self, canvas: &Canvas, band: &Frame, plane: &Plane, marks: &[Mark]) {
+        for (hue, shape, at) in marks.iter().filter_map(|mark| self.of(mark)) {
+            let radius = radius(at.len());
+            let inset = WIDEST * radius / band.width().max(1.0);
+            let along = at.iter().map(|x| plane.x.fraction(*x)).filter(|along| (0.0..=1.0).contains(along));
+            let places = along.map(|along| (along.min(1.0 - inset).max(inset), 0.5)).collect();
+            for place in apart(band, places) {
+                draw_point(canvas, place, radius, shape, palette::colour(hue));
+            }
+        }
+    }
 }
 
 /// How a mark looks in a key, to the right of a place.
@@ -255,7 +289,7 @@ pub fn points(marks: &[Mark]) -> impl Iterator<Item = [f64; 2]> + '_ {
         .iter()
         .flat_map(|mark| match mark {
             Mark::Line { points, .. } | Mark::Points { points, .. } => points.as_slice(),
-            Mark::Broken { .. } | Mark::AtX { .. } | Mark::AtY { .. } => &[],
+            Mark::Broken { .. } | Mark::Vanished { .. } | Mark::AtX { .. } | Mark::AtY { .. } => &[],
         })
         .copied()
 }

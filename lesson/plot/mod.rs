@@ -68,7 +68,9 @@ fn draw(plot: &Plot) -> Sheet {
     let gaps = |count: usize| MARGIN * (count + 1) as f64;
     let width = (widths.iter().sum::<f64>() + gaps(columns)).max(200.0);
     let lines = text::wrap(&plot.title, TITLE, width - 4.0 * MARGIN);
-    let head = block_height(lines.len(), TITLE);
+    let has_headings = plot.panels.iter().any(|panel| !heading(panel).is_empty());
+    let apart = if has_headings && !lines.is_empty() { MARGIN } else { 0.0 };
+    let head = block_height(lines.len(), TITLE) + apart;
     let canvas = Canvas::new(width, heights.iter().sum::<f64>() + gaps(heights.len()) + head);
     draw_lines(&canvas, &lines, width / 2.0, MARGIN, TITLE);
     let mut laid = Vec::new();
@@ -94,6 +96,7 @@ fn columns(plot: &Plot) -> usize {
 
 /// A panel in its room, the title's taken off.
 struct Laid<'a> {
+    /// In lines, and the place of the middle of its top.
     title: (Vec<String>, Place),
     room: Frame,
     content: Content<'a>,
@@ -117,17 +120,33 @@ impl<'a> Laid<'a> {
 }
 
 fn lay(panel: &Panel, room: Frame) -> Laid<'_> {
-    let place = ((room.left + room.right) / 2.0, room.top);
+    let whole = room;
     let (lines, room) = match panel {
-        Panel::Chart(Chart { title, .. }) | Panel::Map(Map { title, .. }) => under_title(title, &room),
-        Panel::Picture(_) => (Vec::new(), room),
+        Panel::Chart(_) | Panel::Map(_) => under_title(heading(panel), &whole),
+        Panel::Picture(_) => (Vec::new(), whole),
     };
     let content = match panel {
         Panel::Chart(chart) => Content::Chart(chart, chart::arrange(chart, &room)),
         Panel::Map(map) => Content::Map(map, map::arrange(map, &room)),
         Panel::Picture(picture) => Content::Picture(picture),
     };
-    Laid { title: (lines, place), room, content }
+    let frame = match &content {
+        Content::Chart(_, arrangement) => arrangement.axes.frame,
+        Content::Map(_, arrangement) => arrangement.axes.frame,
+        Content::Picture(_) => whole,
+    };
+    // Over the axes, but no further out than the panel.
+    let half = largest(lines.iter().map(|line| text::width(line, HEADING))) / 2.0;
+    let middle = ((frame.left + frame.right) / 2.0).min(whole.right - half).max(whole.left + half);
+    Laid { title: (lines, (middle, whole.top)), room, content }
+}
+
+/// The title over a panel; a picture has a caption under it instead.
+fn heading(panel: &Panel) -> &str {
+    match panel {
+        Panel::Chart(Chart { title, .. }) | Panel::Map(Map { title, .. }) => title,
+        Panel::Picture(_) => "",
+    }
 }
 
 fn largest(lengths: impl Iterator<Item = f64>) -> f64 {
@@ -223,17 +242,17 @@ fn description(plot: &Plot) -> String {
 
 fn describe_chart(Chart { title, x, y, marks }: &Chart) -> String {
     if x.is_bare() && y.is_bare() {
-        return format!("{}Drawing in perspective{}.", heading(title), describe_marks(marks));
+        return format!("{}Drawing in perspective{}.", introduction(title), describe_marks(marks));
     }
-    format!("{}{} against {}{}.", heading(title), label::full(y), label::full(x), describe_marks(marks))
+    format!("{}{} against {}{}.", introduction(title), label::full(y), label::full(x), describe_marks(marks))
 }
 
 fn describe_map(Map { title, x, y, colour, marks, .. }: &Map) -> String {
     let [x, y, colour]: [String; 3] = [x, y, colour].map(|axis: &Axis| label::full(axis));
-    format!("{}Map of {colour} over {x} and {y}{}.", heading(title), describe_marks(marks))
+    format!("{}Map of {colour} over {x} and {y}{}.", introduction(title), describe_marks(marks))
 }
 
-fn heading(title: &str) -> String {
+fn introduction(title: &str) -> String {
     if title.is_empty() { String::new() } else { format!("{title}: ") }
 }
 
@@ -242,7 +261,7 @@ fn describe_marks(marks: &[Mark]) -> String {
         Mark::Line { label, .. } | Mark::Points { label, .. } | Mark::AtX { label, .. } | Mark::AtY { label, .. } => {
             Some(label)
         }
-        Mark::Broken { .. } => None,
+        Mark::Broken { .. } | Mark::Vanished { .. } => None,
     });
     let names: Vec<&str> = names.map(String::as_str).filter(|label| !label.is_empty()).collect();
     if names.is_empty() { String::new() } else { format!(", showing {}", names.join("; ")) }

@@ -1,6 +1,8 @@
 //! What is on the pictures, by content.
 
+use super::axes::Direction;
 use super::canvas::{Frame, Place};
+use super::ticks::Extent;
 use super::{AMONG, chart, gallery, marks, palette, png, svg};
 use chapters::figure::*;
 use image::RgbImage;
@@ -174,8 +176,8 @@ fn svg_holds_every_label_as_text() {
         "time [s]",
         "relative error",
         "10^{−6}",
-        "10^{−15}",
-        "10^{0}",
+        "10^{−14}",
+        "1",
         "Gauss–Legendre",
         "Sobol’ points",
         "slope −½",
@@ -338,6 +340,49 @@ fn what_is_not_finite_is_above_the_frame() {
         assert_eq!(found.iter().filter(|label| *label == once).count(), 1, "{once} in {found:?}");
     }
     assert!(!svg(&gallery::race()).contains("not finite"));
+}
+
+#[test]
+fn what_is_zero_is_under_the_frame_and_stays_in_its_band() {
+    let chart = Chart::new("", Axis::log("t", "ns").range(1.0, 100.0), Axis::log("error", "").range(1e-16, 1.0))
+        .with(Mark::Vanished { hue: Hue::P, shape: Shape::Triangle, at: vec![10.0, 100.0] });
+    let room = Frame::at((super::MARGIN, super::MARGIN), super::ALONE.0, super::ALONE.1);
+    let axes = chart::arrange(&chart, &room).axes;
+    let (frame, band) = (axes.frame, axes.zeros.expect("a band"));
+    assert!(frame.bottom < band.top && band.bottom < room.bottom && axes.band.is_none());
+    let image = decoded(&Plot::of("", chart.clone()));
+    let RGBColor(red, green, blue) = palette::colour(Hue::P);
+    let at = |(x, y): Place| image.get_pixel(x as u32 * png::DENSITY, y as u32 * png::DENSITY).0;
+    assert_eq!(at(band.place(0.5, 0.5)), [red, green, blue]);
+    let outside = (band.right as u32 + 2) * png::DENSITY..image.width();
+    assert!(
+        outside.into_iter().all(|x| image.get_pixel(x, band.place(0.0, 0.5).1 as u32 * png::DENSITY).0 == [255; 3])
+    );
+    assert!(svg(&Plot::of("", chart)).contains("exactly 0"));
+}
+
+#[test]
+fn markers_beyond_the_axis_are_named_with_an_arrow() {
+    let chart = Chart::new("", Axis::log("x", "").range(1.0, 10.0), Axis::linear("y", ""));
+    let written = svg(&Plot::of("", chart.at_x(0.0, "none").at_x(20.0, "far").at_x(2.0, "here").at_x(-1.0, "nowhere")));
+    let document = roxmltree::Document::parse(&written).unwrap();
+    let found = labels(&document);
+    assert!(["← none", "far →", "here"].iter().all(|name| found.iter().any(|label| label == name)), "{found:?}");
+    assert!(!found.iter().any(|label| label.contains("nowhere")));
+}
+
+#[test]
+fn long_axes_have_enough_labels_and_say_where_they_start() {
+    let labels = |first: f64, last: f64, length: f64| {
+        let axis = Axis::log("", "").range(first, last);
+        let ticks = super::axes::ticks(&Extent::new(&axis, std::iter::empty(), 0.0), &axis, length, Direction::Up);
+        ticks.into_iter().filter_map(|tick| tick.label).collect::<Vec<_>>()
+    };
+    for length in [115.0, 150.0, 250.0, 320.0] {
+        let found = labels(1e-16, 1.0, length);
+        assert!(found.len() >= 4, "{length}: {found:?}");
+    }
+    assert_eq!(labels(3.0, 1000.0, 250.0), ["5", "10", "100", "1000"]);
 }
 
 #[test]

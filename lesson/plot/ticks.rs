@@ -6,6 +6,8 @@ use chapters::figure::{Axis, Scale};
 const NARROWEST: f64 = 1e-12;
 /// Ranges narrower than this are a single value: their ticks would be denormal numbers.
 const SMALLEST: f64 = 1e-300;
+/// Decades from one label to the next: few enough for four labels on sixteen decades where there is room for four.
+const STRIDES: [i32; 16] = [1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 25, 30, 40, 50, 100, 200];
 /// Over more decades than this, only labelled powers of ten have a tick.
 const DENSE: i32 = 50;
 /// Fractions of an axis this close to an end are on it.
@@ -149,30 +151,36 @@ impl Extent {
         self.even_ticks(count, None)
     }
 
-    /// Ticks at powers of ten, every so many that about `count` are labelled.
+    /// Ticks at powers of ten, labelled every so many that there are at most `count` labels.
     fn decade_ticks(&self, first: i32, last: i32, count: usize) -> Vec<Tick> {
-        let strides = [1, 2, 3, 5, 10, 20, 50, 100, 200];
-        let stride = strides.into_iter().find(|stride| (last - first) / stride < count as i32).unwrap_or(500);
-        let plain = first >= -2 && last <= 3;
+        let labels = |stride: i32| (last.div_euclid(stride) - (first - 1).div_euclid(stride)) as usize;
+        let stride = STRIDES.into_iter().find(|stride| labels(*stride) <= count).unwrap_or(500);
         let dense = if last - first <= DENSE { 1 } else { stride };
         let ticks = (first..=last).filter(|power| power.rem_euclid(dense) == 0).map(|power| {
-            let label = if plain { Decimal { digits: 1, power }.plain() } else { power_of_ten(power) };
-            let labelled = stride == 1 || power.rem_euclid(stride) == 0;
-            Tick { at: self.fraction(ten(power)), label: labelled.then_some(label) }
+            let label = (power.rem_euclid(stride) == 0).then(|| Decimal { digits: 1, power }.log_label());
+            Tick { at: self.fraction(ten(power)), label }
         });
         let between = if stride == 1 { (2..=9).collect() } else { Vec::new() };
         let minor = self.within_decades(&between, first - 1, last).into_iter().map(|tick| Tick { label: None, ..tick });
         ticks.chain(minor).collect()
     }
 
+    /// The first tick at 2 or 5 times a power of ten that a logarithmic axis has before its first power of ten: where an
+    /// axis starts within a decade, it says where.
+    pub fn start_tick(&self) -> Option<Tick> {
+        if self.scale == Scale::Linear || self.first > self.last {
+            return None;
+        }
+        let power = (self.first.log10() - 1e-9).ceil() as i32 - 1;
+        let ticks = self.within_decades(&[2, 5], power, power);
+        ticks.into_iter().find(|tick| (0.0..=1.0).contains(&tick.at))
+    }
+
     /// Labelled ticks at `digits`·10ⁿ for n from `first` to `last`.
     fn within_decades(&self, digits: &[i128], first: i32, last: i32) -> Vec<Tick> {
         let numbers = (first..=last).flat_map(|power| digits.iter().map(move |&digits| Decimal { digits, power }));
         numbers
-            .map(|n| {
-                let size = n.magnitude().unwrap_or(0);
-                Tick { at: self.fraction(n.value()), label: Some(n.label(size)) }
-            })
+            .map(|n| Tick { at: self.fraction(n.value()), label: Some(n.log_label()) })
             .filter(|tick| tick.at.is_finite())
             .collect()
     }
@@ -230,6 +238,12 @@ impl Decimal {
         Some(digits as i32 + self.power)
     }
 
+    /// As written on every logarithmic axis: from hundredths to thousands in full.
+    fn log_label(self) -> String {
+        let size = self.magnitude().unwrap_or(0);
+        if (-2..=3).contains(&size) { self.plain() } else { self.scientific(size) }
+    }
+
     /// As written beside ticks of which the largest is of magnitude `top`.
     fn label(self, top: i32) -> String {
         if self.digits == 0 {
@@ -238,6 +252,11 @@ impl Decimal {
         if (-4..=4).contains(&top) {
             return self.plain();
         }
+        self.scientific(top)
+    }
+
+    /// With a power of ten.
+    fn scientific(self, top: i32) -> String {
         let mantissa = Self { power: self.power - top, ..self };
         match mantissa.plain().as_str() {
             "1" => power_of_ten(top),
@@ -297,7 +316,7 @@ mod tests {
         assert_eq!(labels(Axis::log("", "").range(1.0, 10.0), 6), ["1", "2", "5", "10"]);
         assert_eq!(labels(Axis::log("", "").range(1.1, 1.4), 4), ["1.1", "1.2", "1.3", "1.4"]);
         let wide = labels(Axis::log("", "").range(1e-300, 1e300), 8);
-        assert!(wide.len() >= 3 && wide.len() <= 8 && wide.contains(&"10^{0}".to_owned()), "{wide:?}");
+        assert!(wide.len() >= 3 && wide.len() <= 8 && wide.contains(&"1".to_owned()), "{wide:?}");
     }
 
     #[test]

@@ -33,6 +33,14 @@ fn unknown_chapters_steps_and_items() {
 fn unknown_parameters() {
     refused("fresnel brewster --set thetta=1", &["thetta", "did you mean `theta`", "n_t"]);
     refused("fresnel --set thetta=1 --plot", &["thetta", "did you mean `theta`"]);
+    refused("plane-wave --set medium=copper --set medium=gold", &["medium", "given twice"]);
+    refused("plane-wave --set medium=copper --set medium=copper", &["medium", "given twice"]);
+}
+
+#[test]
+fn unknown_options() {
+    refused("eval fresnel --unstable", &["--unstable", "unknown option"]);
+    refused("fresnel --chek", &["--chek", "unknown option", "did you mean `--check`"]);
 }
 
 #[test]
