@@ -7,7 +7,8 @@
 //! W′ − W = Δt (inflow of E̅ × H through the border − Σ E̅·J),
 //!
 //! term by term (C3), and the discrete divergence of εE + Σ JΔt does not change at all (E2), nor that of μH. J is found
-//! here from Ohm's law and from the electrons' equation, not from what the update left over.
+//! here from E before and after the step, by Ohm's law and by the electrons' equation, neither from the curl nor from
+//! the coefficients of the update.
 
 use super::medium::{Conduction, Surroundings, time_step};
 use super::plane::Plane;
@@ -53,8 +54,6 @@ struct Component<'a> {
     conduction: Conduction,
     e: [f64; 2],
     j: [f64; 2],
-    /// The curl of H between.
-    curl: f64,
 }
 
 /// What passed at an E component in one step, in units of ε₀.
@@ -75,9 +74,9 @@ impl Component<'_> {
         let loss = self.around.conduction(self.dt);
         let conducted = match self.conduction {
             Conduction::Exponential if plasma2 == 0.0 && loss > 0.0 => {
-                // σ times the time average of the exact relaxation towards curl/σ.
-                let step = Conduction::Exponential.update(loss / eps_r);
-                loss * step.gain * e + (1.0 - step.gain) * s * self.curl
+                // σ times the mean over the step of the e^(−xt/Δt) that leads from E to E′.
+                let x = loss / eps_r;
+                loss * e_after + eps_r * (1.0 - x / x.exp_m1()) * (e - e_after)
             }
             _ => loss * mean,
         };
@@ -127,7 +126,6 @@ impl Line {
                 conduction: setup.stepping.conduction,
                 e: [&before, self].map(|line| line.e[k]),
                 j: [&before, self].map(|line| line.electric.current(k, &line.currents)),
-                curl: before.h[k] - before.h[k + 1],
             }
             .passed();
             balance.before += passed.energy[0];
@@ -188,9 +186,9 @@ mod audit {
 
     impl Ledger {
         /// Books an E component; answers the change of ε_r E and JΔt/ε₀.
-        pub fn electric(&mut self, around: &Surroundings, e: [f64; 2], j: [f64; 2], curl: f64) -> [f64; 2] {
+        pub fn electric(&mut self, around: &Surroundings, e: [f64; 2], j: [f64; 2]) -> [f64; 2] {
             let (courant, dt, conduction) = (self.courant, self.dt, self.conduction);
-            let passed = Component { around, courant, dt, conduction, e, j, curl }.passed();
+            let passed = Component { around, courant, dt, conduction, e, j }.passed();
             self.balance.before += passed.energy[0];
             self.balance.after += passed.energy[1];
             self.balance.heat += passed.heat;

@@ -295,7 +295,7 @@ impl Line {
     /// replaces an earlier one.
     ///
     /// # Errors
-    /// If the node lies in an absorber or next to a wall, or the line is periodic.
+    /// If the node lies in an absorber, next to a wall or between two media, or the line is periodic.
     pub fn illuminate(&mut self, node: usize, amplitude: f64, pulse: Pulse) -> Result<(), Refusal> {
         let walls = self.setup.walls();
         let last = if self.setup.ends == Ends::Periodic { 0 } else { self.setup.cells - walls[1].thickness() };
@@ -303,6 +303,9 @@ impl Line {
         let Setup { ref stepping, spacing, .. } = self.setup;
         stepping.admit(self.setup.peak_bytes().saturating_add(Incident::BYTES))?;
         let medium = &self.setup.medium(node);
+        if self.setup.medium(node - 1) != *medium {
+            return Err(Refusal::Mixed { what: "an incident wave", at: node });
+        }
         let route = Route { medium, stepping, spacing, phase: 0.0, polarisation: Polarisation::Tm };
         self.incident = Some(Incident::new(node, &route, amplitude, pulse, self.steps)?);
         Ok(())

@@ -294,7 +294,8 @@ impl Plane {
     /// absorbs it. Keep its spectrum clear of them: (1 − sin θ) ω above some six of its standard deviations.
     ///
     /// # Errors
-    /// If the sides do not repeat, or the row lies in an absorber or next to a wall.
+    /// If the sides do not repeat, the row lies in an absorber or next to a wall, or its cells and those of the row
+    /// before it are not all of one medium.
     pub fn illuminate(&mut self, row: usize, amplitude: f64, pulse: Pulse) -> Result<(), Refusal> {
         let setup = &self.grid.setup;
         let [columns, rows] = setup.cells;
@@ -307,6 +308,9 @@ impl Plane {
         let Setup { ref stepping, spacing, polarisation, .. } = *setup;
         stepping.admit(setup.peak_bytes().saturating_add(Incident::BYTES))?;
         let medium = self.grid.medium(0, row);
+        if (row - 1..=row).any(|j| (0..columns).any(|i| self.grid.medium(i, j) != medium)) {
+            return Err(Refusal::Mixed { what: "an incident wave in row", at: row });
+        }
         let route = Route { medium, stepping, spacing, phase: phase / columns as f64, polarisation };
         self.incident = Some(Incident::new(row, &route, amplitude, pulse, self.steps)?);
         Ok(())

@@ -37,6 +37,13 @@ pub enum Refusal {
         /// First and last valid place.
         valid: (usize, usize),
     },
+    /// Cells that should be of one medium are not.
+    Mixed {
+        /// What was to be put there.
+        what: &'static str,
+        /// The node or row it was to enter at; the cells on both its sides, or in both rows, count.
+        at: usize,
+    },
 }
 
 impl fmt::Display for Refusal {
@@ -53,6 +60,11 @@ impl fmt::Display for Refusal {
             Self::Outside { what, at, valid } => {
                 write!(f, "{what} at {at} is outside the grid: {} to {}", valid.0, valid.1)
             }
+            Self::Mixed { what, at } => write!(
+                f,
+                "{what} at {at} does not enter a uniform medium: all cells of {} and {at} must be of one",
+                at.wrapping_sub(1)
+            ),
         }
     }
 }

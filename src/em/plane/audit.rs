@@ -54,9 +54,8 @@ impl Plane {
             let at = |j: usize| [before.fields(j, part), self.fields(j, part)];
             let (here, under) = (at(j), at(j - 1));
             for i in stepped(&layout.z) {
-                let curl = (here[0].y[i + 1] - here[0].y[i]) - (here[0].x[i] - under[0].x[i]);
                 let e = here.map(|f| f.z[i]);
-                ledger.electric(&self.grid.around_z(i, j), e, currents(&layout.z, i, here, 0), curl);
+                ledger.electric(&self.grid.around_z(i, j), e, currents(&layout.z, i, here, 0));
                 if j == a {
                     ledger.border(e, under[0].x[i]);
                 }
@@ -97,9 +96,8 @@ impl Plane {
             let (here, under) = (at(j), at(j - 1));
             let (mut of_x, mut of_y) = (vec![0.0; n], vec![0.0; n + 1]);
             for i in stepped(&layout.x) {
-                let curl = here[0].z[i + 1] - under[0].z[i + 1];
                 let e = here.map(|f| f.x[i]);
-                of_x[i] = booked(ledger, &self.grid.around_x(i, j), e, currents(&layout.x, i, here, 0), curl);
+                of_x[i] = booked(ledger, &self.grid.around_x(i, j), e, currents(&layout.x, i, here, 0));
                 if j == a {
                     ledger.border(e, -under[0].z[i + 1]);
                 }
@@ -110,9 +108,8 @@ impl Plane {
             if j < b {
                 let over = at(j + 1);
                 for i in stepped(&layout.y) {
-                    let curl = here[0].z[i] - here[0].z[i + 1];
                     let (e, j_e) = (here.map(|f| f.y[i]), currents(&layout.y, i, here, 1));
-                    of_y[i] = booked(ledger, &self.grid.around_y(i, j), e, j_e, curl);
+                    of_y[i] = booked(ledger, &self.grid.around_y(i, j), e, j_e);
                 }
                 for i in stepped(&layout.z) {
                     let curl = [0, 1].map(|t| (over[t].x[i] - here[t].x[i]) - (here[t].y[i + 1] - here[t].y[i]));
@@ -126,8 +123,8 @@ impl Plane {
 }
 
 /// Books an E component and answers what changed of ε_r E + JΔt/ε₀ there.
-fn booked(ledger: &mut Ledger, around: &Surroundings, e: [f64; 2], j: [f64; 2], curl: f64) -> f64 {
-    ledger.electric(around, e, j, curl).iter().sum()
+fn booked(ledger: &mut Ledger, around: &Surroundings, e: [f64; 2], j: [f64; 2]) -> f64 {
+    ledger.electric(around, e, j).iter().sum()
 }
 
 fn stepped(spans: &Spans) -> impl Iterator<Item = usize> {

@@ -60,6 +60,31 @@ fn numbers_out_of_range_are_refused() {
 }
 
 #[test]
+fn an_incident_wave_enters_one_medium() {
+    let packet = || super::packet(1e10, 1.0);
+    let glass = Medium::dielectric(4.0);
+    let on_line = |node| line_of(|setup| setup.layers = vec![(50..60, glass)]).unwrap().illuminate(node, 1.0, packet());
+    let mixed = |refusal| matches!(refusal, Err(Refusal::Mixed { .. }));
+    for (node, refused) in [(49, false), (50, true), (51, false), (60, true), (61, false)] {
+        assert_eq!(mixed(on_line(node)), refused, "{node}");
+        assert_eq!(on_line(node).is_ok(), !refused, "{node}");
+    }
+    assert!(on_line(50).unwrap_err().to_string().contains("cells of 49 and 50"));
+    // A disc from x = 24 to 26 mm, away from column 0, in rows 24 and 25.
+    let in_plane = |row, medium| {
+        let mut plane = plane_of(|setup| {
+            setup.sides = Sides::Bloch(0.1);
+            setup.regions = vec![Region::disc([0.025; 2], 1e-3, medium)];
+        });
+        plane.as_mut().unwrap().illuminate(row, 1.0, packet())
+    };
+    for (row, refused) in [(23, false), (24, true), (25, true), (26, true), (27, false)] {
+        assert_eq!(mixed(in_plane(row, glass)), refused, "{row}");
+        assert!(in_plane(row, Medium::VACUUM).is_ok(), "{row}");
+    }
+}
+
+#[test]
 fn what_is_not_a_number_is_refused_wherever_it_stands() {
     for bad in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
         let layers: [fn(f64) -> Cpml; 4] = [
