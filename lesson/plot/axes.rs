@@ -25,7 +25,7 @@ const ROWS: usize = 4;
 const NAME_GAP: f64 = 3.0;
 /// Height of a band of what has no place on the vertical axis, and its distance from the frame.
 const BAND: f64 = 18.0;
-const BAND_GAP: f64 = 5.0;
+const BAND_GAP: f64 = 10.0;
 /// Steps of the search for places for the names: ample for a handful, and an end for a hundred.
 const PATIENCE: usize = 20_000;
 
