@@ -3,8 +3,10 @@
 use crate::setting::Setting;
 use crate::symbols::{D, E, EPSILON, H, J, RHO, SIGMA, T};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step};
+use light::em::ledger::Balance;
+use light::em::line::{self, Ends};
 use light::em::plane::{Plane, Polarisation, Region, Setup, Sides};
-use light::em::{C, Medium, Pulse, Stepping};
+use light::em::{C, Line, Medium, Pulse, Stepping, Z_0};
 use light::equation::derivation::Chain;
 use light::equation::expr::{curl, divergence, partial};
 use light::equation::{Equation, Expr};
@@ -49,7 +51,7 @@ pub(super) const STEP: Step = Step {
         },
     ],
     readout: Some(readout),
-    checks: &[KEPT],
+    checks: &[KEPT, ENERGY_KEPT],
     stress: &[],
     races: &[],
     figures: &[],
@@ -128,4 +130,64 @@ fn unkept(bench: &mut Bench, rows: std::ops::RangeInclusive<usize>) -> Measured 
         })
     });
     Measured::worst(cases.collect::<Vec<_>>())
+}
+
+const ENERGY_KEPT: Check = Check {
+    id: "energy_kept",
+    claim: "in every step the energy of the fields and electrons in a part of the grid changes by what flows in less the heat",
+    rows: &["C3"],
+    route: "the energies of all cells added up before and after a step, beside E × H through the border and Ohm's heat",
+    bound: Bound::AtMost {
+        limit: 256.0,
+        unit: "ε",
+        why: "the roundings of sums over up to 800 cells, of either sign, relative to the energy there is",
+    },
+    measure: |bench| unbalanced(bench, |balance| balance),
+    spoiled: |bench| unbalanced(bench, |balance| Balance { heat: 0.0, ..balance }),
+    slip: "the heat is left out",
+};
+
+/// The worst balance of energy as `read`, along a line and in a plane, in vacuum and with each kind of medium.
+fn unbalanced(bench: &mut Bench, read: fn(Balance) -> Balance) -> Measured {
+    let media = [
+        ("vacuum", Medium::VACUUM),
+        ("glass", Medium::dielectric(2.25)),
+        ("conductor", Medium::conductor(4.0, 5e-3)),
+        ("metal", Medium::metal(0.4 * C, 0.01 * C)),
+    ];
+    let mut cases = Vec::new();
+    for (name, medium) in media {
+        let shift = uniform(&mut bench.stream, -4.0, 4.0);
+        let mut line = along_a_line(medium, shift);
+        let mut planes =
+            [Polarisation::Te, Polarisation::Tm].map(|polarisation| in_a_plane(polarisation, medium, shift));
+        for step in 1..=200 {
+            let mut book = |place: &str, balance: Balance| {
+                cases.push((read(balance).residual() / f64::EPSILON, format!("{name}, {place}, step {step}")));
+            };
+            book("line", line.audited_step(20..=80).expect("nodes between the walls"));
+            for plane in &mut planes {
+                book("plane", plane.audited_step(24..=36).expect("rows between the walls"));
+            }
+        }
+    }
+    Measured::worst(cases)
+}
+
+/// A wave on its way into a layer of `medium`.
+fn along_a_line(medium: Medium, shift: f64) -> Line {
+    let vacuum = line::Setup::vacuum(100, 1.0, Ends::open(10), Stepping::at(0.7));
+    let mut line = Line::new(line::Setup { layers: vec![(45..60, medium)], ..vacuum }).expect("within all limits");
+    let wave = |z: f64| (-((z - 35.0 - shift) / 6.0).powi(2)).exp();
+    line.set(wave, |z| wave(z) / Z_0);
+    line
+}
+
+/// A disc of `medium` above a current.
+fn in_a_plane(polarisation: Polarisation, medium: Medium, shift: f64) -> Plane {
+    let regions = vec![Region::disc([20.0 + shift, 30.0 + shift], 7.0, medium)];
+    let vacuum = Setup::vacuum([40, 60], 1.0, polarisation, Stepping::at(0.7));
+    let mut plane = Plane::new(Setup { regions, sides: Sides::Bloch(0.0), ..vacuum }).expect("within all limits");
+    plane.inject([20, 12], 1.0, Pulse::Gaussian { delay: 20.0 / C, width: 5.0 / C }).expect("a stepped place");
+    plane
 }

@@ -122,6 +122,11 @@ impl Incident {
         })
     }
 
+    /// Entries of its record, and bytes of each.
+    pub fn recorded(&self) -> (usize, u64) {
+        (self.record.len(), WORD)
+    }
+
     /// Steps the wave through the next `deep` steps of its grid.
     pub fn look_ahead(&mut self, deep: usize, level: Level) {
         self.ahead.clear();

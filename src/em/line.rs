@@ -334,9 +334,12 @@ impl Line {
     /// Steps `steps` times.
     ///
     /// # Errors
-    /// If `steps` is zero.
+    /// If `steps` is zero, or what is recorded in them would exceed the memory limit.
     pub fn run(&mut self, steps: u64) -> Result<(), Refusal> {
         demand(steps >= 1, "number of steps", steps as f64, "at least 1")?;
+        let probes = self.probes.iter().map(|(_, record)| (record.len(), WORD));
+        let records = probes.chain(self.incident.as_ref().map(Incident::recorded));
+        self.setup.stepping.admit_records(self.peak_bytes(), steps, records)?;
         let mut left = steps;
         while left > 0 {
             let deep = left.min(if self.setup.ends == Ends::Periodic { 1 } else { DEEP as u64 });
@@ -344,6 +347,10 @@ impl Line {
             left -= deep;
         }
         Ok(())
+    }
+
+    fn peak_bytes(&self) -> u64 {
+        self.setup.peak_bytes().saturating_add(if self.incident.is_some() { Incident::BYTES } else { 0 })
     }
 
     /// `deep` steps, tile by tile.

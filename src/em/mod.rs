@@ -64,7 +64,8 @@ pub struct Stepping {
     pub conduction: Conduction,
     /// Whether what a cell does not need is left out of its update; the fields are the same bit by bit.
     pub pruned: bool,
-    /// The most memory a grid may take while it is built and after [B].
+    /// The most memory a grid may take while it is built and after [B], its incident wave and all that probes record
+    /// included, which a run checks before its first step. A clone, such as an audited step makes, counts anew.
     pub memory_limit: u64,
 }
 
@@ -72,6 +73,14 @@ impl Stepping {
     /// The usual choices at this Courant number [1]: exponential conduction, pruned, at most 2 GiB.
     pub const fn at(courant: f64) -> Self {
         Self { courant, unstable: false, conduction: Conduction::Exponential, pruned: true, memory_limit: 2 << 30 }
+    }
+
+    /// Refuses a run of `steps` after which a grid of `peak` bytes and its records, of so many entries and bytes each,
+    /// would exceed the limit.
+    fn admit_records(&self, peak: u64, steps: u64, records: impl Iterator<Item = (usize, u64)>) -> Result<(), Refusal> {
+        // A record that grows may have room for twice what it holds.
+        let room = |(length, each): (usize, u64)| steps.saturating_add(length as u64).saturating_mul(2 * each);
+        self.admit(records.map(room).fold(peak, u64::saturating_add))
     }
 
     /// Refuses what takes more memory [B] than allowed.

@@ -24,13 +24,6 @@ pub enum Pulse {
         /// Standard deviation of the envelope [s].
         width: f64,
     },
-    /// 1 from `start` up to `end`, else 0.
-    Square {
-        /// First moment at which it is on [s]; −∞ for always.
-        start: f64,
-        /// First moment at which it is off again [s]; ∞ for never.
-        end: f64,
-    },
     /// Anything else.
     Custom(Arc<dyn Fn(f64) -> f64 + Send + Sync>),
 }
@@ -53,10 +46,6 @@ impl Pulse {
                 demand(frequency.is_finite(), "frequency of a pulse", frequency, "finite")?;
                 envelope(delay, width)
             }
-            Self::Square { start, end } => {
-                demand(!start.is_nan(), "start of a pulse", start, "a number")?;
-                demand(!end.is_nan(), "end of a pulse", end, "a number")
-            }
             Self::Custom(_) => Ok(()),
         }
     }
@@ -69,7 +58,6 @@ impl Pulse {
             Self::Modulated { frequency, delay, width } => {
                 envelope(delay, width) * (TAU * frequency * (t - delay)).sin()
             }
-            Self::Square { start, end } => f64::from(u8::from(start <= t && t < end)),
             Self::Custom(ref signal) => signal(t),
         }
     }
@@ -82,7 +70,6 @@ impl fmt::Debug for Pulse {
             Self::Modulated { frequency, delay, width } => {
                 write!(f, "Modulated({frequency} Hz, delay {delay} s, width {width} s)")
             }
-            Self::Square { start, end } => write!(f, "Square({start} s to {end} s)"),
             Self::Custom(_) => f.write_str("Custom"),
         }
     }

@@ -1,11 +1,12 @@
 //! What cannot be simulated, and why.
 
+use crate::waves::plane::Plain;
 use std::fmt;
 
 /// Why a run was refused: where the trouble is, what was given, and what is allowed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
-    /// The grid would take more memory than allowed.
+    /// The grid, or what is recorded in it, would take more memory than allowed.
     TooLarge {
         /// What it would take at its peak [B]; `u64::MAX` for that or more.
         bytes: u64,
@@ -50,13 +51,17 @@ impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match *self {
             Self::TooLarge { bytes, limit } => {
-                write!(f, "the grid would take {bytes} bytes of memory, and the limit is {limit}")
+                write!(f, "the grid and its records would take {bytes} bytes of memory, and the limit is {limit}")
             }
             Self::Unstable { courant, limit } => write!(
                 f,
-                "a Courant number of {courant} is unstable here: at most {limit}, unless instability is asked for"
+                "a Courant number of {} is unstable here: at most {}, unless instability is asked for",
+                Plain(courant),
+                Plain(limit)
             ),
-            Self::OutOfRange { what, given, valid } => write!(f, "{what} is {given}; it must be {valid}"),
+            Self::OutOfRange { what, given, valid } => {
+                write!(f, "{what} is {}; it must be {valid}", Plain(given))
+            }
             Self::Outside { what, at, valid } => {
                 write!(f, "{what} at {at} is outside the grid: {} to {}", valid.0, valid.1)
             }

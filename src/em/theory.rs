@@ -34,14 +34,6 @@ pub fn phase_velocity(k: &[f64], courant: f64) -> f64 {
     phase_per_step(k, courant).re / (courant * norm)
 }
 
-/// kΔ [rad], complex in a lossy medium, of a wave of frequency ω along an axis of a grid whose updates give the
-/// medium the relative permittivity `eps_r` and permeability `mu_r` at ω: sin²(kΔ/2) = ε_r μ_r sin²(ωΔt/2)/S²,
-/// S with c of vacuum; Im k ≥ 0.
-pub fn wave_number(omega_dt: f64, courant: f64, eps_r: Complex64, mu_r: f64) -> Complex64 {
-    let sine = (eps_r * mu_r).sqrt() * ((0.5 * omega_dt).sin() / courant);
-    2.0 * sine.asin()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -73,20 +73,23 @@ impl Scheme {
             return Err(Refusal::Unstable { courant, limit });
         }
         let spacing = problem.length / cells as f64;
-        let needed = distance / (courant.min(f64::MAX) * spacing);
+        let far = (distance / spacing).is_finite();
+        demand(far, "distance", distance, "a finite number of cells")?;
+        let stepped = !matches!(self, Self::Spectral | Self::DAlembert);
+        let needed = if stepped { distance / (courant * spacing) } else { 1.0 };
         demand(needed < 1e12, "number of steps", needed, "below 1e12")?;
         let steps = (needed.ceil() as u64).max(1);
         let courant = distance / (steps as f64 * spacing);
         let start = |shift: f64| -> Vec<f64> { (0..cells).map(|k| problem.at((k as f64 + shift) * spacing)).collect() };
-        let (e, steps) = match self {
-            _ if distance == 0.0 => (start(0.0), 1),
-            Self::Yee => (yee(problem, cells, courant, steps)?, steps),
-            Self::FourthOrder => (compose(start(0.0), start(0.5), courant, steps, &mut Fourth), steps),
-            Self::PseudoSpectral => (compose(start(0.0), start(0.5), courant, steps, &mut Spectrum::new(cells)), steps),
-            Self::Spectral => (Spectrum::new(cells).turn(&start(0.0), distance / spacing), 1),
-            Self::DAlembert => (start(-distance / spacing), 1),
+        let e = match self {
+            _ if distance == 0.0 => start(0.0),
+            Self::Yee => yee(problem, cells, courant, steps)?,
+            Self::FourthOrder => compose(start(0.0), start(0.5), courant, steps, &mut Fourth),
+            Self::PseudoSpectral => compose(start(0.0), start(0.5), courant, steps, &mut Spectrum::new(cells)),
+            Self::Spectral => Spectrum::new(cells).turn(&start(0.0), distance / spacing),
+            Self::DAlembert => start(-distance / spacing),
         };
-        Ok(Carried { e, work: steps * cells as u64 })
+        Ok(Carried { e, work: steps.saturating_mul(cells as u64) })
     }
 }
 

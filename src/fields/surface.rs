@@ -10,7 +10,7 @@ use num_complex::Complex64;
 pub struct Side {
     /// ε [F m⁻¹] of the bound charges, > 0.
     pub epsilon: f64,
-    /// σ [S m⁻¹], ≥ 0.
+    /// σ [S m⁻¹], ≥ 0 and finite.
     pub sigma: f64,
 }
 

@@ -35,11 +35,6 @@ impl Scheme {
             Self::BackwardEuler => 1.0,
         }
     }
-
-    /// The largest σΔt/ε [1] at which errors do not grow.
-    pub fn stability_limit(self) -> f64 {
-        if self == Self::ForwardEuler { 2.0 } else { f64::INFINITY }
-    }
 }
 
 /// E → keep · E + gain · ∇×H, the update coefficients known as Ca and Cb. Each keeps its digits at any σΔt/ε from 0 to

@@ -87,7 +87,18 @@ impl Invalid {
 
 impl fmt::Display for Invalid {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {} is out of range; valid: {}", self.place, self.value, self.valid)
+        write!(f, "{}: {} is out of range; valid: {}", self.place, Plain(self.value), self.valid)
+    }
+}
+
+/// A number in a message: its digits, with a power of ten where there would be many zeros.
+pub(crate) struct Plain(pub f64);
+
+impl fmt::Display for Plain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = self.0.abs();
+        let plain = size == 0.0 || (1e-4..=1e7).contains(&size) || !size.is_finite();
+        if plain { write!(f, "{}", self.0) } else { write!(f, "{:e}", self.0) }
     }
 }
 
@@ -314,8 +325,6 @@ mod tests {
             assert!(error(textbook::wave(&medium, 1e9).k.im, &medium, 1) >= least, "{sigma}");
             assert!(error(Wave::new(&medium, 1e9).unwrap().k.im, &medium, 1) < 1e-15);
         }
-        let copper = Medium::relative(1.0, 1.0, 5.8e7).unwrap();
-        assert!(error(textbook::skin_depth_of_good_conductor(&copper, 1e9), &copper, 4) < 1e-9);
         // τ² overflows long before anything else does.
         let beyond = Medium::relative(1.0, 1.0, 1e160).unwrap();
         assert!(textbook::wave(&beyond, 1e9).k.im.is_infinite());
@@ -342,5 +351,8 @@ mod tests {
         assert_eq!(place(Medium::relative(1.0, 1.0, -1e-9)), "sigma");
         let message = Medium::relative(1.0, 1.0, f64::NAN).unwrap_err().to_string();
         assert_eq!(message, "sigma: NaN is out of range; valid: zero to infinity");
+        let message = |eps_r: f64| Medium::relative(eps_r, 1.0, 0.0).unwrap_err().to_string();
+        assert_eq!(message(-1e300), "eps_r: -1e300 is out of range; valid: positive, finite");
+        assert_eq!(message(-0.25), "eps_r: -0.25 is out of range; valid: positive, finite");
     }
 }

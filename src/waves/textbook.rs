@@ -27,11 +27,6 @@ pub fn wave(medium: &Medium, omega: f64) -> Wave {
     }
 }
 
-/// Skin depth [m] of a good conductor, √(2/(ωμσ)): a factor √(1 + O(ωε/σ)) away.
-pub fn skin_depth_of_good_conductor(medium: &Medium, omega: f64) -> f64 {
-    (2.0 / (omega * medium.mu() * medium.sigma())).sqrt()
-}
-
 /// cos(2πft) by the rounded product: wrong by 2πft rounding units.
 pub fn cos_of_time(frequency: f64, time: f64) -> f64 {
     (TAU * frequency * time).cos()

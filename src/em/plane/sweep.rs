@@ -1,6 +1,7 @@
 //! In which order rows are stepped.
 
 use super::super::WORD;
+use super::super::incident::Incident;
 use super::super::refusal::{Refusal, demand};
 use super::stages::Moment;
 use super::{Grid, Plane, Row};
@@ -45,7 +46,7 @@ impl Plane {
     /// are the same bit by bit.
     ///
     /// # Errors
-    /// If `steps` is zero.
+    /// If `steps` is zero, or what is recorded in them would exceed the memory limit.
     pub fn run(&mut self, steps: u64) -> Result<(), Refusal> {
         #[cfg(feature = "parallel")]
         let bands = rayon::current_num_threads();
@@ -57,13 +58,19 @@ impl Plane {
     /// The same on one core.
     ///
     /// # Errors
-    /// If `steps` is zero.
+    /// As [`Self::run`].
     pub fn run_serial(&mut self, steps: u64) -> Result<(), Refusal> {
         self.run_in_bands(steps, 1)
     }
 
     pub(in super::super) fn run_in_bands(&mut self, steps: u64, bands: usize) -> Result<(), Refusal> {
         demand(steps >= 1, "number of steps", steps as f64, "at least 1")?;
+        let probes = self.rows.iter().flat_map(|row| &row.probes);
+        let records = probes.map(|(_, _, record)| (record.len(), 2 * WORD));
+        let records = records.chain(self.incident.as_ref().map(Incident::recorded));
+        let wave = if self.incident.is_some() { Incident::BYTES } else { 0 };
+        let setup = &self.grid.setup;
+        setup.stepping.admit_records(setup.peak_bytes().saturating_add(wave), steps, records)?;
         let mut left = steps;
         while left > 0 {
             let deep = left.min(self.deep());

@@ -133,9 +133,6 @@ fn what_is_not_a_number_is_refused_wherever_it_stands() {
         pulses.iter().for_each(|pulse| of_sources(1.0, pulse));
         of_sources(bad, &Pulse::Gaussian { delay: 0.0, width: 1.0 });
     }
-    let square = |start: f64| Pulse::Square { start, end: f64::INFINITY };
-    assert!(line_of(|_| ()).unwrap().inject(50, 1.0, square(f64::NAN)).is_err());
-    assert!(line_of(|_| ()).unwrap().inject(50, 1.0, square(0.0)).is_ok());
     assert!(line_of(|_| ()).unwrap().probe(100).is_err());
     assert!(plane_of(|_| ()).unwrap().probe([50, 0]).is_err() && plane_of(|_| ()).unwrap().probe([0, 50]).is_err());
 }
@@ -157,6 +154,39 @@ fn the_limit_of_memory_is_told_in_bytes() {
     }
     assert!(matches!(plane_of(|setup| setup.cells = [1_000_000_000; 2]), Err(Refusal::TooLarge { .. })));
     assert!(line_of(|setup| setup.layers = vec![(usize::MAX - 1..usize::MAX, Medium::VACUUM)]).is_err());
+}
+
+#[test]
+fn a_run_whose_records_would_exceed_the_limit_is_refused_before_it_starts() {
+    let packet = || super::packet(1e10, 1.0);
+    let mut line = line_of(|_| ()).unwrap();
+    let mut plane = plane_of(|setup| setup.sides = Sides::Bloch(0.1)).unwrap();
+    // Without records nothing grows; the number of steps is no limit.
+    assert!(line.run(3).is_ok() && plane.run(3).is_ok());
+    let of_records = |refusal| matches!(refusal, Err(Refusal::TooLarge { limit, .. }) if limit == 2 << 30);
+    line.probe(50).unwrap();
+    plane.probe([20, 20]).unwrap();
+    // Twice 8 bytes a step, or twice 16, in 2 GiB.
+    for steps in [1 << 27, u64::MAX] {
+        assert!(of_records(line.run(steps)) && of_records(plane.run(steps)) && of_records(plane.run_serial(steps)));
+    }
+    let (mut line, mut plane) = (line_of(|_| ()).unwrap(), plane_of(|setup| setup.sides = Sides::Bloch(0.1)).unwrap());
+    line.illuminate(50, 1.0, packet()).unwrap();
+    plane.illuminate(20, 1.0, packet()).unwrap();
+    assert!(of_records(line.run(1 << 27)) && of_records(plane.run(1 << 27)));
+    assert!((line.steps(), plane.steps()) == (0, 0) && line.run(10).is_ok() && plane.run(10).is_ok());
+}
+
+#[test]
+fn messages_are_short_whatever_the_number() {
+    for spacing in [1e-300, 1e300, f64::INFINITY, f64::NAN, -1e-300] {
+        let message = line_of(|setup| setup.spacing = spacing).unwrap_err().to_string();
+        assert!(message.len() < 80, "{message}");
+    }
+    let message = line_of(|setup| setup.spacing = 1e-300).unwrap_err().to_string();
+    assert!(message.starts_with("spacing is 1e-300; "), "{message}");
+    let message = line_of(|setup| setup.stepping.courant = 1.5).unwrap_err().to_string();
+    assert!(message.starts_with("a Courant number of 1.5 is unstable here: at most 1,"), "{message}");
 }
 
 #[test]

@@ -99,3 +99,17 @@ fn schemes_are_stable_up_to_their_limits() {
         assert!(scheme.carry(&problem, 64, 1.001 * scheme.courant_limit()).is_err());
     }
 }
+
+#[test]
+fn only_schemes_that_step_are_refused_for_their_steps() {
+    let problem = Problem { profile: &|z| (TAU * z).cos(), length: 1.0, distance: 1e6 };
+    for scheme in Scheme::ALL {
+        let carried = scheme.carry(&problem, 8, 1e-9);
+        let steps = !matches!(scheme, Scheme::Spectral | Scheme::DAlembert);
+        assert_eq!(
+            carried.map_err(|refusal| refusal.to_string().contains("number of steps")).err(),
+            steps.then_some(true)
+        );
+    }
+    assert!(Scheme::DAlembert.carry(&Problem { length: 1e-300, distance: 1e300, ..problem }, 8, 1.0).is_err());
+}
