@@ -140,7 +140,7 @@ const ENERGY_KEPT: Check = Check {
     bound: Bound::AtMost {
         limit: 256.0,
         unit: "ε",
-        why: "the roundings of sums over up to 800 cells, of either sign, relative to the energy there is",
+        why: "the roundings of sums over up to 520 cells, of either sign, relative to the energy there is",
     },
     measure: |bench| unbalanced(bench, |balance| balance),
     spoiled: |bench| unbalanced(bench, |balance| Balance { heat: 0.0, ..balance }),
