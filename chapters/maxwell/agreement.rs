@@ -386,7 +386,9 @@ fn conductor(setting: &Setting) -> Plot {
     line.impose(first, 1.0, Pulse::custom(drive)).expect("a node of the line");
     let dt = line.dt();
     let crossed = 5.0 * depth * k.re / omega;
-    line.run(((12.0 * period + 2.0 * crossed) / dt).round() as u64).expect("some steps");
+    // Whole periods, so that it ends at a crest.
+    let periods = (12.0 + 2.0 * crossed / period).ceil();
+    line.run((periods * period / dt).round() as u64).expect("some steps");
     let shown = first..first + seen;
     let z = |node: usize| (node - first) as f64 / cells_deep;
     let mut chart = Chart::new(

@@ -304,8 +304,10 @@ fn ringing(setting: &Setting) -> Plot {
             let theta = step * steps as f64;
             [theta, if steps == 0 { start } else { of.march(scheme, start, theta, steps) }]
         });
-        // What has left the chart only flashes across it from then on.
-        let points = stepped.take_while(|point| point[1].abs() < 10.0);
+        // What has left the chart only flashes across it from then on: the step that takes it away is the last.
+        let stepped: Vec<_> = stepped.collect();
+        let inside = stepped.iter().take_while(|point| point[1].abs() < 2.0).count();
+        let points = stepped.into_iter().take(inside + 1);
         chart = chart.with(Mark::Points {
             label: name.into(),
             hue: Hue::Nth(at as u8),

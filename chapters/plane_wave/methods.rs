@@ -17,7 +17,7 @@ const CELLS: Parameter = Parameter {
     symbol: "N",
     says: "cells of the line",
     default: "128",
-    kind: Kind::Count { min: 8, max: 1 << 14 },
+    kind: Kind::Count { min: 8, max: 1024 },
 };
 
 pub(super) const STEP: Step = Step {
