@@ -405,6 +405,13 @@ pub enum Expects {
         /// Where the limit comes from.
         why: &'static str,
     },
+    /// Every error below the one before, and that of the most work at most `last`: faster than any order.
+    Converges {
+        /// Largest error allowed in the end [1].
+        last: f64,
+        /// Where it comes from.
+        why: &'static str,
+    },
     /// At least one error above `limit`: a lane that is there because it breaks.
     Breaks {
         /// Error that must be exceeded (NaN exceeds every limit) [1].
@@ -424,6 +431,10 @@ impl Expects {
                 within(f64::MAX) && fitted_order(points).is_some_and(|fitted| (fitted - order).abs() <= tolerance)
             }
             Self::Within { limit, .. } => within(limit),
+            Self::Converges { last, .. } => {
+                points.windows(2).all(|pair| pair[1].1 < pair[0].1)
+                    && points.last().is_some_and(|(_, error)| *error <= last)
+            }
             Self::Breaks { limit, .. } => !within(limit),
         }
     }
@@ -484,10 +495,15 @@ mod tests {
         assert!(Expects::Order { order: 2.0, tolerance: 0.01 }.admits(&falling));
         assert!(!Expects::Order { order: 1.0, tolerance: 0.5 }.admits(&falling));
         assert!(Expects::Within { limit: 0.25, why: "" }.admits(&falling));
+        assert!(Expects::Converges { last: 0.25_f64.powi(5), why: "" }.admits(&falling));
+        assert!(!Expects::Converges { last: 0.25_f64.powi(6), why: "" }.admits(&falling));
+        assert!(!Expects::Converges { last: 1.0, why: "" }.admits(&[&falling[..], &[(64.0, 0.1)]].concat()));
         assert!(Expects::Breaks { limit: 0.2, why: "" }.admits(&falling));
         let broken = [&falling[..], &[(128.0, f64::NAN)]].concat();
         assert!(!Expects::Order { order: 2.0, tolerance: 0.01 }.admits(&broken));
         assert!(!Expects::Within { limit: f64::INFINITY, why: "" }.admits(&broken));
+        assert!(!Expects::Converges { last: f64::INFINITY, why: "" }.admits(&broken));
+        assert!(!Expects::Converges { last: f64::INFINITY, why: "" }.admits(&[]));
         assert!(Expects::Breaks { limit: f64::INFINITY, why: "" }.admits(&broken));
     }
 

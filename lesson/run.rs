@@ -258,6 +258,9 @@ fn expectation(expects: Expects) -> String {
     match expects {
         Expects::Order { order, tolerance } => expected_order(order, tolerance),
         Expects::Within { limit, why } => format!("error at most {}: {why}", crate::report::limit(limit)),
+        Expects::Converges { last, why } => {
+            format!("error falls at every point, to at most {}: {why}", crate::report::limit(last))
+        }
         Expects::Breaks { limit, why } => format!("error above {}: {why}", crate::report::limit(limit)),
     }
 }

@@ -222,7 +222,7 @@ const HALF: Expects = Expects::Order { order: 0.5, tolerance: 0.1 };
 const FEW: &[u64] = &[4, 6, 8, 10, 12, 14, 16, 20, 24];
 /// It falls faster than any power, so that it has no order.
 const TAIL: Expects =
-    Expects::Within { limit: 0.09, why: "√(2Σ|c_m|²) over m > 4, by Parseval; with more harmonics it is less" };
+    Expects::Converges { last: 4e-10, why: "√(2Σ|c_m|²) over m > 24 is 3.9·10⁻¹⁰, by Parseval" };
 const ALL: Expects = Expects::Within { limit: 1e-13, why: "what is left out is below rounding" };
 
 /// At as many places as `spectrum` can fill.
