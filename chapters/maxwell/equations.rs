@@ -6,7 +6,7 @@ use crate::symbols::{B, D, E, H, J, RHO, T};
 use crate::vocabulary::{Bench, Bound, Check, Figure, Measured, Quantity, Statement, Step};
 use light::equation::Equation;
 use light::equation::expr::{curl, divergence, partial};
-use light::evidence::quadrature::gauss_legendre;
+use light::evidence::quadrature::{gauss, gauss_legendre};
 use light::fields::charge::MovingCharge;
 use light::fields::{Vector, dot};
 use light::sampling::uniform;
@@ -187,11 +187,6 @@ impl Disc {
     }
 }
 
-/// ∫ f dt from −`half` to `half`.
-fn over_time(half: f64, f: impl Fn(f64) -> f64) -> f64 {
-    gauss_legendre(NODES).into_iter().map(|(u, weight)| 2.0 * half * weight * f(half * (2.0 * u - 1.0))).sum()
-}
-
 /// A charge that flies through a leaning disc during 2τ.
 struct Passage {
     charge: MovingCharge,
@@ -228,7 +223,7 @@ const INDUCTION: Check = Check {
 
 fn induction(bench: &mut Bench, sign: f64) -> Measured {
     Measured::worst(passages(bench).iter().map(|Passage { charge, disc, half }| {
-        let circulated = over_time(*half, |t| disc.circulation(|place| charge.e(place, t)));
+        let circulated = gauss(NODES, -half, *half, |t| disc.circulation(|place| charge.e(place, t)));
         let through = |t| disc.flux(|place| charge.b(place, t));
         let gained = through(*half) - through(-half);
         ((circulated - sign * gained) / gained, format!("β = {}", charge.beta))
@@ -249,7 +244,7 @@ const CIRCULATION: Check = Check {
 /// What is wrong with Ampère's law, over the charge, if the flux of D counts `share`.
 fn displacement(bench: &mut Bench, share: f64) -> Measured {
     Measured::worst(passages(bench).iter().map(|Passage { charge, disc, half }| {
-        let circulated = over_time(*half, |t| disc.circulation(|place| charge.h(place, t)));
+        let circulated = gauss(NODES, -half, *half, |t| disc.circulation(|place| charge.h(place, t)));
         let through = |t| disc.flux(|place| charge.d(place, t));
         let gained = through(*half) - through(-half);
         (circulated - share * gained - charge.charge, format!("β = {}", charge.beta))

@@ -7,6 +7,7 @@ use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quant
 use light::equation::derivation::Chain;
 use light::equation::expr::vector;
 use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::evidence::initial_value::runge_kutta;
 use light::fields::tensor::{Tensor, hall_conductivity};
 use light::fields::{Vector, cross, dot};
 use light::sampling::uniform;
@@ -193,22 +194,12 @@ fn drift(bench: &mut Bench, sense: f64) -> Measured {
         };
         let mut u = [0.0; 3];
         for _ in 0..2000 {
-            u = runge_kutta(rate, u, 0.02);
+            u = runge_kutta(u, 0.02, rate);
         }
         let steady = hall_conductivity(1.0, b).of(e);
         let missed = [0, 1, 2].map(|axis| u[axis] - steady[axis]);
         ((dot(missed, missed) / dot(e, e)).sqrt(), format!("b = {b:.2?}"))
     }))
-}
-
-/// One step of the classic method of fourth order.
-fn runge_kutta(rate: impl Fn(Vector) -> Vector, u: Vector, step: f64) -> Vector {
-    let moved = |by: Vector, share: f64| [0, 1, 2].map(|axis| u[axis] + share * step * by[axis]);
-    let first = rate(u);
-    let second = rate(moved(first, 0.5));
-    let third = rate(moved(second, 0.5));
-    let fourth = rate(moved(third, 1.0));
-    [0, 1, 2].map(|axis| u[axis] + step / 6.0 * (first[axis] + 2.0 * (second[axis] + third[axis]) + fourth[axis]))
 }
 
 /// The rotations that map a cube to itself: permutations of the axes with signs whose product keeps the sense.

@@ -12,6 +12,7 @@ use light::Complex64;
 use light::equation::derivation::Chain;
 use light::equation::expr::{curl, divergence, dot, exp, i, laplacian, partial, pi, ratio, sqrt, tan, vector};
 use light::equation::{Dimension, Equation, Expr, Symbol};
+use light::evidence::initial_value::runge_kutta;
 use light::evidence::waves::{NAMES, PlaneWave, flat};
 use light::precise;
 use light::waves::constants::EPSILON_0;
@@ -295,15 +296,6 @@ fn integrated(displacement: f64) -> Measured {
     }))
 }
 
-fn runge_kutta(y: [Complex64; 2], h: f64, slope: impl Fn([Complex64; 2]) -> [Complex64; 2]) -> [Complex64; 2] {
-    let moved = |by: [Complex64; 2], share: f64| [y[0] + by[0] * (h * share), y[1] + by[1] * (h * share)];
-    let first = slope(y);
-    let second = slope(moved(first, 0.5));
-    let third = slope(moved(second, 0.5));
-    let fourth = slope(moved(third, 1.0));
-    [0, 1].map(|at| y[at] + (first[at] + 2.0 * (second[at] + third[at]) + fourth[at]) * (h / 6.0))
-}
-
 /// Inputs with what they have in common.
 type Family = (&'static str, Vec<(Medium, f64)>);
 
@@ -314,7 +306,7 @@ fn families() -> Vec<Family> {
             parameters.iter().filter_map(|&(epsilon_r, mu_r, sigma)| Medium::relative(epsilon_r, mu_r, sigma).ok());
         media.flat_map(|medium| frequencies.map(|f| (medium, TAU * f))).collect()
     };
-    let powers = |from: i32, to: i32| (from..=to).map(|power| 10f64.powi(power));
+    let powers = |from: i32, to: i32| (from..=to).map(|power| format!("1e{power}").parse::<f64>().expect("a number"));
     let traces: Vec<_> = powers(-30, -9).step_by(3).map(|sigma| (2.1, 1.0, sigma)).collect();
     let between: Vec<_> = powers(-6, 3).flat_map(|sigma| [(80.0, 1.0, sigma), (1.0, 1.0, sigma)]).collect();
     let metals: Vec<_> = powers(4, 12).flat_map(|sigma| [(1.0, 1.0, sigma), (1.0, 5000.0, sigma)]).collect();

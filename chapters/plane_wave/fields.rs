@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use light::Complex64;
-use light::evidence::quadrature::gauss_legendre;
+use light::evidence::quadrature::{gauss, gauss_legendre};
 use light::sampling::{Stream, uniform};
 use light::waves::{Medium, Wave};
 use std::f64::consts::TAU;
@@ -163,5 +163,5 @@ pub fn outflows(field: Field, corner: DVec3, side: f64, time: f64) -> [f64; 3] {
 
 /// ∫ g dt from `from` to `to`.
 pub fn over_time(from: f64, to: f64, g: impl Fn(f64) -> f64) -> f64 {
-    gauss_legendre(NODES).iter().map(|(at, weight)| weight * (to - from) * g(from + at * (to - from))).sum()
+    gauss(NODES, from, to, g)
 }

@@ -27,6 +27,12 @@ pub fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
     (0..n).map(node).collect()
 }
 
+/// ∫ f dx from `from` to `to` by the n-point Gauss–Legendre rule, n ≥ 1, in the unit of f times that of x.
+pub fn gauss(n: usize, from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let length = to - from;
+    gauss_legendre(n).into_iter().map(|(at, weight)| weight * length * f(from + at * length)).sum()
+}
+
 /// Nodes and weights of the trapezoid with n ≥ 1 intervals on 0 … 1: order 2, but exponentially accurate over a whole
 /// period of a smooth periodic function, exact up to its harmonic n − 1 (Trefethen & Weideman, SIAM Rev. 56 (2014) 385).
 pub fn trapezoid(n: usize) -> Vec<(f64, f64)> {
