@@ -11,6 +11,8 @@ use light::equation::derivation::Chain;
 use light::equation::expr::{curl, divergence, partial};
 use light::equation::{Equation, Expr};
 use light::sampling::uniform;
+use light::waves::constants::EPSILON_0;
+use light::waves::substance;
 
 pub(super) const STEP: Step = Step {
     id: "continuity",
@@ -80,18 +82,19 @@ fn relaxation(last: Expr) -> Chain {
 }
 
 fn readout(_: &Setting) -> Vec<Quantity> {
-    let second = |key, says, epsilon_r: f64, sigma: f64| Quantity {
-        key,
-        symbol: "ε/σ",
-        says,
-        value: epsilon_r * light::waves::constants::EPSILON_0 / sigma,
-        unit: "s",
+    let forgets =
+        |key, says, epsilon: f64, sigma: f64| Quantity {
+            key, symbol: "ε/σ", says, value: epsilon / sigma, unit: "s"
+        };
+    let named = |key, says, name| {
+        let medium = substance::named(name).and_then(|substance| substance.medium(50.0).ok()).expect("known at 50 Hz");
+        forgets(key, says, medium.epsilon(), medium.sigma())
     };
     vec![
-        second("copper", "copper forgets a charge in", 1.0, 5.8e7),
-        second("sea_water", "sea water in", 74.0, 4.0),
-        second("distilled_water", "distilled water in", 80.0, 5.5e-6),
-        second("fused_silica", "fused silica in", 3.8, 1e-18),
+        named("copper", "copper forgets a charge in", "copper"),
+        named("sea_water", "sea water in", "sea-water"),
+        named("water", "pure water in", "water"),
+        forgets("fused_silica", "fused silica of σ = 10⁻¹⁸ S/m in", 3.78 * EPSILON_0, 1e-18),
     ]
 }
 

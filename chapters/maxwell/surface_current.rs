@@ -18,9 +18,9 @@ use std::f64::consts::{PI, TAU};
 const SHEET: Parameter = Parameter {
     name: "sheet",
     symbol: "1/G",
-    says: "resistance of a square of the sheet [Ω]",
-    default: "188.365156706",
-    kind: Kind::Number { min: 1e-6, max: 1e12, unit: "1" },
+    says: "resistance of a square of the sheet",
+    default: "188.365156706Ω",
+    kind: Kind::Number { min: 1e-6, max: 1e12, unit: "Ω" },
 };
 
 pub(super) const STEP: Step = Step {

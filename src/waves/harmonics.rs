@@ -2,7 +2,7 @@
 //! d'Alembert says (E10, E12), and through a lossy medium each harmonic by its own k (E18).
 
 use super::phase::{cis, cycles};
-use super::plane::{Invalid, Medium, Wave};
+use super::plane::Invalid;
 use num_complex::Complex64;
 use rustfft::FftPlanner;
 use std::f64::consts::{PI, TAU};
@@ -82,32 +82,10 @@ impl Spectrum {
         &self.coefficients
     }
 
-    /// Without the harmonics above `harmonics`.
-    pub fn truncated(&self, harmonics: usize) -> Self {
-        let kept = self.coefficients.len().min(harmonics.saturating_add(1));
-        Self { period: self.period, coefficients: self.coefficients[..kept].to_vec() }
-    }
-
     /// The signal `by` further on, f(x − by): d'Alembert's one-way solution at the time by/v.
     pub fn shifted(&self, by: f64) -> Self {
         let periods = by / self.period;
         self.turned(|m| cis(-cycles(m, periods)))
-    }
-
-    /// The signal, taken as E(t) at z = 0 with the period in seconds, after a `depth` [m] ≥ 0 of `medium`: every
-    /// harmonic by its e^(ikz). The constant part stays: in this steady state a direct current flows everywhere.
-    pub fn through(&self, medium: &Medium, depth: f64) -> Result<Self, Invalid> {
-        let fundamental = Wave::new(medium, TAU / self.period)?.omega;
-        let factor = |m: f64| {
-            if m == 0.0 || depth == 0.0 {
-                return Complex64::ONE;
-            }
-            let k = Wave::new(medium, m * fundamental).map_or(Complex64::new(0.0, f64::INFINITY), |wave| wave.k);
-            let decay = (-k.im * depth).exp();
-            // Coefficients go with e^(+iωt): the mirror image of e^(ikz).
-            if decay == 0.0 { Complex64::ZERO } else { cis(-cycles(k.re / TAU, depth)) * decay }
-        };
-        Ok(self.turned(factor))
     }
 
     fn turned(&self, factor: impl Fn(f64) -> Complex64) -> Self {
@@ -168,7 +146,6 @@ fn share(place: &'static str, width: f64, period: f64) -> Result<f64, Invalid> {
 mod tests {
     use super::*;
     use crate::evidence::quadrature::gauss_legendre;
-    use crate::waves::constants::C;
     use proptest::prelude::*;
 
     fn gaussian(x: f64) -> f64 {
@@ -202,15 +179,6 @@ mod tests {
                 prop_assert!((sample - spectrum.at(3.0 * j as f64 / n as f64)).abs() < 1e-13);
             }
         }
-
-        #[test]
-        fn a_clear_medium_only_delays(depth in 0.0..1e3) {
-            let spectrum = Spectrum::of(|t| gaussian(t / 1e-6), 1e-6, 64).unwrap();
-            let (through, delayed) = (spectrum.through(&Medium::VACUUM, depth).unwrap(), spectrum.shifted(depth / C));
-            for (a, b) in through.coefficients().iter().zip(delayed.coefficients()) {
-                prop_assert!((a - b).norm() < 1e-13);
-            }
-        }
     }
 
     #[test]
@@ -234,20 +202,6 @@ mod tests {
         assert!(smooth.tail(4) > 1e-2 && smooth.tail(12) < 1e-3 && smooth.tail(24) < 1e-12);
         let sampled = Spectrum::of(|x| gaussian(x + 0.5), 1.0, 128).unwrap();
         assert!((0..64).all(|m| (sampled.coefficients()[m] - smooth.coefficients()[m]).norm() < 1e-15));
-    }
-
-    #[test]
-    fn a_conductor_smears_and_delays_a_pulse() {
-        let sea = Medium::relative(72.5, 1.0, 4.79).unwrap();
-        let pulse = Spectrum::of(|t| gaussian(t / 1e-3), 1e-3, 256).unwrap();
-        let deep = pulse.through(&sea, 10.0).unwrap();
-        let (above, below) = (pulse.samples(256).unwrap(), deep.samples(256).unwrap());
-        let peak = |samples: &[f64]| (0..256).max_by(|a, b| samples[*a].total_cmp(&samples[*b])).unwrap();
-        assert!(peak(&below) > peak(&above) && below[peak(&below)] < 0.9 * above[peak(&above)]);
-        // One harmonic alone decays by its own skin depth.
-        let wave = Wave::new(&sea, TAU * 3e3).unwrap();
-        let ratio = deep.coefficients()[3].norm() / pulse.coefficients()[3].norm();
-        assert!((ratio / (-10.0 / wave.skin_depth).exp() - 1.0).abs() < 1e-13);
     }
 
     #[test]
