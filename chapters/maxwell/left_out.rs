@@ -102,7 +102,7 @@ fn scene(key: &str, cells: usize, pruned: bool) -> Line {
     Line::new(setup).expect("within all limits")
 }
 
-/// What each scene saved, of memory and of operations a step.
+/// What each scene saved, of memory and of operations a step, and what it was that vacuum did without.
 fn readout(setting: &Setting) -> Vec<Quantity> {
     let cells = setting.number("cells") as usize;
     let per_cell = |key, symbol, says, value, unit| Quantity { key, symbol, says, value, unit };
@@ -110,9 +110,15 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     let work_keys = ["vacuum_work", "glass_work", "sea_work", "metal_work"];
     for ((key, says), work_key) in SCENES.into_iter().zip(work_keys) {
         let explanation = scene(key, cells, true).explain();
-        quantities.push(per_cell(key, "memory", says, explanation.bytes_saved_per_cell(), "B/cell"));
-        quantities.push(per_cell(work_key, "work", says, explanation.operations_saved_per_cell(), "1/cell"));
+        quantities.push(per_cell(key, "memory saved", says, explanation.bytes_saved_per_cell(), "B/cell"));
+        quantities.push(per_cell(work_key, "work saved", says, explanation.operations_saved_per_cell(), "1/cell"));
     }
+    let vacuum = scene("vacuum", cells, true).explain();
+    quantities.extend(vacuum.omissions.iter().map(|omission| {
+        let (amount, unit) =
+            if omission.bytes > 0 { (omission.bytes, "B/cell") } else { (omission.operations, "1/cell") };
+        per_cell(omission.id, "of vacuum", omission.what, amount as f64 / vacuum.cells as f64, unit)
+    }));
     quantities
 }
 

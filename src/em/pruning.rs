@@ -7,11 +7,12 @@ use super::line::{Ends, Line};
 use super::plane::{Plane, Polarisation};
 use super::span::{Need, Spans};
 use super::{Cpml, WORD};
-use std::fmt;
 
 /// Something a scene does not need.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Omission {
+    /// One word for it.
+    pub id: &'static str,
     /// What was left out.
     pub what: &'static str,
     /// Why it is not missed.
@@ -34,9 +35,9 @@ pub struct Explanation {
 }
 
 impl Explanation {
-    fn omit(&mut self, what: &'static str, why: &'static str, bytes: u64, operations: u64) {
+    fn omit(&mut self, [id, what, why]: [&'static str; 3], bytes: u64, operations: u64) {
         if bytes + operations > 0 {
-            self.omissions.push(Omission { what, why, bytes, operations });
+            self.omissions.push(Omission { id, what, why, bytes, operations });
         }
     }
 
@@ -64,37 +65,28 @@ impl Explanation {
         let [clear, loss, conduction, _] = electric_cells;
         let step = |from: Need, to: Need| to.operations() - from.operations();
         self.omit(
-            "free electrons",
-            "no metal with a finite collision rate there",
+            ["electrons", "free electrons", "no metal with a finite collision rate there"],
             (clear + loss + conduction) * 4 * WORD,
             (clear + loss + conduction) * step(Need::Conduction, Need::Electrons),
         );
         self.omit(
-            "dominant conduction",
-            "σ is zero or faint there",
+            ["dominant_conduction", "dominant conduction", "σ is zero or faint there"],
             (clear + loss) * WORD,
             (clear + loss) * step(Need::Loss, Need::Conduction),
         );
-        self.omit("conduction", "σ is zero there", clear * WORD, clear * step(Need::Clear, Need::Loss));
-        self.omit("coefficients cell by cell", "one set serves a uniform run", shared * WORD, 0);
+        self.omit(["conduction", "conduction", "σ is zero there"], clear * WORD, clear * step(Need::Clear, Need::Loss));
+        self.omit(["coefficients", "coefficients cell by cell", "one set serves a uniform run"], shared * WORD, 0);
     }
 
     /// An end without absorber, along which `cells` cells lie.
     fn closed_end(&mut self, cells: u64, components: u64) {
         let thick = Cpml::thick(20).cells as u64 * cells * components;
         // ψ′ = bψ + cd and E += drive(ψ′ + kd): seven operations.
-        self.omit("an absorber of 20 cells", "the end is a conductor or repeats", thick * WORD, thick * 7);
-    }
-}
-
-impl fmt::Display for Explanation {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        writeln!(f, "{} cells in {} bytes; left out:", self.cells, self.bytes)?;
-        for Omission { what, why, bytes, operations } in &self.omissions {
-            writeln!(f, "  {what} ({why}): {bytes} bytes, {operations} operations a step")?;
-        }
-        let (bytes, operations) = (self.bytes_saved_per_cell(), self.operations_saved_per_cell());
-        write!(f, "saved per cell: {bytes:.1} bytes, {operations:.1} operations a step")
+        self.omit(
+            ["absorber", "an absorber of 20 cells", "the end is a conductor or repeats"],
+            thick * WORD,
+            thick * 7,
+        );
     }
 }
 
@@ -111,10 +103,14 @@ impl Line {
             }
         }
         if self.setup().ends != Ends::Periodic {
-            explanation.omit("images across the ends", "the line does not repeat", 0, 2);
+            explanation.omit(["images", "images across the ends", "the line does not repeat"], 0, 2);
         }
         // H along the propagation: its field and its update, and its difference in that of E.
-        explanation.omit("the second dimension", "nothing varies across the line", cells * WORD, cells * 5);
+        explanation.omit(
+            ["second_dimension", "the second dimension", "nothing varies across the line"],
+            cells * WORD,
+            cells * 5,
+        );
         explanation
     }
 }
@@ -145,7 +141,7 @@ impl Plane {
         }
         if parts == 1 {
             // Two components of one difference, one of two.
-            explanation.omit("the imaginary part", "no Bloch phase", fields, cells * 10);
+            explanation.omit(["imaginary_part", "the imaginary part", "no Bloch phase"], fields, cells * 10);
         }
         explanation
     }
