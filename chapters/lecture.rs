@@ -30,6 +30,13 @@ pub struct Coverage {
     pub missing: Vec<char>,
 }
 
+/// Every chapter of the lecture, written or not, in teaching order.
+pub fn chapter_names() -> Vec<&'static str> {
+    let mut names: Vec<_> = LECTURE.iter().map(|row| row.chapter).collect();
+    names.dedup();
+    names
+}
+
 /// What `curriculum` has for every row of [`LECTURE`].
 pub fn coverage(curriculum: &[&Chapter]) -> Vec<Coverage> {
     LECTURE.iter().map(|row| cover(row, curriculum)).collect()

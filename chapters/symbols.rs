@@ -1,7 +1,7 @@
 //! The quantities of fields, waves and their energy as symbols, for all chapters that speak of them. What holds on the
 //! real axis alone, because it is a statement about cosines and their amplitudes, is sampled there; the rest off it too.
 
-use light::equation::{Dimension, Symbol};
+use equation::{Dimension, Symbol};
 
 /// Place along the propagation.
 pub const Z: Symbol = Symbol::scalar("z", Dimension::METRE).real(0.25, 1.25);

@@ -6,11 +6,11 @@
 use crate::figure::Plot;
 use crate::function::Function;
 use crate::setting::{Parameter, Setting};
-use light::equation::Equation;
-use light::equation::derivation::{Chain, Hop};
-use light::evidence::order;
-use light::precise::{self, Real};
-use light::sampling::{Stream, stream};
+use equation::Equation;
+use equation::derivation::{Chain, Hop};
+use yardstick::order;
+use yardstick::precise::{self, Real};
+use yardstick::random::{Stream, stream};
 
 /// One chapter of the lecture.
 #[derive(Debug)]

@@ -2,13 +2,13 @@
 
 use crate::figures::Format;
 use crate::proof::Question;
-use crate::run::Parts;
 use crate::stop::Stop;
-use crate::text::Details;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgAction, Args, CommandFactory, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
 use std::path::PathBuf;
+use views::report::Parts;
+use views::text::Details;
 
 /// What was asked for.
 #[derive(Debug)]

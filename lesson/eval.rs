@@ -1,9 +1,6 @@
 //! `lesson eval`: the checked functions for scripts.
 
-use crate::page::{Page, Tone};
-use crate::report::Number;
 use crate::stop::{Stop, plain};
-use crate::text::full;
 use chapters::CURRICULUM;
 use chapters::function::{Argument, Arguments, Function, Input, Outcome};
 use chapters::setting::{self, Fault, excerpt, range};
@@ -13,6 +10,9 @@ use serde_json::value::RawValue;
 use std::fmt;
 use std::io::{self, BufRead, BufReader, BufWriter, Write, stdin, stdout};
 use std::process::ExitCode;
+use views::page::{Page, Tone};
+use views::report::Number;
+use views::text::full;
 
 fn functions() -> impl Iterator<Item = &'static Function> {
     CURRICULUM.iter().flat_map(|chapter| chapter.functions)

@@ -1,14 +1,14 @@
 //! The figures of a run, drawn in parallel and written where the reader asked for them.
 
 use crate::out::{self, Folder};
-use crate::plot;
 use crate::progress::Progress;
-use crate::race_plot;
-use crate::report::{FigureReport, RaceReport, Report};
 use crate::select::{Chosen, Selection};
 use crate::stop::Stop;
 use chapters::figure::Plot;
 use rayon::prelude::*;
+use views::plot;
+use views::race_plot;
+use views::report::{FigureReport, RaceReport, Report};
 
 /// What a figure is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,25 +1,17 @@
 //! `lesson`: how it is shown. Everything here is a view of `chapters::CURRICULUM`.
 
 mod cli;
-mod coverage;
 mod eval;
 mod figures;
 mod out;
-mod page;
-mod plot;
 mod progress;
 mod proof;
-mod prove;
-mod race_plot;
-mod report;
 mod run;
 mod select;
 mod stop;
-mod text;
 mod walk;
 
 use cli::Request;
-use page::Page;
 use std::process::ExitCode;
 use stop::Stop;
 
@@ -37,22 +29,22 @@ fn main() -> ExitCode {
 fn serve(request: Request) -> Result<ExitCode, Stop> {
     match request {
         Request::Contents => {
-            let mut page = Page::for_stdout();
-            text::contents(&mut page);
+            let mut page = out::page();
+            views::text::contents(&mut page);
             out::print(page.into_text().as_bytes())?;
         }
         Request::Lesson(lesson) => return walk::serve(&lesson),
-        Request::Coverage { json: true } => out::print(coverage::json().as_bytes())?,
+        Request::Coverage { json: true } => out::print(views::coverage::json().as_bytes())?,
         Request::Coverage { json: false } => {
-            let mut page = Page::for_stdout();
-            coverage::table(&mut page);
+            let mut page = out::page();
+            views::coverage::table(&mut page);
             out::print(page.into_text().as_bytes())?;
         }
         Request::Eval { function, arguments, json } => out::print(&eval::once(&function, &arguments, json)?)?,
         Request::EvalLines { function } => return eval::lines(&function),
         Request::Functions { json: true } => out::print(eval::list_json().as_bytes())?,
         Request::Functions { json: false } => {
-            let mut page = Page::for_stdout();
+            let mut page = out::page();
             eval::list(&mut page);
             out::print(page.into_text().as_bytes())?;
         }

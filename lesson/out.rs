@@ -1,10 +1,21 @@
 //! Where results go: standard output, and files that are either whole or not there.
 
 use crate::stop::Stop;
+use console::Term;
 use std::fmt::Display;
 use std::fs;
-use std::io::{Write, stderr, stdout};
+use std::io::{IsTerminal, Write, stderr, stdout};
 use std::path::{Path, PathBuf};
+use views::page::Page;
+
+/// A page for standard output: as wide as the terminal within reason, in colour where that is wanted.
+pub fn page() -> Page {
+    let terminal = stdout().is_terminal();
+    let columns = Term::stdout().size_checked().map_or(80, |(_, columns)| usize::from(columns));
+    let declined = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
+        || std::env::var_os("TERM").is_some_and(|value| value == "dumb");
+    Page::new(if terminal { columns } else { 80 }, terminal && !declined)
+}
 
 /// Writes `text` to standard output.
 pub fn print(text: &[u8]) -> Result<(), Stop> {

@@ -1,20 +1,20 @@
 //! `lesson prove`: does one expression equal another, does one equation follow from another?
 
 use crate::out;
-use crate::page::{Page, Tone};
-use crate::prove::{conditions, hypothesis, lines};
-use crate::report::LineReport;
 use crate::stop::Stop;
-use crate::text::{Details, show_lines};
 use chapters::vocabulary::verify;
-use light::equation::derivation::{Chain, Claim, Hop, Verdict};
-use light::equation::expr::Node;
-use light::equation::parse::{Fault, parse, parse_equation};
-use light::equation::value::Bindings;
-use light::equation::{Equation, Expr, Relation};
+use equation::derivation::{Chain, Claim, Hop, Verdict};
+use equation::expr::Node;
+use equation::parse::{Fault, parse, parse_equation};
+use equation::value::Bindings;
+use equation::{Equation, Expr, Relation};
 use num_complex::Complex64;
 use serde::Serialize;
 use std::process::ExitCode;
+use views::judged::{conditions, hypothesis, lines};
+use views::page::{Page, Tone};
+use views::report::LineReport;
+use views::text::{Details, show_lines};
 
 /// What is asked.
 #[derive(Debug)]
@@ -66,7 +66,7 @@ pub fn serve(question: &Question) -> Result<ExitCode, Stop> {
         let document = serde_json::to_string_pretty(&answer).expect("plain data");
         out::print(format!("{document}\n").as_bytes())?;
     } else {
-        let mut page = Page::for_stdout();
+        let mut page = out::page();
         show(&mut page, &answer, question.unfold);
         out::print(page.into_text().as_bytes())?;
     }

@@ -1,28 +1,17 @@
 //! From the curriculum to a [`Report`]. The only place with a clock.
 
 use crate::progress::Progress;
-use crate::prove::{derive, state};
-use crate::report::*;
 use crate::select::{Chosen, Selection};
 use chapters::setting::{Kind, Setting, Value};
 use chapters::vocabulary::{
     Bench, Bound, Check, Expects, Extreme, Heat, Lane, Race, SEED, Stress, digits, fitted_order, rms, sidak,
 };
-use light::precise;
 use rayon::prelude::*;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
-
-/// What a run does with the steps it is about.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Parts {
-    /// Units, derivations and checks.
-    pub checks: bool,
-    /// Extreme cases.
-    pub stress: bool,
-    /// Error against run time.
-    pub races: bool,
-}
+use views::judged::{derive, state};
+use views::report::*;
+use yardstick::precise;
 
 /// Runs `parts` of the `selection`: everything but the races in parallel, each race alone.
 pub fn run(selection: &Selection, parts: Parts, progress: &Progress) -> Report {
@@ -142,7 +131,7 @@ fn check(check: &Check, setting: &Setting, address: String) -> CheckReport {
     let measured = (check.measure)(&mut Bench::new(setting, SEED, &address));
     let seconds = started.elapsed().as_secs_f64();
     let tests = chapters::statistical_checks();
-    let words = crate::report::limit;
+    let words = views::report::limit;
     let (bound, limit, unit, why) = match check.bound {
         Bound::AtMost { limit, unit, why } => (format!("at most {} {unit}", words(limit)), limit, unit, why),
         Bound::Order { order, tolerance, why } => (expected_order(order, tolerance), order, "1", why),
@@ -257,11 +246,11 @@ fn run_lane(lane: &Lane, chosen: &Chosen, address: String, patience: Duration) -
 fn expectation(expects: Expects) -> String {
     match expects {
         Expects::Order { order, tolerance } => expected_order(order, tolerance),
-        Expects::Within { limit, why } => format!("error at most {}: {why}", crate::report::limit(limit)),
+        Expects::Within { limit, why } => format!("error at most {}: {why}", views::report::limit(limit)),
         Expects::Converges { last, why } => {
-            format!("error falls at every point, to at most {}: {why}", crate::report::limit(last))
+            format!("error falls at every point, to at most {}: {why}", views::report::limit(last))
         }
-        Expects::Breaks { limit, why } => format!("error above {}: {why}", crate::report::limit(limit)),
+        Expects::Breaks { limit, why } => format!("error above {}: {why}", views::report::limit(limit)),
     }
 }
 

@@ -1,12 +1,12 @@
 //! From the words of a command line to the part of the curriculum that they name.
 
-use crate::run::Parts;
 use crate::stop::{Stop, plain};
-use chapters::lecture::LECTURE;
+use chapters::lecture::{LECTURE, chapter_names};
 use chapters::setting::{
     DEFAULT_WAVELENGTH, FREQUENCY, Fault, Kind, Parameter, Setting, Value, WAVELENGTH, excerpt, parse_medium,
 };
 use chapters::{CURRICULUM, Chapter, Step};
+use views::report::Parts;
 
 /// The steps that a run is about, in teaching order.
 #[derive(Debug)]
@@ -175,13 +175,6 @@ pub fn items(step: &Step) -> Vec<&'static str> {
     let races = step.races.iter().map(|item| item.id);
     let figures = step.figures.iter().map(|item| item.id);
     checked(step).into_iter().chain(stress).chain(races).chain(figures).collect()
-}
-
-/// Every chapter of the lecture, written or not, in teaching order.
-pub fn chapter_names() -> Vec<&'static str> {
-    let mut names: Vec<_> = LECTURE.iter().map(|row| row.chapter).collect();
-    names.dedup();
-    names
 }
 
 impl Selection {

@@ -3,17 +3,17 @@
 use crate::cli::Lesson;
 use crate::figures;
 use crate::out::{self, Folder};
-use crate::page::{Page, Tone};
 use crate::progress::Progress;
-use crate::report::Report;
-use crate::run::{self, Parts};
+use crate::run;
 use crate::select::{Chosen, Selection, select};
 use crate::stop::Stop;
-use crate::text::{self, Details};
 use chapters::Step;
 use console::{Key, Term};
 use std::io::{ErrorKind, IsTerminal, stdin, stdout};
 use std::process::ExitCode;
+use views::page::{Page, Tone};
+use views::report::{Parts, Report};
+use views::text::{self, Details};
 
 /// What a run shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,7 +81,7 @@ fn exit_code(failed: usize) -> ExitCode {
 }
 
 fn at_once(selection: &Selection, report: &Report, view: View, parts: Parts, details: Details, tally: &str) -> String {
-    let mut page = Page::for_stdout();
+    let mut page = out::page();
     let steps = report.chapters.iter().flat_map(|chapter| &chapter.steps);
     if parts != Parts::default() && !report.is_empty() {
         text::legend(&mut page);
@@ -183,7 +183,7 @@ impl Walk {
         let parts = Parts { checks: true, ..Parts::default() };
         let report = self.seen[at].get_or_insert_with(|| run::run(&self.steps[at], parts, &Progress::new()));
         let chosen = &self.steps[at].steps[0];
-        let mut page = Page::for_stdout();
+        let mut page = out::page();
         if self.steps.len() > 1 && (at == 0 || self.steps[at - 1].steps[0].chapter.id != chosen.chapter.id) {
             text::chapter(&mut page, chosen.chapter);
         }
@@ -211,7 +211,7 @@ impl Walk {
 
 /// Sets a page and prints it.
 fn print(set: impl FnOnce(&mut Page)) -> Result<(), Stop> {
-    let mut page = Page::for_stdout();
+    let mut page = out::page();
     set(&mut page);
     out::print(page.into_text().as_bytes())
 }

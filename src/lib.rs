@@ -1,5 +1,5 @@
-//! `light`: what is true. The physics of rendering, the equations as objects, and the yardsticks
-//! (arbitrary precision, statistics, orders) that check them. It prints, parses, plots and times nothing.
+//! `light`: what is true. The physics of rendering, and nothing else: it prints, parses, plots and times nothing, and
+//! knows no equations. The feature `references` adds the same formulas in arbitrary precision, for those who check.
 //!
 //! # Conventions, stated once
 //!
@@ -30,16 +30,13 @@
 //! | energy flow, its averages and its balance | [`waves::flux`], [`waves::energy`] | `poynting` |
 //! | phases after any number of periods | [`waves::phase`] | `poynting` |
 //! | conduction, a stiff equation | [`waves::conduction`] | `maxwell` |
-//! | equations, units, faces, derivations | [`equation`] | every step |
-//! | references, condition numbers, orders, quadrature | [`evidence`] | every check |
+//! | references in arbitrary precision, condition numbers | `references` | every stress |
 
 pub mod em;
-pub mod equation;
-pub mod evidence;
 pub mod fields;
 pub mod optics;
-pub mod precise;
-pub mod sampling;
+#[cfg(any(test, feature = "references"))]
+pub mod references;
 pub mod waves;
 mod wide;
 

@@ -1,6 +1,6 @@
 //! Twice the digits of `f64` where a difference of nearly equal inputs would leave too few: an unevaluated sum of
 //! two `f64` (Dekker, *Numer. Math.* 18 (1971) 224; Knuth, TAOCP vol. 2, §4.2.2), about 31 decimal digits.
-//! Only what `optics` needs near critical angles and `waves` after many periods; everything wider is [`crate::precise`].
+//! Only what `optics` needs near critical angles and `waves` after many periods; everything wider is [`yardstick::precise`].
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -121,7 +121,7 @@ impl Wide {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::precise::{self, Real};
+    use yardstick::precise::{self, Real};
 
     fn distance(wide: Wide, exact: &Real) -> f64 {
         precise::to_f64(&(precise::real(wide.hi) + precise::real(wide.lo) - exact)).abs()

@@ -4,8 +4,8 @@
 use chapters::setting::Setting;
 use chapters::vocabulary::{Bench, Bound, Check, Derivation, Lane, Race, SEED, Stress, rms, verify};
 use chapters::{CURRICULUM, Step};
+use equation::derivation::{Chain, Verdict};
 use libtest_mimic::{Arguments, Failed, Trial};
-use light::equation::derivation::{Chain, Verdict};
 
 fn main() {
     let arguments = Arguments::from_args();

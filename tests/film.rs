@@ -2,14 +2,14 @@
 //! and against published values.
 
 use light::Complex64;
-use light::evidence::film::{condition, reference};
 use light::optics::film::{Layer, Polarisation, Powers, Stack};
 use light::optics::incidence::normal_squared;
 use light::optics::{Direction, Incidence};
-use light::precise::{Real, relative_error, to_f64};
-use light::sampling::{Stream, stream};
+use light::references::film::{condition, reference};
 use rand::RngExt;
 use std::f64::consts::{FRAC_PI_2, PI};
+use yardstick::precise::{Real, relative_error, to_f64};
+use yardstick::random::{Stream, stream};
 
 const EPSILON: f64 = f64::EPSILON;
 const BOTH: [Polarisation; 2] = [Polarisation::S, Polarisation::P];
@@ -501,7 +501,7 @@ fn amplitudes_agree_with_powers_and_with_the_reference() {
         for polarisation in BOTH {
             let ours = case.stack().response(case.wavelength, Incidence::from(case.angle), polarisation);
             let exact = reference(&case.stack(), case.wavelength, case.angle, polarisation);
-            let (r, t) = (light::precise::to_complex64(&exact.r), light::precise::to_complex64(&exact.t));
+            let (r, t) = (yardstick::precise::to_complex64(&exact.r), yardstick::precise::to_complex64(&exact.t));
             assert!((ours.r - r).norm() <= 1e-10 * r.norm(), "{case:?} {ours:?} {r}");
             assert!((ours.t - t).norm() <= 1e-10 * t.norm(), "{case:?} {ours:?} {t}");
         }

@@ -10,18 +10,18 @@ use crate::setting::Setting;
 use crate::vocabulary::{
     ALLOWED_ULPS, Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, Stress,
 };
+use equation::derivation::Chain;
+use equation::expr::{asin, cos, sin, tan};
+use equation::value::Bindings;
+use equation::{Equation, Expr};
 use light::Complex64;
-use light::equation::derivation::Chain;
-use light::equation::expr::{asin, cos, sin, tan};
-use light::equation::value::Bindings;
-use light::equation::{Equation, Expr};
-use light::evidence::fresnel::{Exact, Input};
 use light::optics::film::Polarisation;
 use light::optics::fresnel::{Amplitudes, amplitudes, brewster_angle, critical_angle};
 use light::optics::{Direction, Incidence};
-use light::precise;
-use light::sampling::uniform;
+use light::references::fresnel::{Exact, Input};
 use std::f64::consts::FRAC_PI_2;
+use yardstick::precise;
+use yardstick::random::uniform;
 
 /// How far the program may be from the equation, in units of ε(1 + κ).
 const AS_PROMISED: Bound = Bound::AtMost {

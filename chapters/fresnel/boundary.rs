@@ -5,9 +5,9 @@ use super::symbols::{E_1, E_1R, E_2, ELECTRIC, H_1, H_1R, H_2, MAGNETIC, N_1, N_
 use super::{INTERFACE, extremes, incidence, sample_inputs};
 use crate::setting::Setting;
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step};
-use light::equation::derivation::Chain;
-use light::equation::expr::{cos, cross, sin, vector};
-use light::equation::{Equation, Symbol};
+use equation::derivation::Chain;
+use equation::expr::{cos, cross, sin, vector};
+use equation::{Equation, Symbol};
 use light::optics::Incidence;
 use light::optics::film::Polarisation;
 use light::optics::fresnel::{Amplitudes, amplitudes};

@@ -7,12 +7,12 @@ use super::{INTERFACE, interface, pseudo_brewster};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, Stress};
-use light::equation::derivation::Chain;
-use light::equation::expr::{cos, pi, sin, tan};
-use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::evidence::fresnel::Input;
+use equation::derivation::Chain;
+use equation::expr::{cos, pi, sin, tan};
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::fresnel::{brewster_angle, powers, refract};
 use light::optics::{Direction, Incidence};
+use light::references::fresnel::Input;
 use std::f64::consts::FRAC_PI_2;
 
 const THETA_B: Symbol = Symbol::scalar("theta_B", Dimension::ONE).within(0.3, 1.2);

@@ -6,12 +6,12 @@ use crate::figure::{Axis, Map, Panel, Plot, Ramp};
 use crate::setting::{Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{ALLOWED_ULPS, Bench, Expects, Figure, Heat, Lane, Quantity, Race, Step, Stress, digits};
 use light::Complex64;
-use light::evidence::fresnel::{Exact, Input, NAMES};
 use light::optics::fresnel::{natural_reflectance, natural_reflectance_absorbing, powers};
 use light::optics::textbook::{self, natural_reflectance_by_cosines};
 use light::optics::{Direction, Incidence};
-use light::precise;
-use light::sampling::uniform;
+use light::references::fresnel::{Exact, Input, NAMES};
+use yardstick::precise;
+use yardstick::random::uniform;
 
 pub(super) const STEP: Step = Step {
     id: "digits",

@@ -7,13 +7,13 @@ use super::symbols::{N_1, N_2, R_N, R_P, R_S, T_P, T_S, THETA_1, THETA_2};
 use super::{INTERFACE, incidence, interface};
 use crate::setting::Setting;
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Extreme, Measured, Quantity, Statement, Step, Stress};
+use equation::derivation::Chain;
+use equation::expr::{cos, sin};
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
-use light::equation::derivation::Chain;
-use light::equation::expr::{cos, sin};
-use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::evidence::fresnel::{Input, NAMES};
 use light::optics::fresnel::{Powers, amplitudes, critical_angle, powers};
 use light::optics::{Direction, Incidence};
+use light::references::fresnel::{Input, NAMES};
 use std::f64::consts::FRAC_PI_2;
 
 const T_N: Symbol = Symbol::scalar("T_n", Dimension::ONE);

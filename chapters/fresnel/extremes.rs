@@ -2,10 +2,10 @@
 
 use crate::vocabulary::{ALLOWED_ULPS, Extreme};
 use light::Complex64;
-use light::evidence::fresnel::{Exact, Input, NAMES};
 use light::optics::{Direction, Incidence, fresnel, textbook};
-use light::precise;
+use light::references::fresnel::{Exact, Input, NAMES};
 use std::f64::consts::FRAC_PI_2;
+use yardstick::precise;
 
 /// A family of extreme inputs.
 #[derive(Debug)]

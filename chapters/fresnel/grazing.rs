@@ -5,11 +5,11 @@ use super::{INTERFACE, incidence, interface};
 use crate::figure::{Axis, Chart, Hue, Panel, Picture, Plot};
 use crate::setting::Setting;
 use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
+use equation::derivation::Chain;
+use equation::expr::{cos, d, ratio, sqrt};
+use equation::{Dimension, Equation, Expr, Symbol};
 use glam::DVec3;
 use light::Complex64;
-use light::equation::derivation::Chain;
-use light::equation::expr::{cos, d, ratio, sqrt};
-use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::Incidence;
 use light::optics::fresnel::powers;
 

@@ -8,21 +8,21 @@ use crate::setting::{Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{
     ALLOWED_ULPS, Bench, Bound, Check, Extreme, Figure, Measured, Quantity, Statement, Step, Stress,
 };
+use equation::expr::{cos, i, sin, sqrt, tan};
+use equation::value::Bindings;
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
-use light::equation::expr::{cos, i, sin, sqrt, tan};
-use light::equation::value::Bindings;
-use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::evidence::fresnel::{Exact, Input, NAMES};
-use light::evidence::order::slope;
 use light::optics::film::Polarisation;
 use light::optics::fresnel::{Amplitudes, Powers, amplitudes, brewster_angle, critical_angle, powers};
 use light::optics::incidence::{normal_squared, outgoing_root};
 use light::optics::material::{self, Medium};
 use light::optics::schlick::normal_reflectance;
 use light::optics::{Direction, Incidence};
-use light::precise;
-use light::sampling::uniform;
+use light::references::fresnel::{Exact, Input, NAMES};
 use std::f64::consts::PI;
+use yardstick::order::slope;
+use yardstick::precise;
+use yardstick::random::uniform;
 
 /// The metal behind the interface.
 const METAL: Parameter = Parameter { default: "gold", ..N_T };

@@ -22,8 +22,8 @@ mod total_reflection;
 use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::Chapter;
 use light::Complex64;
-use light::evidence::fresnel::Input;
 use light::optics::{Direction, Incidence, fresnel};
+use light::references::fresnel::Input;
 use std::f64::consts::FRAC_PI_2;
 
 /// The chapter.

@@ -9,17 +9,17 @@ use crate::setting::Setting;
 use crate::vocabulary::{
     Bench, Bound, Check, Derivation, Expects, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step, Stress,
 };
-use light::equation::derivation::Chain;
-use light::equation::expr::{cos, integral_between, pi, ratio, sin, tan};
-use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::evidence::fresnel::Input;
-use light::evidence::quadrature::gauss_legendre;
+use equation::derivation::Chain;
+use equation::expr::{cos, integral_between, pi, ratio, sin, tan};
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::fresnel::{
     Amplitudes, amplitudes, brewster_angle, critical_angle, diffuse_reflectance, natural_reflectance, powers,
 };
 use light::optics::{Direction, Incidence};
-use light::sampling::uniform;
+use light::references::fresnel::Input;
 use std::f64::consts::TAU;
+use yardstick::quadrature::gauss_legendre;
+use yardstick::random::uniform;
 
 const R_S: Symbol = Symbol::scalar("R_s", Dimension::ONE);
 const R_P: Symbol = Symbol::scalar("R_p", Dimension::ONE);

@@ -7,13 +7,13 @@ use super::symbols::{E_1, E_1R, E_2, ELECTRIC, MAGNETIC, N_1, N_2, NORMAL, R_S, 
 use super::{INTERFACE, incidence, interface, sample_inputs};
 use crate::setting::Setting;
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step, Stress};
-use light::equation::derivation::Chain;
-use light::equation::expr::{abs, cos, cross, dot};
-use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::evidence::fresnel::Input;
+use equation::derivation::Chain;
+use equation::expr::{abs, cos, cross, dot};
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::film::Polarisation;
 use light::optics::fresnel::{Amplitudes, Powers, amplitudes, powers};
 use light::optics::{Direction, Incidence};
+use light::references::fresnel::Input;
 
 const REFLECTANCE: Symbol = Symbol::scalar("R", Dimension::ONE);
 const TRANSMITTANCE: Symbol = Symbol::scalar("T", Dimension::ONE);

@@ -9,20 +9,20 @@ use crate::vocabulary::{
     ALLOWED_ULPS, Bench, Bound, Check, Derivation, Expects, Extreme, Figure, Heat, Lane, Measured, Quantity, Race,
     Statement, Step, Stress,
 };
+use equation::derivation::Chain;
+use equation::expr::{cos, d, pi, ratio};
+use equation::value::Bindings;
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
-use light::equation::derivation::Chain;
-use light::equation::expr::{cos, d, pi, ratio};
-use light::equation::value::Bindings;
-use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::evidence::fresnel::{Exact, Input, NAMES};
 use light::optics::fresnel::{critical_angle, natural_reflectance, natural_reflectance_absorbing, powers};
 use light::optics::material;
 use light::optics::schlick::{Dipped, normal_reflectance, schlick, schlick_rarer_side};
 use light::optics::{Direction, Incidence};
-use light::precise;
-use light::sampling::uniform;
+use light::references::fresnel::{Exact, Input, NAMES};
 use std::f64::consts::FRAC_PI_2;
 use std::hint::black_box;
+use yardstick::precise;
+use yardstick::random::uniform;
 
 pub(super) const STEP: Step = Step {
     id: "schlick",

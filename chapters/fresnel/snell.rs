@@ -5,14 +5,14 @@ use super::{INTERFACE, extremes, incidence};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
 use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
+use equation::derivation::Chain;
+use equation::expr::{asin, cos, partial, pi, sin};
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
-use light::equation::derivation::Chain;
-use light::equation::expr::{asin, cos, partial, pi, sin};
-use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::fresnel::refract;
 use light::optics::incidence::{normal_squared, outgoing_root};
 use light::optics::{Direction, Incidence, fresnel};
-use light::precise;
+use yardstick::precise;
 
 pub(super) const STEP: Step = Step {
     id: "snell",
@@ -226,8 +226,8 @@ fn refracted_cosines(setting: &Setting) -> Vec<Extreme> {
     let propagating = cases.into_iter().filter_map(|(direction, n_i, n_t)| {
         let incidence = Incidence::from(direction);
         let (_, cos_t) = refract(incidence, n_i, n_t)?;
-        let input = light::evidence::fresnel::Input { direction, n_i, n_t: Complex64::from(n_t) };
-        let (exact, condition) = light::evidence::fresnel::refracted_cosine(&input);
+        let input = light::references::fresnel::Input { direction, n_i, n_t: Complex64::from(n_t) };
+        let (exact, condition) = light::references::fresnel::refracted_cosine(&input);
         Some(Extreme {
             input: extremes::describe(&input),
             quantity: "cos θ_2",

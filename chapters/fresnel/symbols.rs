@@ -1,7 +1,7 @@
 //! The quantities of the chapter as symbols. Side 1 is where the light comes from, side 2 the other.
 //! Indices and angles are sampled off the real axis too: what is derived here holds for metals as well.
 
-use light::equation::{Dimension, Symbol};
+use equation::{Dimension, Symbol};
 
 /// Refractive index of the incident side.
 pub const N_1: Symbol = Symbol::scalar("n_1", Dimension::ONE).within(1.0, 2.0);

@@ -7,14 +7,14 @@ use super::{incidence, interface};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, Stress};
+use equation::derivation::Chain;
+use equation::expr::{abs, asin, conj, cos, cross, dot, exp, i, laplacian, re, sin, tan, vector};
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
-use light::equation::derivation::Chain;
-use light::equation::expr::{abs, asin, conj, cos, cross, dot, exp, i, laplacian, re, sin, tan, vector};
-use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::evidence::fresnel::Input;
 use light::optics::film::{Layer, Polarisation, Stack};
 use light::optics::fresnel::{amplitudes, critical_angle, evanescent_depth};
 use light::optics::{Direction, Incidence};
+use light::references::fresnel::Input;
 use std::f64::consts::FRAC_PI_2;
 
 use super::symbols::{E_2, ELECTRIC, MAGNETIC, N_1, N_2, NORMAL, OMEGA, Q_2, T, THETA_1, THETA_2, X, Z, Z_0};

@@ -5,12 +5,12 @@ use crate::figure::{Axis, Chart, Dash, Hue, Map, Mark, Panel, Plot, Ramp, Shape}
 use crate::fresnel::media;
 use crate::setting::{Kind, Parameter, Setting};
 use crate::vocabulary::{Bound, Check, Figure, Measured, Quantity, Statement, Step, fitted_order, rms};
+use equation::{Dimension, Equation, Symbol};
 use light::Complex64;
 use light::em::line::{Ends, Line, Setup};
 use light::em::plane::{self, Plane};
 use light::em::pulse::amplitude;
 use light::em::{C, Medium, Pulse, Stepping};
-use light::equation::{Dimension, Equation, Symbol};
 use light::optics::Incidence;
 use light::optics::film::Polarisation;
 use light::optics::fresnel::powers;

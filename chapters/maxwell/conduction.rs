@@ -4,13 +4,13 @@ use crate::figure::{Axis, Chart, Dash, Hue, Mark, Plot, Shape};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::symbols::{E, EPSILON, H, SIGMA, T};
 use crate::vocabulary::{Derivation, Expects, Extreme, Figure, Heat, Lane, Quantity, Race, Statement, Step, Stress};
+use equation::derivation::Chain;
+use equation::expr::{curl, exp, partial};
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::em::Conduction;
-use light::equation::derivation::Chain;
-use light::equation::expr::{curl, exp, partial};
-use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::evidence::waves as exact;
-use light::precise;
+use light::references::waves as exact;
 use light::waves::conduction::{Cell, Scheme, Update};
+use yardstick::precise;
 
 const TANGENT: Parameter = Parameter {
     name: "tau",

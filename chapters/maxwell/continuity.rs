@@ -3,16 +3,16 @@
 use crate::setting::Setting;
 use crate::symbols::{D, E, EPSILON, H, J, RHO, SIGMA, T};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step};
+use equation::derivation::Chain;
+use equation::expr::{curl, divergence, partial};
+use equation::{Equation, Expr};
 use light::em::ledger::Balance;
 use light::em::line::{self, Ends};
 use light::em::plane::{Plane, Polarisation, Region, Setup, Sides};
 use light::em::{C, Line, Medium, Pulse, Stepping, Z_0};
-use light::equation::derivation::Chain;
-use light::equation::expr::{curl, divergence, partial};
-use light::equation::{Equation, Expr};
-use light::sampling::uniform;
 use light::waves::constants::EPSILON_0;
 use light::waves::substance;
+use yardstick::random::uniform;
 
 pub(super) const STEP: Step = Step {
     id: "continuity",

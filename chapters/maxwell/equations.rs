@@ -4,14 +4,14 @@ use crate::figure::{Axis, Dash, Hue, Map, Mark, Panel, Plot, Ramp};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::symbols::{B, D, E, H, J, RHO, T};
 use crate::vocabulary::{Bench, Bound, Check, Figure, Measured, Quantity, Statement, Step};
-use light::equation::Equation;
-use light::equation::expr::{curl, divergence, partial};
-use light::evidence::quadrature::{gauss, gauss_legendre};
+use equation::Equation;
+use equation::expr::{curl, divergence, partial};
 use light::fields::charge::MovingCharge;
 use light::fields::{Vector, dot};
-use light::sampling::uniform;
 use light::waves::constants::C;
 use std::f64::consts::{PI, TAU};
+use yardstick::quadrature::{gauss, gauss_legendre};
+use yardstick::random::uniform;
 
 const BETA: Parameter = Parameter {
     name: "beta",

@@ -3,16 +3,16 @@
 use crate::figure::{Axis, Chart, Hue, Map, Mark, Panel, Plot, Ramp, Shape};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
+use equation::derivation::Chain;
+use equation::expr::{exp, i, sin};
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
 use light::em::line::{Ends, Line, Setup};
 use light::em::plane::{self, Plane, Polarisation};
 use light::em::theory::{growth_per_step, phase_per_step, phase_velocity};
 use light::em::{Stepping, Z_0};
-use light::equation::derivation::Chain;
-use light::equation::expr::{exp, i, sin};
-use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::sampling::uniform;
 use std::f64::consts::{PI, TAU};
+use yardstick::random::uniform;
 
 const COURANT: Parameter = Parameter {
     name: "courant",

@@ -8,19 +8,19 @@ use crate::setting::Setting;
 use crate::vocabulary::{
     Bench, Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress,
 };
+use equation::derivation::Chain;
+use equation::expr::{cross, dot, vector};
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
-use light::equation::derivation::Chain;
-use light::equation::expr::{cross, dot, vector};
-use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::evidence::fresnel::Input;
 use light::fields::surface::{Side, free_charge};
 use light::optics::Incidence;
 use light::optics::film::Polarisation;
 use light::optics::fresnel::amplitudes;
 use light::optics::incidence::{normal_squared, outgoing_root};
-use light::precise::{self, Real};
+use light::references::fresnel::Input;
 use light::waves::constants::EPSILON_0;
 use std::f64::consts::TAU;
+use yardstick::precise::{self, Real};
 
 pub(super) const STEP: Step = Step {
     id: "interface",

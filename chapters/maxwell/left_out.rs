@@ -4,9 +4,9 @@ use super::throughput::{ROUNDED, THROUGHPUT};
 use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::vocabulary::{Bench, Bound, Check, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step};
+use equation::{Dimension, Equation, Symbol};
 use light::em::line::{Ends, Line, Setup};
 use light::em::{C, Medium, Pulse, Stepping, Z_0};
-use light::equation::{Dimension, Equation, Symbol};
 use std::f64::consts::TAU;
 
 const CELLS: Parameter = Parameter {

@@ -4,13 +4,13 @@ use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::symbols::{B, D, E, EPSILON, H, J, MU, SIGMA};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
-use light::equation::derivation::Chain;
-use light::equation::expr::vector;
-use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::evidence::initial_value::runge_kutta;
+use equation::derivation::Chain;
+use equation::expr::vector;
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::fields::tensor::{Tensor, hall_conductivity};
 use light::fields::{Vector, cross, dot};
-use light::sampling::uniform;
+use yardstick::initial_value::runge_kutta;
+use yardstick::random::uniform;
 
 const ORDINARY: Parameter = Parameter {
     name: "n_o",

@@ -1,6 +1,6 @@
 //! The quantities at an interface as symbols: 1 is the side from which the normal n points, 2 the side to which it points.
 
-use light::equation::{Dimension, Symbol};
+use equation::{Dimension, Symbol};
 
 /// Impedance of the vacuum.
 pub const Z_0: Symbol = Symbol::scalar("Z_0", Dimension::OHM).real(0.5, 2.0);

@@ -8,17 +8,17 @@ use crate::figure::{Axis, Chart, Dash, Hue, Mark, Plot};
 use crate::setting::{Conductor, FREQUENCY, MEDIUM, Setting};
 use crate::symbols::{AMPLITUDE, B, DELTA, E, EPSILON, H, J, K, K_VECTOR, MU, OMEGA, SIGMA, T, Z, Z_C};
 use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
+use equation::derivation::Chain;
+use equation::expr::{curl, divergence, dot, exp, i, laplacian, partial, pi, ratio, sqrt, tan, vector};
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
-use light::equation::derivation::Chain;
-use light::equation::expr::{curl, divergence, dot, exp, i, laplacian, partial, pi, ratio, sqrt, tan, vector};
-use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::evidence::initial_value::runge_kutta;
-use light::evidence::waves::{NAMES, PlaneWave, flat};
-use light::precise;
+use light::references::waves::{NAMES, PlaneWave, flat};
 use light::waves::constants::EPSILON_0;
 use light::waves::substance::{self, SUBSTANCES};
 use light::waves::{Medium, Wave, textbook};
 use std::f64::consts::{PI, TAU};
+use yardstick::initial_value::runge_kutta;
+use yardstick::precise;
 
 /// The angle by which H lags E.
 const PHI: Symbol = Symbol::scalar("phi", Dimension::ONE).real(0.1, 0.7);

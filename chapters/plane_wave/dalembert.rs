@@ -6,12 +6,12 @@ use crate::figure::{Axis, Chart, Hue, Map, Plot, Ramp};
 use crate::setting::Setting;
 use crate::symbols::{E, EPSILON, F_1, F_2, MU, T, WAVE, Z};
 use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Statement, Step, fitted_order};
+use equation::derivation::Chain;
+use equation::expr::{laplacian, sqrt, vector};
+use equation::{Equation, Expr};
 use light::em::line::{Ends, Line, Setup};
 use light::em::wave::{Problem, Scheme};
 use light::em::{Stepping, Z_0};
-use light::equation::derivation::Chain;
-use light::equation::expr::{laplacian, sqrt, vector};
-use light::equation::{Equation, Expr};
 
 pub(super) const STEP: Step = Step {
     id: "dalembert",

@@ -3,10 +3,10 @@
 
 use glam::DVec3;
 use light::Complex64;
-use light::evidence::quadrature::{gauss, gauss_legendre};
-use light::sampling::{Stream, uniform};
 use light::waves::{Medium, Wave};
 use std::f64::consts::TAU;
+use yardstick::quadrature::{gauss, gauss_legendre};
+use yardstick::random::{Stream, uniform};
 
 /// A field of arrows over place [m] and time [s].
 pub type Field<'a> = &'a dyn Fn(DVec3, f64) -> DVec3;

@@ -2,7 +2,7 @@
 
 use crate::function::{Arguments, Function, Input, Output};
 use crate::setting::{CONDUCTIVITY, Fault, RELATIVE};
-use light::evidence::waves::{NAMES, flat};
+use light::references::waves::{NAMES, flat};
 use light::waves::constants::{EPSILON_0, MU_0};
 use light::waves::{Invalid, Medium, Wave};
 use std::f64::consts::TAU;

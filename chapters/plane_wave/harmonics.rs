@@ -6,11 +6,11 @@ use crate::figure::{Axis, Chart, Hue, Plot, Shape};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::symbols::{K, OMEGA, T, WAVE, Z};
 use crate::vocabulary::{Bench, Bound, Check, Expects, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step};
-use light::equation::expr::{Range, exp, i, integral};
-use light::equation::{Dimension, Equation, Symbol};
-use light::evidence::quadrature::gauss_legendre;
+use equation::expr::{Range, exp, i, integral};
+use equation::{Dimension, Equation, Symbol};
 use light::waves::harmonics::Spectrum;
 use std::f64::consts::PI;
+use yardstick::quadrature::gauss_legendre;
 
 /// What a wave holds of each frequency.
 const SPECTRUM: Symbol = Symbol::scalar("a", Dimension::VOLT_PER_METRE.times(Dimension::SECOND));
@@ -144,7 +144,7 @@ fn parseval(bench: &mut Bench, share: f64) -> Measured {
     let counts = [3, 65, 257, 1025];
     Measured::worst(counts.into_iter().flat_map(|count| {
         let at = |j: usize| j as f64 / count as f64 * PERIOD;
-        let noise = (0..count).map(|_| light::sampling::uniform(&mut bench.stream, -1.0, 1.0)).collect::<Vec<_>>();
+        let noise = (0..count).map(|_| yardstick::random::uniform(&mut bench.stream, -1.0, 1.0)).collect::<Vec<_>>();
         let pulses = [
             ("smooth", (0..count).map(|j| smooth(at(j))).collect()),
             ("square", (0..count).map(|j| square(at(j))).collect()),

@@ -5,12 +5,12 @@ use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::symbols::{C, T, WAVE, Z};
 use crate::vocabulary::{Bench, Expects, Figure, Heat, Lane, Quantity, Race, Statement, Step};
+use equation::Equation;
+use equation::expr::partial;
 use light::em::wave::{Problem, Scheme};
-use light::equation::Equation;
-use light::equation::expr::partial;
-use light::precise;
-use light::sampling::uniform;
 use std::f64::consts::TAU;
+use yardstick::precise;
+use yardstick::random::uniform;
 
 const CELLS: Parameter = Parameter {
     name: "cells",

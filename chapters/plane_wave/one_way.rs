@@ -2,11 +2,11 @@
 
 use crate::symbols::{B, E, EPSILON, F_B, F_E, MU, T, V, Z};
 use crate::vocabulary::{Bound, Check, Derivation, Measured, Statement, Step};
+use equation::derivation::Chain;
+use equation::expr::{curl, divergence, partial, vector};
+use equation::{Equation, Expr};
 use light::em::line::{Ends, Line, Setup};
 use light::em::{Medium, Stepping, Wall, Z_0};
-use light::equation::derivation::Chain;
-use light::equation::expr::{curl, divergence, partial, vector};
-use light::equation::{Equation, Expr};
 
 pub(super) const STEP: Step = Step {
     id: "one_way",

@@ -3,14 +3,14 @@
 use super::fields::{Patch, Plane, crowd, outflows, over_time};
 use crate::symbols::{B, D, E, EPSILON, H, J, MU, RHO, T};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Statement, Step};
+use equation::derivation::Chain;
+use equation::expr::{curl, divergence, partial};
+use equation::{Equation, Expr, Symbol};
 use glam::DVec3;
-use light::equation::derivation::Chain;
-use light::equation::expr::{curl, divergence, partial};
-use light::equation::{Equation, Expr, Symbol};
-use light::sampling::uniform;
 use light::waves::Medium;
 use light::waves::constants::C;
 use std::f64::consts::TAU;
+use yardstick::random::uniform;
 
 pub(super) const STEP: Step = Step {
     id: "source_free",

@@ -2,8 +2,8 @@
 
 use crate::symbols::{C, EPSILON_0, MU_0};
 use crate::vocabulary::{Bound, Check, Measured, Quantity, Statement, Step};
-use light::equation::Equation;
-use light::equation::expr::sqrt;
+use equation::Equation;
+use equation::expr::sqrt;
 use light::waves::constants;
 use std::f64::consts::PI;
 

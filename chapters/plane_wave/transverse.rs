@@ -6,14 +6,14 @@ use super::{VACUUM, quantity};
 use crate::setting::{FREQUENCY, Setting};
 use crate::symbols::{A_VECTOR, AMPLITUDE, B, E, EPSILON, H, K, K_VECTOR, MU, OMEGA, R, T, V, Z, Z_C};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step};
+use equation::derivation::{Chain, Claim};
+use equation::expr::{abs, cos, cross, curl, divergence, dot, exp, i, partial, sin, sqrt, vector};
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
-use light::equation::derivation::{Chain, Claim};
-use light::equation::expr::{abs, cos, cross, curl, divergence, dot, exp, i, partial, sin, sqrt, vector};
-use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::{Incidence, fresnel};
-use light::sampling::uniform;
 use light::waves::constants::{C, Z_0};
 use light::waves::{Medium, Wave};
+use yardstick::random::uniform;
 
 pub(super) const STEP: Step = Step {
     id: "transverse",

@@ -3,11 +3,11 @@
 use super::fields::{Dipole, Field, acceleration, curl as curl_of, direction, laplacian as laplacian_of, rate};
 use crate::symbols::{B, E, EPSILON, MU, T};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Statement, Step, fitted_order, rms};
+use equation::derivation::Chain;
+use equation::expr::{curl, divergence, gradient, laplacian, partial};
+use equation::{Equation, Expr, Symbol};
 use glam::DVec3;
-use light::equation::derivation::Chain;
-use light::equation::expr::{curl, divergence, gradient, laplacian, partial};
-use light::equation::{Equation, Expr, Symbol};
-use light::sampling::uniform;
+use yardstick::random::uniform;
 
 pub(super) const STEP: Step = Step {
     id: "wave_equation",

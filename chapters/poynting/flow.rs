@@ -6,11 +6,11 @@ use crate::plane_wave::{GREEN, VACUUM, described, quantity, wave};
 use crate::setting::Setting;
 use crate::symbols::{B, E, MU, S};
 use crate::vocabulary::{Bound, Check, Figure, Measured, Statement, Step};
+use equation::Equation;
+use equation::expr::cross;
 use glam::DVec3;
-use light::equation::Equation;
-use light::equation::expr::cross;
-use light::evidence::quadrature::gauss_legendre;
 use std::f64::consts::{PI, TAU};
+use yardstick::quadrature::gauss_legendre;
 
 pub(super) const STEP: Step = Step {
     id: "flow",

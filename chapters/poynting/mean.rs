@@ -8,17 +8,17 @@ use crate::symbols::{AMPLITUDE, E, EPSILON, H, K, OMEGA, PERIOD, S, T, V, Z};
 use crate::vocabulary::{
     Bound, Check, Derivation, Expects, Extreme, Figure, Heat, Lane, Measured, Race, Statement, Step, Stress,
 };
-use light::equation::derivation::Chain;
-use light::equation::expr::{abs, cos, cross, dot, integral_between, mean, pi, ratio, sin, vector};
-use light::equation::{Equation, Expr};
-use light::evidence::quadrature::{gauss_legendre, simpson, trapezoid};
-use light::evidence::waves::phase;
-use light::precise;
-use light::sampling::uniform;
+use equation::derivation::Chain;
+use equation::expr::{abs, cos, cross, dot, integral_between, mean, pi, ratio, sin, vector};
+use equation::{Equation, Expr};
+use light::references::waves::phase;
 use light::waves::flux::{mean_of_pulse_train, pulse_train};
 use light::waves::phase::{cis, cycles};
 use light::waves::textbook::cos_of_time;
 use light::waves::{Medium, Wave};
+use yardstick::precise;
+use yardstick::quadrature::{gauss_legendre, simpson, trapezoid};
+use yardstick::random::uniform;
 
 pub(super) const STEP: Step = Step {
     id: "mean",

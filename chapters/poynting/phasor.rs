@@ -4,14 +4,14 @@ use crate::plane_wave::{quantity, wave};
 use crate::setting::{FREQUENCY, MEDIUM};
 use crate::symbols::{AMPLITUDE, OMEGA, PERIOD, S, T};
 use crate::vocabulary::{Bound, Check, Derivation, Measured, Statement, Step};
+use equation::derivation::Chain;
+use equation::expr::{abs, conj, cos, exp, i, integral_between, mean, pi, ratio, re, sin};
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
-use light::equation::derivation::Chain;
-use light::equation::expr::{abs, conj, cos, exp, i, integral_between, mean, pi, ratio, re, sin};
-use light::equation::{Dimension, Equation, Expr, Symbol};
-use light::evidence::quadrature::gauss_legendre;
 use light::waves::constants::{EPSILON_0, Z_0};
 use light::waves::flux::mean_by_phasors;
 use light::waves::{Medium, Wave};
+use yardstick::quadrature::gauss_legendre;
 
 /// Amplitude of the magnetic field.
 const AMPLITUDE_H: Symbol = Symbol::scalar("A_H", Dimension::AMPERE_PER_METRE).real(0.5, 2.0);

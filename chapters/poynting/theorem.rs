@@ -6,18 +6,18 @@ use crate::plane_wave::{quantity, wave};
 use crate::setting::{FREQUENCY, MEDIUM, Setting};
 use crate::symbols::{A_VECTOR, B, E, EPSILON, H, J, K_VECTOR, MU, OMEGA, S, T, U_DENSITY};
 use crate::vocabulary::{Bench, Bound, Check, Derivation, Extreme, Measured, Quantity, Statement, Step, Stress};
+use equation::derivation::Chain;
+use equation::expr::{cross, curl, divergence, dot, partial};
+use equation::{Equation, Expr};
 use glam::DVec3;
-use light::equation::derivation::Chain;
-use light::equation::expr::{cross, curl, divergence, dot, partial};
-use light::equation::{Equation, Expr};
-use light::evidence::quadrature::gauss_legendre;
-use light::evidence::waves::{NAMES, PlaneWave};
-use light::precise::{self, Real};
-use light::sampling::uniform;
+use light::references::waves::{NAMES, PlaneWave};
 use light::waves::constants::{C, EPSILON_0};
 use light::waves::energy::Running;
 use light::waves::{Medium, Wave};
 use std::f64::consts::TAU;
+use yardstick::precise::{self, Real};
+use yardstick::quadrature::gauss_legendre;
+use yardstick::random::uniform;
 
 pub(super) const STEP: Step = Step {
     id: "theorem",

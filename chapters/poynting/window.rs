@@ -4,10 +4,10 @@ use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
 use crate::plane_wave::{GREEN, VACUUM, described, quantity};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::vocabulary::{Bound, Check, Expects, Figure, Heat, Lane, Measured, Race, Step, fitted_order};
-use light::evidence::quadrature::gauss_legendre;
-use light::evidence::waves::phase;
-use light::precise;
+use light::references::waves::phase;
 use light::waves::flux::{Flux, Window};
+use yardstick::precise;
+use yardstick::quadrature::gauss_legendre;
 
 const PERIODS: Parameter = Parameter {
     name: "periods",

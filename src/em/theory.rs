@@ -37,7 +37,7 @@ pub fn phase_velocity(k: &[f64], courant: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evidence::order;
+    use yardstick::order;
 
     #[test]
     fn speed_error_is_of_second_order_and_vanishes_at_the_magic_step() {

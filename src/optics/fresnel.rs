@@ -470,7 +470,7 @@ mod tests {
         // Walsh's factor for n = 1.5 as tabulated by Duntley (1942): 0.092.
         assert!((diffuse_reflectance(1.5) - 0.0918).abs() < 5e-5);
         for n in [1.1, 1.33, 1.5, 2.4] {
-            let rule = crate::evidence::quadrature::gauss_legendre(64);
+            let rule = yardstick::quadrature::gauss_legendre(64);
             let integral: f64 = rule
                 .iter()
                 .map(|&(cos, weight)| {

@@ -188,9 +188,9 @@ pub struct Adaptive {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evidence::{order, waves as exact};
-    use crate::precise;
+    use crate::references::{order, waves as exact};
     use proptest::prelude::*;
+    use yardstick::precise;
 
     proptest! {
         #[test]

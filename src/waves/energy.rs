@@ -178,7 +178,7 @@ mod tests {
         #[test]
         fn the_pieces_are_the_integrals((running, wavelength) in running(), near in 0.0..0.5, t in 0.0..5.0) {
             let (near, far, t) = (near * wavelength, (near + 0.7) * wavelength, t / running.wave.omega);
-            let rule = crate::evidence::quadrature::gauss_legendre(24);
+            let rule = yardstick::quadrature::gauss_legendre(24);
             let over = |f: &dyn Fn(f64) -> f64| -> f64 {
                 rule.iter().map(|&(u, weight)| weight * (far - near) * f(near + u * (far - near))).sum()
             };

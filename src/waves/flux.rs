@@ -151,9 +151,9 @@ pub fn mean_of_pulse_train(sharpness: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evidence::quadrature::{gauss_legendre, simpson, trapezoid};
     use crate::waves::Medium;
     use proptest::prelude::*;
+    use yardstick::quadrature::{gauss_legendre, simpson, trapezoid};
 
     fn over(rule: &[(f64, f64)], f: impl Fn(f64) -> f64) -> f64 {
         rule.iter().map(|&(u, weight)| weight * f(u)).sum()
@@ -214,8 +214,8 @@ mod tests {
         // 545 of its periods make a picosecond exactly, so half a second later the flux has come back to the same value.
         let (early, late) = (flux.at(2f64.powi(-60)), flux.at(0.5 + 2f64.powi(-52)));
         assert!((0.0..=2.0).contains(&early) && (0.0..=2.0).contains(&late));
-        let exact = crate::evidence::waves::phase(5.45e14, 0.5 + 2f64.powi(-52));
-        let expected = 2.0 * crate::precise::to_f64(&exact.cos).powi(2);
+        let exact = crate::references::waves::phase(5.45e14, 0.5 + 2f64.powi(-52));
+        let expected = 2.0 * yardstick::precise::to_f64(&exact.cos).powi(2);
         assert!((late - expected).abs() < 4.0 * f64::EPSILON, "{late} {expected}");
         let naive = 2.0 * crate::waves::textbook::cos_of_time(5.45e14, 0.5 + 2f64.powi(-52)).powi(2);
         assert!((naive - expected).abs() > 1e-3, "{naive} {expected}");
@@ -227,7 +227,8 @@ mod tests {
         let ripple = Flux { mean: 0.0, swing: 1.0, frequency: 5.45e14, phase: 0.0, lag: 0.0 };
         for periods in [1.0e3, 1.0e6, 1.0e9, 1.0e12] {
             let duration = (periods + 0.3) / ripple.frequency;
-            let sine = crate::precise::to_f64(&crate::evidence::waves::phase(2.0 * ripple.frequency, duration).sin);
+            let sine =
+                yardstick::precise::to_f64(&crate::references::waves::phase(2.0 * ripple.frequency, duration).sin);
             let expected = sine / (4.0 * PI * ripple.frequency * duration);
             let found = ripple.average(Window::Box, 0.0, duration);
             assert!((found / expected - 1.0).abs() < 1e-14, "{periods}: {found} {expected}");

@@ -145,8 +145,8 @@ fn share(place: &'static str, width: f64, period: f64) -> Result<f64, Invalid> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evidence::quadrature::gauss_legendre;
     use proptest::prelude::*;
+    use yardstick::quadrature::gauss_legendre;
 
     fn gaussian(x: f64) -> f64 {
         // Three images: the next one is below rounding.
@@ -197,7 +197,7 @@ mod tests {
     fn truncation_errs_algebraically_on_a_square_and_spectrally_on_a_gaussian() {
         let square = Spectrum::of_square(0.3, 1.0, 1 << 18).unwrap();
         let points: Vec<_> = (4..12).map(|k| (f64::from(1 << k), square.tail(1 << k))).collect();
-        assert!((crate::evidence::order::slope(&points).unwrap() + 0.5).abs() < 0.02);
+        assert!((yardstick::order::slope(&points).unwrap() + 0.5).abs() < 0.02);
         let smooth = Spectrum::of_gaussian(0.05, 1.0, 64).unwrap();
         assert!(smooth.tail(4) > 1e-2 && smooth.tail(12) < 1e-3 && smooth.tail(24) < 1e-12);
         let sampled = Spectrum::of(|x| gaussian(x + 0.5), 1.0, 128).unwrap();

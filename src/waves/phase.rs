@@ -50,9 +50,9 @@ pub fn cis_of_product(a: f64, b: f64) -> Complex64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evidence::waves::phase;
-    use crate::precise;
+    use crate::references::waves::phase;
     use proptest::prelude::*;
+    use yardstick::precise;
 
     proptest! {
         #[test]

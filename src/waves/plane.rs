@@ -220,9 +220,9 @@ impl Wave {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evidence::waves::{NAMES, PlaneWave, flat};
-    use crate::precise;
-    use crate::sampling::{stream, uniform};
+    use crate::references::waves::{NAMES, PlaneWave, flat};
+    use yardstick::precise;
+    use yardstick::random::{stream, uniform};
 
     /// The worst error of any output over what 16 ε(1+κ) allows, where the answer is a normal number.
     fn excess(medium: &Medium, omega: f64) -> (f64, &'static str) {
@@ -252,7 +252,7 @@ mod tests {
         (0..NAMES.len()).map(|at| (of(at), NAMES[at])).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap()
     }
 
-    fn power(stream: &mut crate::sampling::Stream, low: f64, high: f64) -> f64 {
+    fn power(stream: &mut yardstick::random::Stream, low: f64, high: f64) -> f64 {
         10f64.powf(uniform(stream, low, high))
     }
 

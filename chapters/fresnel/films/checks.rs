@@ -4,13 +4,13 @@ use super::{BOTH, Films, film, quarter_film};
 use crate::setting::DEFAULT_WAVELENGTH;
 use crate::vocabulary::{ALLOWED_ULPS, Bench, Bound, Check, Measured};
 use light::Complex64;
-use light::evidence::film::{condition, reference};
 use light::optics::film::{Layer, Polarisation, Powers};
 use light::optics::fresnel::amplitudes_between;
 use light::optics::{Direction, Incidence};
-use light::precise::{self, Real};
-use light::sampling::uniform;
+use light::references::film::{condition, reference};
 use std::f64::consts::TAU;
+use yardstick::precise::{self, Real};
+use yardstick::random::uniform;
 
 pub(super) const BOUNCES: Check = Check {
     id: "every_bounce",

@@ -4,12 +4,12 @@ use super::checks::quarter_wave_mirror;
 use super::{Films, film};
 use crate::setting::DEFAULT_WAVELENGTH;
 use crate::vocabulary::Extreme;
-use light::evidence::film::{condition, reference};
 use light::optics::film::textbook::{characteristic_matrix, recursion};
 use light::optics::film::{Layer, Polarisation, Powers, Stack};
 use light::optics::{Direction, Incidence};
-use light::precise::{self};
+use light::references::film::{condition, reference};
 use std::f64::consts::{FRAC_PI_3, FRAC_PI_4};
+use yardstick::precise::{self};
 
 /// The powers that a textbook form gives.
 type TextbookForm = fn(&Stack, f64, Incidence, Polarisation) -> Powers;

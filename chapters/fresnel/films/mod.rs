@@ -14,10 +14,10 @@ use super::symbols::{K_0, N_1, N_2, THETA_1, THETA_2};
 use super::{N_I, N_T};
 use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{Derivation, Figure, Quantity, Race, Statement, Step, Stress};
+use equation::derivation::Chain;
+use equation::expr::{cos, exp, i, pi, sin, sqrt};
+use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
-use light::equation::derivation::Chain;
-use light::equation::expr::{cos, exp, i, pi, sin, sqrt};
-use light::equation::{Dimension, Equation, Expr, Symbol};
 use light::optics::Incidence;
 use light::optics::film::{Layer, Polarisation, Stack};
 

@@ -4,11 +4,11 @@ use super::checks::quarter_wave_mirror;
 use super::{Films, film, quarter_film};
 use crate::setting::DEFAULT_WAVELENGTH;
 use crate::vocabulary::{Expects, Heat, Lane, Measured, Race};
-use light::evidence::film::{Reference, reference};
 use light::optics::film::textbook::{characteristic_matrix, recursion, transfer_matrix};
 use light::optics::film::{Polarisation, Powers, Stack};
 use light::optics::{Direction, Incidence};
-use light::precise::{self, Real};
+use light::references::film::{Reference, reference};
+use yardstick::precise::{self, Real};
 
 pub(super) const ORDINARY: Race = Race {
     id: "",

@@ -3,11 +3,11 @@ use crate::em::line::{Ends, Setup};
 use crate::em::plane::{self, Polarisation, Region};
 use crate::em::pulse::amplitude;
 use crate::em::{C, EPSILON_0, Line, Medium, Plane, Stepping};
-use crate::evidence::order;
 use crate::optics::film::{self, Layer, Stack};
 use crate::optics::{Incidence, fresnel};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
+use yardstick::order;
 
 const FREQUENCY: f64 = 15e9;
 const OMEGA: f64 = TAU * FREQUENCY;

@@ -3,9 +3,9 @@ use crate::em::line::{Ends, Setup};
 use crate::em::plane::{self, Polarisation, Sides};
 use crate::em::wave::{Problem, Scheme};
 use crate::em::{Line, Medium, Plane, Stepping, Z_0, theory};
-use crate::evidence::order;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
+use yardstick::order;
 
 /// A wave of `k` turns along a periodic line, started as the grid would have it: E at 0, H half a step later.
 #[test]

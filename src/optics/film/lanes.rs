@@ -276,7 +276,7 @@ pub(super) fn decay<const L: usize>(x: Lanes<L>) -> Decay<L> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::precise::{real, relative_error};
+    use yardstick::precise::{real, relative_error};
 
     fn phases() -> impl Iterator<Item = f64> {
         (0..4000).map(|i| 10f64.powf(f64::from(i) * 0.004 - 6.0)).chain([0.0, PI / 2.0, PI, 7.0 * PI, 1e-300])
@@ -289,7 +289,7 @@ mod tests {
             let (sin, cos) = real(alpha).sin_cos();
             let sign = if half.turns.0[0] % 2.0 == 0.0 { 1.0 } else { -1.0 };
             assert!(relative_error(sign * half.sin.0[0], &sin) <= 3.0 * f64::EPSILON, "sin {alpha:e}");
-            let error = crate::precise::to_f64(&(real(sign * half.cos.0[0]) - cos)).abs();
+            let error = yardstick::precise::to_f64(&(real(sign * half.cos.0[0]) - cos)).abs();
             assert!(error <= 2.0 * f64::EPSILON, "cos {alpha:e}: {error:e}");
         }
     }

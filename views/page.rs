@@ -1,0 +1,573 @@
+//! Text set to a width: wrapped by display columns, coloured by meaning or not at all.
+
+use equation::face::Block;
+use pulldown_cmark::{Event, Parser, Tag, TagEnd};
+use std::borrow::Cow;
+use unicode_width::UnicodeWidthStr;
+
+/// What a piece of text means; the only thing that decides its colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tone {
+    Plain,
+    Heading,
+    Emphasis,
+    Strong,
+    /// What one types; shown letter by letter, as the next two are.
+    Code,
+    /// A word of the command line.
+    Name,
+    Address,
+    Equation,
+    /// Units, asides.
+    Dim,
+    Good,
+    Bad,
+}
+
+impl Tone {
+    /// The "select graphic rendition" parameters of ECMA-48.
+    fn ansi(self) -> &'static str {
+        match self {
+            Self::Plain => "",
+            Self::Heading => "1;4",
+            Self::Emphasis => "3",
+            Self::Strong | Self::Name => "1",
+            Self::Code => "33",
+            Self::Equation => "36",
+            Self::Dim | Self::Address => "2",
+            Self::Good => "32",
+            Self::Bad => "1;31",
+        }
+    }
+
+    /// `text` as it is shown: typeset, unless it is there to be typed.
+    fn face(self, text: &str) -> Cow<'_, str> {
+        match self {
+            Self::Code | Self::Name | Self::Address => Cow::Borrowed(text),
+            _ => Cow::Owned(typeset(text)),
+        }
+    }
+}
+
+/// Columns that the last cell of a row is worth being wrapped in.
+const LAST_CELL: usize = 16;
+
+/// A piece of text and what it means.
+pub type Span<'a> = (Tone, &'a str);
+
+/// A page that is being set.
+#[derive(Debug)]
+pub struct Page {
+    width: usize,
+    colour: bool,
+    text: String,
+    /// Where sections begin [byte].
+    sections: Vec<usize>,
+}
+
+impl Page {
+    /// A page of `width` columns (40 to 100 are used).
+    pub fn new(width: usize, colour: bool) -> Self {
+        Self { width: width.clamp(40, 100), colour, text: String::new(), sections: Vec::new() }
+    }
+
+    /// The page so far.
+    pub fn into_text(self) -> String {
+        self.text
+    }
+
+    /// The page so far as screens of at most `height` lines: a section that does not fit under the one before it
+    /// begins a new screen, unless it is longer than a screen; such a one breaks where lines are empty.
+    pub fn into_screens(self, height: usize) -> Vec<String> {
+        let ends = self.sections.iter().copied().skip(1).chain([self.text.len()]);
+        let starts = self.sections.iter().copied();
+        let mut screens: Vec<Vec<&str>> = Vec::new();
+        for (start, end) in starts.zip(ends) {
+            let mut rest: Vec<&str> = self.text[start..end].trim_end().lines().collect();
+            if let Some(last) = screens.last_mut() {
+                let room = height.saturating_sub(last.len() + 1);
+                if rest.len() <= room || (rest.len() > height && room > height / 2) {
+                    let tail = rest.split_off(breaking(&rest, room));
+                    last.push("");
+                    last.append(&mut rest);
+                    rest = tail;
+                }
+            }
+            while !rest.is_empty() {
+                let tail = rest.split_off(breaking(&rest, height.max(1)));
+                screens.push(std::mem::replace(&mut rest, tail));
+            }
+        }
+        screens.iter().map(|lines| lines.join("\n").trim_matches('\n').to_owned() + "\n").collect()
+    }
+
+    /// Begins a section: what belongs together on a screen.
+    pub fn section(&mut self) {
+        self.gap();
+        if self.sections.last() != Some(&self.text.len()) {
+            self.sections.push(self.text.len());
+        }
+    }
+
+    /// An empty line, unless there is one already.
+    pub fn gap(&mut self) {
+        if !self.text.is_empty() && !self.text.ends_with("\n\n") {
+            self.text.push('\n');
+        }
+    }
+
+    /// A paragraph: the first line starts at column `first`, the others at `rest`. Lines break at spaces; spans that
+    /// touch stay together.
+    pub fn wrap(&mut self, first: usize, rest: usize, spans: &[Span]) {
+        let faces: Vec<_> = spans.iter().map(|(tone, text)| (*tone, tone.face(text))).collect();
+        let spans: Vec<Span> = faces.iter().map(|(tone, text)| (*tone, text.as_ref())).collect();
+        let mut line = Line { page: self, column: first, tone: Tone::Plain };
+        line.page.spaces(first);
+        let mut empty = true;
+        for word in words(&spans) {
+            let wide: usize = word.iter().map(|(_, text)| text.width()).sum();
+            let blank = word.iter().all(|(_, text)| text.trim_start().is_empty());
+            if !empty && !blank && line.column + wide > line.page.width {
+                line.end();
+                line.page.spaces(rest);
+                line.column = rest;
+                word.iter().for_each(|(tone, text)| line.put(*tone, text.trim_start()));
+            } else {
+                word.iter().for_each(|(tone, text)| line.put(*tone, text));
+            }
+            empty &= blank;
+        }
+        line.end();
+    }
+
+    /// A paragraph in one tone at column `indent`.
+    pub fn line(&mut self, indent: usize, tone: Tone, text: &str) {
+        self.wrap(indent, indent, &[(tone, text)]);
+    }
+
+    /// `block` at column `indent`, with `beside` after its middle line, if the page is wide enough; otherwise `flat` as
+    /// a paragraph.
+    pub fn formula(&mut self, indent: usize, block: &Block, flat: &str, beside: &str) {
+        let gap = if beside.is_empty() { "" } else { "  " };
+        if indent + block.width() + gap.len() + beside.width() > self.width {
+            return self.wrap(indent, indent + 2, &[(Tone::Equation, flat), (Tone::Dim, gap), (Tone::Dim, beside)]);
+        }
+        for (at, row) in block.rows().iter().enumerate() {
+            let mut line = Line { page: self, column: indent, tone: Tone::Plain };
+            line.page.spaces(indent);
+            line.put(Tone::Equation, row);
+            if at == block.baseline() {
+                line.put(Tone::Dim, gap);
+                line.put(Tone::Dim, beside);
+            }
+            line.end();
+        }
+    }
+
+    /// A line that is not wrapped, because a script may want it whole.
+    pub fn verbatim(&mut self, text: &str) {
+        self.text.push_str(text);
+        self.text.push('\n');
+    }
+
+    /// Cells padded to `widths` (right-aligned where negative), at column `indent`; the last one is wrapped, or all as
+    /// a paragraph if that leaves it less than [`LAST_CELL`].
+    pub fn row(&mut self, indent: usize, widths: &[i32], cells: &[Span]) {
+        let mut column = indent;
+        let mut padded = Vec::new();
+        for (&(tone, cell), &width) in cells.iter().zip(widths) {
+            let cell = tone.face(cell);
+            let padding = " ".repeat((width.unsigned_abs() as usize).saturating_sub(cell.width()));
+            let (before, after) = if width < 0 { (padding, String::new()) } else { (String::new(), padding) };
+            padded.push((tone, before + &cell + &after));
+        }
+        let mut spans: Vec<Span> = Vec::new();
+        for (at, (tone, cell)) in padded.iter().enumerate() {
+            if at > 0 {
+                spans.push((Tone::Plain, "  "));
+            }
+            spans.push((*tone, cell));
+            if at + 1 < padded.len() {
+                column += cell.width() + 2;
+            }
+        }
+        let last = padded.last().map_or(0, |(_, cell)| cell.width());
+        if column + last.min(LAST_CELL) > self.width {
+            let stacked: Vec<Span> = spans.iter().map(|(tone, text)| (*tone, text.trim())).collect();
+            let stacked = stacked.into_iter().map(|(tone, text)| (tone, if text.is_empty() { "  " } else { text }));
+            return self.wrap(indent, indent + 2, &stacked.collect::<Vec<_>>());
+        }
+        self.wrap(indent, column, &spans);
+    }
+
+    /// Markdown, simply: paragraphs, lists, emphasis, code, the text of links. Headings that repeat `title` are left out.
+    pub fn markdown(&mut self, source: &str, title: &str) {
+        let mut block: Vec<(Tone, String)> = Vec::new();
+        let (mut tones, mut depth, mut bullet, mut verbatim) = (vec![Tone::Plain], 0_usize, false, false);
+        for event in Parser::new(source) {
+            match event {
+                Event::Start(Tag::Emphasis) => tones.push(Tone::Emphasis),
+                Event::Start(Tag::Strong) => tones.push(Tone::Strong),
+                Event::Start(Tag::Heading { .. }) => tones.push(Tone::Strong),
+                Event::Start(Tag::List(_)) => {
+                    self.block(&mut block, depth, &mut bullet);
+                    depth += 1;
+                }
+                Event::Start(Tag::Item) => bullet = true,
+                Event::Start(Tag::CodeBlock(_)) => verbatim = true,
+                Event::End(TagEnd::Emphasis | TagEnd::Strong) => drop(tones.pop()),
+                Event::End(TagEnd::Heading(_)) => {
+                    tones.pop();
+                    if block.iter().map(|(_, text)| text.as_str()).collect::<String>() == title {
+                        block.clear();
+                    }
+                    self.block(&mut block, depth, &mut bullet);
+                    self.gap();
+                }
+                Event::End(TagEnd::Paragraph) => {
+                    self.block(&mut block, depth, &mut bullet);
+                    self.gap();
+                }
+                Event::End(TagEnd::Item) => self.block(&mut block, depth, &mut bullet),
+                Event::End(TagEnd::List(_)) => {
+                    depth -= 1;
+                    self.gap();
+                }
+                Event::End(TagEnd::CodeBlock) => {
+                    verbatim = false;
+                    self.gap();
+                }
+                Event::Text(text) if verbatim => {
+                    for line in text.lines() {
+                        self.row(4, &[0], &[(Tone::Code, line)]);
+                    }
+                }
+                Event::Text(text) => block.push((*tones.last().unwrap_or(&Tone::Plain), text.into_string())),
+                // The course text marks its symbols as code.
+                Event::Code(text) => block.push((Tone::Code, typeset(&text))),
+                Event::SoftBreak | Event::HardBreak => block.push((Tone::Plain, " ".to_owned())),
+                _ => {}
+            }
+        }
+        self.gap();
+    }
+
+    /// Sets and empties the `block` of a list of `depth`, 0 for text outside lists.
+    fn block(&mut self, block: &mut Vec<(Tone, String)>, depth: usize, bullet: &mut bool) {
+        if block.is_empty() {
+            return;
+        }
+        let indent = 2 * depth;
+        if std::mem::take(bullet) {
+            block.insert(0, (Tone::Plain, "• ".to_owned()));
+        }
+        let hanging = if block[0].1 == "• " { indent + 2 } else { indent };
+        let spans: Vec<Span> = block.iter().map(|(tone, text)| (*tone, text.as_str())).collect();
+        self.wrap(indent, hanging, &spans);
+        block.clear();
+    }
+
+    fn spaces(&mut self, count: usize) {
+        self.text.extend(std::iter::repeat_n(' ', count));
+    }
+
+    /// Changes the colour from one tone's to another's.
+    fn paint(&mut self, from: Tone, to: Tone) {
+        if !self.colour || from == to {
+            return;
+        }
+        if from != Tone::Plain {
+            self.text.push_str("\x1b[0m");
+        }
+        if to != Tone::Plain {
+            self.text.push_str(&format!("\x1b[{}m", to.ansi()));
+        }
+    }
+}
+
+/// The words of `spans`, each with the space before it, in pieces of one tone.
+fn words<'a>(spans: &[Span<'a>]) -> Vec<Vec<Span<'a>>> {
+    let mut words: Vec<Vec<Span>> = Vec::new();
+    for &(tone, text) in spans {
+        let mut start = 0;
+        while start < text.len() {
+            let spaces = text[start..].char_indices().skip(1).filter(|(_, letter)| *letter == ' ');
+            let mut breaks = spaces.map(|(at, _)| start + at).filter(|at| !is_within_number(text, *at));
+            let end = breaks.next().unwrap_or(text.len());
+            let piece = (tone, &text[start..end]);
+            match words.last_mut() {
+                Some(word) if !piece.1.starts_with(' ') => word.push(piece),
+                _ => words.push(vec![piece]),
+            }
+            start = end;
+        }
+    }
+    words
+}
+
+/// Whether the space at a place parts groups of digits: `100 000`.
+fn is_within_number(text: &str, at: usize) -> bool {
+    let after = text[at + 1..].bytes();
+    text[..at].ends_with(|c: char| c.is_ascii_digit()) && after.take_while(u8::is_ascii_digit).count() == 3
+}
+
+/// The line being filled.
+struct Line<'a> {
+    page: &'a mut Page,
+    column: usize,
+    tone: Tone,
+}
+
+impl Line<'_> {
+    fn put(&mut self, tone: Tone, text: &str) {
+        self.page.paint(self.tone, tone);
+        self.tone = tone;
+        self.page.text.push_str(text);
+        self.column += text.width();
+    }
+
+    /// Ends the line: no spaces at its end, no colour beyond it.
+    fn end(&mut self) {
+        self.page.text.truncate(self.page.text.trim_end_matches(' ').len());
+        self.page.paint(self.tone, Tone::Plain);
+        self.tone = Tone::Plain;
+        self.page.text.push('\n');
+    }
+}
+
+/// Where to break `lines` so that a screen of `height` is filled: after the last empty line of its second half, if any.
+fn breaking(lines: &[&str], height: usize) -> usize {
+    if lines.len() <= height {
+        return lines.len();
+    }
+    ((height / 2).max(1)..height).rev().find(|at| lines[*at].is_empty()).unwrap_or(height)
+}
+
+/// Label markup (`R_s`, `10^{−6}`) with Unicode's own small letters where it has them all, and minus signs for the
+/// hyphens of numbers; `2.5e-7` becomes 2.5·10⁻⁷. Longer names (`r_plus_t`) and assignments (`n_t=gold`) are left alone.
+pub fn typeset(text: &str) -> String {
+    let (mut out, mut rest) = (String::new(), text);
+    while let Some(at) = rest.find(['_', '^', '-', 'e']) {
+        out.push_str(&rest[..at]);
+        let (mark, tail) = rest[at..].split_at(1);
+        let small = match mark {
+            "e" => power_of_ten(&mut out, tail).map(|next| (String::new(), next)),
+            "-" => minus(&out, tail).then(|| ("−".to_owned(), tail)),
+            _ => small(mark == "_", tail).filter(|(_, next)| ends_symbol(next) && is_symbol(&out)),
+        };
+        let (face, next) = small.unwrap_or_else(|| (mark.to_owned(), tail));
+        out.push_str(&face);
+        rest = next;
+    }
+    out + rest
+}
+
+/// Digits of the longest number whose power of ten is raised; longer ones are there to be copied.
+const SHORT: usize = 9;
+
+/// Ends the number that `out` ends in with the power of ten that `tail` says, and gives what follows; nothing if they
+/// are no such number.
+fn power_of_ten<'a>(out: &mut String, tail: &'a str) -> Option<&'a str> {
+    let start = out
+        .rfind(|c: char| !(c.is_ascii_digit() || c == '.'))
+        .map_or(0, |at| at + out[at..].chars().next().map_or(0, char::len_utf8));
+    let (before, mantissa) = out.split_at(start);
+    let (sign, digits) = match tail.strip_prefix(['-', '−']) {
+        Some(digits) => ("−", digits),
+        None => ("", tail.strip_prefix('+').unwrap_or(tail)),
+    };
+    let (exponent, next) = digits.split_at(digits.find(|c: char| !c.is_ascii_digit()).unwrap_or(digits.len()));
+    let is_number = mantissa.starts_with(|c: char| c.is_ascii_digit()) && !exponent.is_empty();
+    let is_apart = !before.ends_with(|c: char| c.is_alphanumeric() || c == '_');
+    if !is_number || !is_apart || mantissa.len() > SHORT || next.starts_with(|c: char| c.is_alphanumeric() || c == '_')
+    {
+        return None;
+    }
+    let raised: String = format!("{sign}{exponent}").chars().map(|c| shifted(c, false)).collect::<Option<_>>()?;
+    // What is taken from a number stands apart from it on both sides.
+    let taken = before
+        .strip_suffix('−')
+        .filter(|number| number.ends_with(' '))
+        .is_some_and(|number| number.trim_end().ends_with(|c: char| c.is_ascii_digit()));
+    let factor = if mantissa == "1" { String::new() } else { format!("{mantissa}·") };
+    out.truncate(start);
+    if taken {
+        out.push(' ');
+    }
+    out.push_str(&format!("{factor}10{raised}"));
+    Some(next)
+}
+
+/// The mark's letter or `{letters}` at the start of `tail` in small, and what follows.
+fn small(lowered: bool, tail: &str) -> Option<(String, &str)> {
+    let (body, next) = match tail.strip_prefix('{').and_then(|open| open.split_once('}')) {
+        Some(split) => split,
+        None => tail.split_at(tail.chars().next().filter(|letter| letter.is_alphanumeric())?.len_utf8()),
+    };
+    Some((body.chars().map(|letter| shifted(letter, lowered)).collect::<Option<String>>()?, next))
+}
+
+/// Whether `before` ends in one letter, a number or a bracket: what carries an index or a power.
+fn is_symbol(before: &str) -> bool {
+    let mut letters = before.chars().rev();
+    let last = letters.next();
+    match last {
+        Some(letter) if letter.is_alphabetic() => !letters.next().is_some_and(|c| c.is_alphabetic() || c == '_'),
+        _ => last.is_some_and(|c| c.is_numeric() || ")′".contains(c)),
+    }
+}
+
+/// Whether a symbol may end before `next`.
+fn ends_symbol(next: &str) -> bool {
+    !next.starts_with(|c: char| c.is_alphanumeric() || "_=".contains(c))
+}
+
+/// Whether a hyphen between `before` and `after` is the sign of a number or of its exponent.
+fn minus(before: &str, after: &str) -> bool {
+    let exponent =
+        before.strip_suffix('e').is_some_and(|number| number.ends_with(|c: char| c.is_ascii_digit() || c == '.'));
+    let alone = !before.ends_with(|c: char| c.is_alphanumeric() || "-_^/)]".contains(c));
+    after.starts_with(|c: char| c.is_ascii_digit()) && (exponent || alone)
+}
+
+/// The lowered or raised form of a letter, if Unicode has one.
+fn shifted(letter: char, lowered: bool) -> Option<char> {
+    const PLAIN: &str = "0123456789+−=()aehijklmnoprstuvx";
+    const LOWERED: &str = "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ";
+    const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ᵃᵉʰⁱʲᵏˡᵐⁿᵒᵖʳˢᵗᵘᵛˣ";
+    let at = PLAIN.chars().position(|plain| plain == letter)?;
+    if lowered { LOWERED } else { RAISED }.chars().nth(at)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn set(width: usize, spans: &[Span]) -> String {
+        let mut page = Page::new(width, false);
+        page.wrap(2, 4, spans);
+        page.into_text()
+    }
+
+    #[test]
+    fn lines_wrap_by_columns_not_bytes() {
+        let text = set(40, &[(Tone::Plain, "θ₁ θ₁ θ₁ θ₁ θ₁ θ₁ θ₁ θ₁ θ₁ θ₁ θ₁ θ₁ θ₁ θ₁ θ₁ θ₁")]);
+        assert!(text.lines().all(|line| line.width() <= 40), "{text}");
+        assert_eq!(text.lines().count(), 2);
+        assert!(text.lines().nth(1).unwrap().starts_with("    θ"));
+    }
+
+    #[test]
+    fn spans_that_touch_stay_together() {
+        assert_eq!(set(40, &[(Tone::Plain, "see "), (Tone::Code, "x"), (Tone::Plain, ", then")]), "  see x, then\n");
+    }
+
+    #[test]
+    fn a_word_in_several_tones_wraps_as_one() {
+        let text = set(
+            40,
+            &[(Tone::Plain, "thirty-two columns are taken by this ("), (Tone::Code, "r_s"), (Tone::Plain, ").")],
+        );
+        assert_eq!(text, "  thirty-two columns are taken by this\n    (r_s).\n");
+        let text =
+            set(40, &[(Tone::Plain, "thirty-six columns are taken by this "), (Tone::Code, "r_s"), (Tone::Plain, ".")]);
+        assert_eq!(text, "  thirty-six columns are taken by this\n    r_s.\n");
+    }
+
+    #[test]
+    fn rows_align_and_wrap_their_last_cell() {
+        let mut page = Page::new(40, false);
+        let cells =
+            [(Tone::Plain, "θ_B"), (Tone::Plain, "1.5"), (Tone::Plain, "the angle that is called after Brewster")];
+        page.row(2, &[4, -5, 0], &cells);
+        page.row(0, &[-6, 0], &[(Tone::Plain, "16"), (Tone::Plain, "x")]);
+        page.row(0, &[-6, 0], &[(Tone::Plain, "123456"), (Tone::Plain, "x")]);
+        assert_eq!(
+            page.into_text(),
+            "  θ_B     1.5  the angle that is called\n               after Brewster\n    16  x\n123456  x\n"
+        );
+    }
+
+    #[test]
+    fn markdown_becomes_paragraphs_and_lists() {
+        let mut page = Page::new(60, false);
+        page.markdown("## Title\n\nSome *soft* and\n`hard` text.\n\n- one\n- two\n  more\n\nend", "Title");
+        assert_eq!(page.into_text(), "Some soft and hard text.\n\n  • one\n  • two more\n\nend\n\n");
+    }
+
+    #[test]
+    fn colour_ends_where_its_meaning_does() {
+        let mut page = Page::new(60, true);
+        page.wrap(2, 2, &[(Tone::Good, "it holds"), (Tone::Plain, " so")]);
+        assert_eq!(page.into_text(), "  \x1b[32mit holds\x1b[0m so\n");
+    }
+
+    #[test]
+    fn labels_use_small_letters_where_there_are_all() {
+        assert_eq!(typeset("R_s"), "Rₛ");
+        assert_eq!(typeset("θ_B"), "θ_B");
+        assert_eq!(typeset("10^{−6}"), "10⁻⁶");
+        assert_eq!(typeset("n_t/n_i"), "nₜ/nᵢ");
+        assert_eq!(typeset("e^(−iωt)"), "e^(−iωt)");
+        assert_eq!(typeset("(R_s−R_p)/(R_s+R_p) of Im r_s"), "(Rₛ−Rₚ)/(Rₛ+Rₚ) of Im rₛ");
+    }
+
+    #[test]
+    fn names_and_assignments_are_left_as_typed() {
+        for name in ["total_reflection", "r_plus_t", "n_t=gold", "theta_1", "d_H", "-1 nm to p-polarised"] {
+            assert_eq!(typeset(name), name.replace("-1", "−1"), "{name}");
+        }
+    }
+
+    #[test]
+    fn numbers_carry_minus_signs_and_words_hyphens() {
+        assert_eq!(typeset("-1.5e-10, s-polarised, n-1, x = -2"), "−1.5·10⁻¹⁰, s-polarised, n-1, x = −2");
+    }
+
+    #[test]
+    fn powers_of_ten_are_raised() {
+        for (typed, set) in [
+            ("1e12 or 2.5e-7", "10¹² or 2.5·10⁻⁷"),
+            ("n = 1 -1e-6", "n = 1 − 10⁻⁶"),
+            ("at -3e+20,", "at −3·10²⁰,"),
+            ("1.2345678901234567e-45", "1.2345678901234567e−45"),
+            ("x1e5, 1e5m, the 2e, 0x1e", "x1e5, 1e5m, the 2e, 0x1e"),
+        ] {
+            assert_eq!(typeset(typed), set);
+        }
+    }
+
+    #[test]
+    fn groups_of_digits_stay_together() {
+        let text = set(40, &[(Tone::Plain, "thirty-five columns are taken by it 100 000 times 5 in")]);
+        assert_eq!(text, "  thirty-five columns are taken by it\n    100 000 times 5 in\n");
+    }
+
+    #[test]
+    fn rows_too_wide_become_paragraphs() {
+        let mut page = Page::new(40, false);
+        let cells = [(Tone::Plain, "textbook"), (Tone::Plain, "1.2345678901234567"), (Tone::Plain, "some 12 digits")];
+        page.row(8, &[9, 25, 0], &cells);
+        assert_eq!(page.into_text(), "        textbook  1.2345678901234567\n          some 12 digits\n");
+    }
+
+    #[test]
+    fn screens_keep_sections_whole_and_lose_no_line() {
+        let mut page = Page::new(40, false);
+        for section in 0..4 {
+            page.section();
+            for line in 0..=3 * section {
+                page.line(0, Tone::Plain, &format!("{section}.{line}"));
+                if line % 4 == 3 {
+                    page.gap();
+                }
+            }
+        }
+        let text = page.text.clone();
+        let screens = page.into_screens(6);
+        assert!(screens.iter().all(|screen| screen.lines().count() <= 6), "{screens:?}");
+        assert_eq!(screens[0], "0.0\n\n1.0\n1.1\n1.2\n1.3\n");
+        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+        assert_eq!(words(&screens.concat()), words(&text));
+    }
+}

@@ -1,0 +1,15 @@
+//! `yardstick`: what we measure with. It knows no physics and no equations.
+//!
+//! | idea | where |
+//! |---|---|
+//! | arbitrary precision, relative errors | [`precise`] |
+//! | random numbers by name and seed | [`random`] |
+//! | the observed order of a method | [`order`] |
+//! | integrals by rules | [`quadrature`] |
+//! | differential equations stepped from their start | [`initial_value`] |
+
+pub mod initial_value;
+pub mod order;
+pub mod precise;
+pub mod quadrature;
+pub mod random;
