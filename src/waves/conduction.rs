@@ -188,8 +188,9 @@ pub struct Adaptive {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::references::{order, waves as exact};
+    use crate::references::waves as exact;
     use proptest::prelude::*;
+    use yardstick::order;
     use yardstick::precise;
 
     proptest! {
