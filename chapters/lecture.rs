@@ -58,21 +58,9 @@ fn cover(row: &Row, curriculum: &[&Chapter]) -> Coverage {
     Coverage { row: *row, steps, met, missing }
 }
 
-/// The letters for which `step` holds evidence about the row `id`. A unit check counts only if it succeeds.
+/// The letters for which `step` holds evidence about the row `id`.
 fn evidence(step: &Step, id: &str) -> String {
-    let names = |rows: &[&str]| rows.contains(&id);
-    let has = [
-        ('D', step.derivations.iter().any(|derivation| names(derivation.rows))),
-        (
-            'U',
-            step.statements.iter().any(|statement| names(statement.rows) && (statement.equation)().dimension().is_ok()),
-        ),
-        ('N', step.checks.iter().any(|check| names(check.rows))),
-        ('X', step.stress.iter().any(|stress| names(stress.rows))),
-        ('P', step.figures.iter().any(|figure| names(figure.rows))),
-        ('R', step.races.iter().any(|race| names(race.rows) && race.lanes.len() > 1)),
-    ];
-    has.iter().filter(|(_, held)| *held).map(|(letter, _)| *letter).collect()
+    step.items().filter(|item| step.rows_of(item).contains(&id)).filter_map(|item| item.letter()).collect()
 }
 
 const fn row(id: &'static str, chapter: &'static str, needs: &'static str, states: &'static str) -> Row {

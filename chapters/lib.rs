@@ -4,6 +4,7 @@
 pub mod figure;
 pub mod fresnel;
 pub mod function;
+pub mod judge;
 pub mod lecture;
 pub mod maxwell;
 pub mod plane_wave;
@@ -17,8 +18,12 @@ pub use vocabulary::{Chapter, Step};
 /// The chapters in teaching order: the only list of them.
 pub const CURRICULUM: &[&Chapter] = &[&maxwell::CHAPTER, &plane_wave::CHAPTER, &poynting::CHAPTER, &fresnel::CHAPTER];
 
+/// Every step with its chapter, in teaching order.
+pub fn steps() -> impl Iterator<Item = (&'static Chapter, &'static Step)> + Clone {
+    CURRICULUM.iter().flat_map(|chapter| chapter.steps.iter().map(move |step| (*chapter, step)))
+}
+
 /// How many checks of the curriculum rest on random numbers: what their significance is shared among.
 pub fn statistical_checks() -> usize {
-    let steps = CURRICULUM.iter().flat_map(|chapter| chapter.steps);
-    steps.flat_map(|step| step.checks).filter(|check| check.bound.is_statistical()).count()
+    steps().flat_map(|(_, step)| step.checks).filter(|check| check.head().bound.is_statistical()).count()
 }

@@ -5,6 +5,7 @@ use crate::progress::Progress;
 use crate::select::{Chosen, Selection};
 use crate::stop::Stop;
 use chapters::figure::Plot;
+use chapters::vocabulary::Item;
 use rayon::prelude::*;
 use views::plot;
 use views::race_plot;
@@ -71,11 +72,14 @@ pub fn write(
 }
 
 fn subjects<'a>(chosen: &'a Chosen, races: &'a [RaceReport]) -> Vec<Subject<'a>> {
-    let figures = chosen.step.figures.iter().filter(|figure| chosen.wants(figure.id)).map(|figure| Subject {
-        address: format!("{}/{}", chosen.address(), figure.id),
-        says: figure.says,
-        rows: figure.rows,
-        plot: Box::new(|| (figure.plot)(&chosen.setting)),
+    let figures = chosen.step.items().filter(|item| chosen.wants(item.id())).filter_map(|item| {
+        let Item::Figure(figure) = item else { return None };
+        Some(Subject {
+            address: format!("{}/{}", chosen.address(), figure.id),
+            says: figure.says,
+            rows: chosen.step.rows_of(&item),
+            plot: Box::new(|| (figure.plot)(&chosen.setting)),
+        })
     });
     let races = races.iter().map(|race| Subject {
         address: race.address.clone(),

@@ -2,7 +2,7 @@
 
 use crate::out;
 use crate::stop::Stop;
-use chapters::vocabulary::verify;
+use chapters::judge::hops as verify;
 use equation::derivation::{Chain, Claim, Hop, Verdict};
 use equation::expr::Node;
 use equation::parse::{Fault, parse, parse_equation};

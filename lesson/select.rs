@@ -5,6 +5,7 @@ use chapters::lecture::{LECTURE, chapter_names};
 use chapters::setting::{
     DEFAULT_WAVELENGTH, FREQUENCY, Fault, Kind, Parameter, Setting, Value, WAVELENGTH, excerpt, parse_medium,
 };
+use chapters::vocabulary::Part;
 use chapters::{CURRICULUM, Chapter, Step};
 use views::report::Parts;
 
@@ -36,7 +37,7 @@ struct Left {
 
 impl Chosen {
     fn whole(chapter: &'static Chapter, step: &'static Step) -> Self {
-        Self { chapter, step, setting: Setting::defaults(step.parameters), item: None, lane: None }
+        Self { chapter, step, setting: Setting::defaults(step.parameters()), item: None, lane: None }
     }
 
     /// `chapter/step`.
@@ -45,7 +46,7 @@ impl Chosen {
     }
 
     fn parameter(&self, name: &str) -> Option<&'static Parameter> {
-        self.step.parameters.iter().find(|parameter| parameter.name == name)
+        self.step.parameters().iter().find(|parameter| parameter.name == name)
     }
 
     /// The setting with those of the `changes` that the step can take, and those that it has to leave.
@@ -115,7 +116,7 @@ pub fn select(words: &[String]) -> Result<Selection, Stop> {
     let mut chosen = Chosen::whole(chapter, find_step(chapter, step)?);
     if let Some((item, rest)) = rest.split_first() {
         let place = chosen.address();
-        chosen.item = Some(find("item", item, &place, &items(chosen.step))?);
+        chosen.item = Some(find("item", item, &place, &chosen.step.items().map(|item| item.id()).collect::<Vec<_>>())?);
         if let Some((lane, rest)) = rest.split_first() {
             chosen.lane = Some(find_lane(&chosen, lane)?);
             if let Some(extra) = rest.first() {
@@ -162,21 +163,6 @@ fn find(what: &str, word: &str, place: &str, ids: &[&'static str]) -> Result<&'s
     })
 }
 
-/// The ids of what `--check` judges.
-fn checked(step: &Step) -> Vec<&'static str> {
-    let statements = step.statements.iter().map(|item| item.id);
-    let derivations = step.derivations.iter().map(|item| item.id);
-    statements.chain(derivations).chain(step.checks.iter().map(|item| item.id)).collect()
-}
-
-/// The ids of everything in a step that has an address.
-pub fn items(step: &Step) -> Vec<&'static str> {
-    let stress = step.stress.iter().map(|item| item.id);
-    let races = step.races.iter().map(|item| item.id);
-    let figures = step.figures.iter().map(|item| item.id);
-    checked(step).into_iter().chain(stress).chain(races).chain(figures).collect()
-}
-
 impl Selection {
     /// Applies `--set`: each change goes to every selected step that has the name. Where it clashes with what the step
     /// itself demands, a clear medium or a default that has no index at the wavelength set, the step keeps its own
@@ -218,18 +204,15 @@ impl Selection {
             [chosen] => chosen.item.map_or(chosen.address(), |item| format!("{}/{item}", chosen.address())),
             steps => steps.first().map_or(String::new(), |chosen| chosen.chapter.id.to_owned()),
         };
-        let any = |ids: fn(&Step) -> Vec<&'static str>| {
-            self.steps.iter().any(|chosen| ids(chosen.step).iter().any(|id| chosen.wants(id)))
+        let holds = |part: Part| {
+            let wanted =
+                |chosen: &Chosen| chosen.step.items().any(|item| item.part() == Some(part) && chosen.wants(item.id()));
+            self.steps.iter().any(wanted)
         };
-        let ids = [
-            ("--check", "checks", parts.checks, any(checked)),
-            ("--stress", "extreme cases", parts.stress, any(|step| step.stress.iter().map(|item| item.id).collect())),
-            ("--race", "races", parts.races, any(|step| step.races.iter().map(|item| item.id).collect())),
-            ("--plot", "figures", plot, any(|step| step.figures.iter().map(|item| item.id).collect())),
-        ];
+        let asked = |part: Part| parts.has(part) || (plot && part == Part::Figures);
         let lacks: Vec<_> =
-            ids.iter().filter(|(_, _, asked, held)| *asked && !held).map(|(_, noun, ..)| *noun).collect();
-        let has: Vec<_> = ids.iter().filter(|(.., held)| *held).map(|(flag, ..)| *flag).collect();
+            Part::ALL.iter().filter(|part| asked(**part) && !holds(**part)).map(|part| part.noun()).collect();
+        let has: Vec<_> = Part::ALL.iter().filter(|part| holds(**part)).map(|part| part.flag()).collect();
         let has = if has.is_empty() { "nothing else".to_owned() } else { has.join(", ") };
         format!("{place} has no {}; it has {has}", lacks.join(", no "))
     }
@@ -249,7 +232,7 @@ impl Selection {
     }
 
     fn parameters(&self) -> impl Iterator<Item = &'static Parameter> + '_ {
-        self.steps.iter().flat_map(|chosen| chosen.step.parameters)
+        self.steps.iter().flat_map(|chosen| chosen.step.parameters())
     }
 }
 

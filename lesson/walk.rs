@@ -8,6 +8,7 @@ use crate::run;
 use crate::select::{Chosen, Selection, select};
 use crate::stop::Stop;
 use chapters::Step;
+use chapters::vocabulary::Part;
 use console::{Key, Term};
 use std::io::{ErrorKind, IsTerminal, stdin, stdout};
 use std::process::ExitCode;
@@ -69,11 +70,10 @@ fn plan(lesson: &Lesson, selection: &Selection) -> (View, Parts, bool) {
     }
 }
 
+/// What suits one item: the part that it belongs to.
 fn of_item(step: &Step, item: &str) -> (View, Parts, bool) {
-    let stress = step.stress.iter().any(|stress| stress.id == item);
-    let races = step.races.iter().any(|race| race.id == item);
-    let figure = step.figures.iter().any(|figure| figure.id == item);
-    (View::Findings, Parts { checks: !(stress || races || figure), stress, races }, figure)
+    let part = step.item(item).and_then(|item| item.part());
+    (View::Findings, part.map_or(Parts::default(), Parts::only), part == Some(Part::Figures))
 }
 
 fn exit_code(failed: usize) -> ExitCode {

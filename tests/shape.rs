@@ -2,22 +2,13 @@
 
 use chapters::lecture::LECTURE;
 use chapters::setting::{Kind, Setting};
-use chapters::{CURRICULUM, Chapter, Step};
+use chapters::vocabulary::{Exhibit, Item};
+use chapters::{CURRICULUM, Step, steps};
 use std::collections::HashSet;
 
-fn steps() -> impl Iterator<Item = (&'static Chapter, &'static Step)> {
-    CURRICULUM.iter().flat_map(|chapter| chapter.steps.iter().map(move |step| (*chapter, step)))
-}
-
-/// Every item's id and the rows it names.
-fn items(step: &Step) -> Vec<(&'static str, &'static [&'static str])> {
-    let statements = step.statements.iter().map(|item| (item.id, item.rows));
-    let derivations = step.derivations.iter().map(|item| (item.id, item.rows));
-    let checks = step.checks.iter().map(|item| (item.id, item.rows));
-    let stress = step.stress.iter().map(|item| (item.id, item.rows));
-    let races = step.races.iter().map(|item| (item.id, item.rows));
-    let figures = step.figures.iter().map(|item| (item.id, item.rows));
-    statements.chain(derivations).chain(checks).chain(stress).chain(races).chain(figures).collect()
+/// Every item's id and the rows it is evidence for.
+fn items(step: &'static Step) -> impl Iterator<Item = (&'static str, &'static [&'static str])> {
+    step.items().map(|item| (item.id(), step.rows_of(&item)))
 }
 
 /// The names that occur more than once.
@@ -36,8 +27,8 @@ fn addresses_are_unique() {
     }
     for (chapter, step) in steps() {
         let place = format!("{}/{}", chapter.id, step.id);
-        note(&place, repeated(items(step).into_iter().map(|(id, _)| id)));
-        note(&place, repeated(step.parameters.iter().map(|parameter| parameter.name)));
+        note(&place, repeated(items(step).map(|(id, _)| id)));
+        note(&place, repeated(step.parameters().iter().map(|parameter| parameter.name)));
         for race in step.races {
             note(&format!("{place}/{}", race.id), repeated(race.lanes.iter().map(|lane| lane.id)));
         }
@@ -51,7 +42,7 @@ fn addresses_are_unique() {
 fn words_are_words_of_an_address() {
     for (chapter, step) in steps() {
         let lanes = step.races.iter().flat_map(|race| race.lanes).map(|lane| lane.id);
-        for id in items(step).into_iter().map(|(id, _)| id).chain(lanes).chain([step.id]) {
+        for id in items(step).map(|(id, _)| id).chain(lanes).chain([step.id]) {
             let plain =
                 id.chars().all(|letter| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '_');
             assert!(plain && !id.is_empty(), "{}/{}: `{id}`", chapter.id, step.id);
@@ -78,7 +69,7 @@ fn the_lecture_has_all_its_rows_once() {
 fn every_row_named_exists() {
     let known: HashSet<_> = LECTURE.iter().map(|row| row.id).collect();
     for (chapter, step) in steps() {
-        let named = items(step).into_iter().flat_map(|(id, rows)| rows.iter().map(move |row| (id, row)));
+        let named = items(step).flat_map(|(id, rows)| rows.iter().map(move |row| (id, row)));
         for (id, row) in named.chain(step.rows.iter().map(|row| ("", row))) {
             assert!(known.contains(row), "{}/{}/{id} names {row}", chapter.id, step.id);
         }
@@ -98,7 +89,7 @@ fn prose_has_one_section_for_each_step_in_order() {
 #[test]
 fn defaults_are_valid_and_readouts_answer() {
     for (chapter, step) in steps() {
-        let setting = Setting::defaults(step.parameters);
+        let setting = Setting::defaults(step.parameters());
         for quantity in step.readout.map(|read| read(&setting)).unwrap_or_default() {
             assert!(quantity.value.is_finite(), "{}/{}: {quantity:?}", chapter.id, step.id);
         }
@@ -108,7 +99,7 @@ fn defaults_are_valid_and_readouts_answer() {
 #[test]
 fn figures_and_readouts_answer_at_the_ends_of_every_parameter() {
     for (chapter, step) in steps() {
-        for parameter in step.parameters {
+        for parameter in step.parameters() {
             let ends = match parameter.kind {
                 Kind::Number { min, max, .. } => vec![format!("{min:e}"), format!("{max:e}")],
                 Kind::Count { min, max } => vec![min.to_string(), max.to_string()],
@@ -118,9 +109,9 @@ fn figures_and_readouts_answer_at_the_ends_of_every_parameter() {
             for end in ends {
                 // Some ends are refused beside the defaults of the others, with a message.
                 let changes = [(parameter.name.to_owned(), end.clone())];
-                let Ok(setting) = Setting::defaults(step.parameters).with(&changes) else { continue };
+                let Ok(setting) = Setting::defaults(step.parameters()).with(&changes) else { continue };
                 step.readout.map(|readout| readout(&setting));
-                for figure in step.figures {
+                for figure in step.exhibit.figures {
                     let plot = (figure.plot)(&setting);
                     assert!(!plot.panels.is_empty(), "{}/{}/{} at {end}", chapter.id, step.id, figure.id);
                 }
@@ -155,12 +146,41 @@ fn races_have_rivals_and_growing_work() {
     }
 }
 
-#[test]
-fn every_claim_says_where_its_bound_and_its_slip_come_from() {
-    for (chapter, step) in steps() {
-        for check in step.checks {
-            let texts = [check.claim, check.route, check.slip];
-            assert!(texts.iter().all(|text| !text.is_empty()), "{}/{}/{}", chapter.id, step.id, check.id);
+/// What an item says of itself.
+fn words(item: &Item) -> Vec<&'static str> {
+    match item {
+        Item::Statement(item) => vec![item.says],
+        Item::Question(item) => vec![item.asks, item.because],
+        Item::Derivation(item) => vec![item.says, item.slip],
+        Item::Check(item) => {
+            let head = item.head();
+            vec![head.claim, head.route, head.slip]
         }
+        Item::Stress(item) => vec![item.claim, item.textbook, item.reference],
+        Item::Race(item) => vec![item.claim, item.work, item.error, item.reference],
+        Item::Figure(item) => vec![item.says],
+    }
+}
+
+#[test]
+fn every_item_says_what_it_is_and_where_its_bound_and_its_slip_come_from() {
+    for (chapter, step) in steps() {
+        for item in step.items() {
+            assert!(words(&item).iter().all(|text| !text.is_empty()), "{}/{}/{}", chapter.id, step.id, item.id());
+        }
+    }
+}
+
+#[test]
+fn every_figure_is_reached_without_its_step() {
+    for chapter in CURRICULUM {
+        let shown = |exhibits: &mut dyn Iterator<Item = Exhibit>| -> Vec<String> {
+            let addresses = exhibits.flat_map(|exhibit| {
+                exhibit.figures.iter().map(move |figure| format!("{}/{}", exhibit.step, figure.id))
+            });
+            addresses.collect()
+        };
+        let apart = shown(&mut chapter.figures.iter().copied());
+        assert_eq!(apart, shown(&mut chapter.steps.iter().map(|step| step.exhibit)), "{}", chapter.id);
     }
 }

@@ -1,24 +1,114 @@
-//! A step's equations and derivations, judged.
+//! What the judge found, as a report.
 
-use crate::report::{DerivationReport, HopReport, LineReport, Number, StatementReport};
-use chapters::vocabulary::{Derivation, Statement, verify};
-use equation::derivation::{Chain, Claim, Given, Hop, Line, Verdict};
+use crate::report::*;
+use chapters::judge::{self, Checked, Clock, Derived, Raced, Stated, Timed, hop_holds, timed};
+use chapters::setting::{Kind, Setting, Value};
+use chapters::vocabulary::{
+    Bound, Claim, Derivation, Expects, Extreme, Item, Lane, Question, Race, Statement, Step, Stress, digits,
+};
+use equation::derivation::{Chain, Claim as Told, Given, Hop, Line, Verdict as Hopped};
 use equation::face::Block;
 use equation::units::Mismatch;
 use equation::{Dimension, Equation, Expr};
+use yardstick::precise;
+
+/// The report of one item.
+#[derive(Debug)]
+pub enum Entry {
+    /// An equation.
+    Statement(StatementReport),
+    /// A question.
+    Question(QuestionReport),
+    /// A derivation.
+    Derivation(DerivationReport),
+    /// A check.
+    Check(CheckReport),
+    /// Extreme cases.
+    Stress(StressReport),
+    /// A race.
+    Race(RaceReport),
+    /// A figure, which is drawn, not judged.
+    Figure,
+}
+
+/// A step of which nothing is judged yet: its setting and its readout.
+pub fn unjudged(step: &Step, address: String, setting: &Setting) -> StepReport {
+    StepReport {
+        address,
+        title: step.title,
+        says: step.says,
+        rows: step.rows,
+        setting: parameters(setting),
+        readout: readout(step, setting),
+        statements: Vec::new(),
+        questions: Vec::new(),
+        derivations: Vec::new(),
+        checks: Vec::new(),
+        stress: Vec::new(),
+        races: Vec::new(),
+        figures: Vec::new(),
+    }
+}
+
+impl StepReport {
+    /// Takes in what was found of an item.
+    pub fn enter(&mut self, entry: Entry) {
+        match entry {
+            Entry::Statement(found) => self.statements.push(found),
+            Entry::Question(found) => self.questions.push(found),
+            Entry::Derivation(found) => self.derivations.push(found),
+            Entry::Check(found) => self.checks.push(found),
+            Entry::Stress(found) => self.stress.push(found),
+            Entry::Race(found) => self.races.push(found),
+            Entry::Figure => {}
+        }
+    }
+}
+
+/// Has `item` judged at the `setting`. Of a race only the lanes that are `wanted` run.
+pub fn judge(
+    item: Item,
+    rows: Rows,
+    setting: &Setting,
+    address: String,
+    clock: &dyn Clock,
+    wanted: &dyn Fn(&str) -> bool,
+) -> Entry {
+    match item {
+        Item::Statement(item) => Entry::Statement(state(item, judge::statement(item), rows, address)),
+        Item::Question(item) => Entry::Question(ask(item, setting, address)),
+        Item::Derivation(item) => {
+            let found = judge::derivation(item, &address);
+            Entry::Derivation(derive(item, found, rows, address))
+        }
+        Item::Check(item) => {
+            let found = timed(clock, || judge::check(item, setting, &address));
+            Entry::Check(check(item, found, rows, address))
+        }
+        Item::Stress(item) => {
+            let found = timed(clock, || judge::stress(item, setting));
+            Entry::Stress(press(item, found, rows, address))
+        }
+        Item::Race(item) => Entry::Race(race(item, setting, rows, address, clock, wanted)),
+        Item::Figure(_) => Entry::Figure,
+    }
+}
+
+/// The lecture rows that an item is evidence for.
+pub type Rows = &'static [&'static str];
 
 /// An equation with its faces and the dimension of its sides.
-pub fn state(statement: &Statement, address: String) -> StatementReport {
-    let equation = (statement.equation)();
-    let dimension = equation.dimension();
+fn state(statement: &Statement, found: Stated, rows: Rows, address: String) -> StatementReport {
+    let holds = found.holds();
+    let Stated { equation, dimension } = found;
     StatementReport {
         address,
         says: statement.says,
-        rows: statement.rows,
+        rows,
         latex: equation.latex(),
         unicode: equation.to_string(),
         layout: equation.layout(),
-        verdict: dimension.is_ok().into(),
+        verdict: holds.into(),
         dimension: unit(dimension),
     }
 }
@@ -28,19 +118,17 @@ fn unit(found: Result<Dimension, Mismatch>) -> String {
 }
 
 /// A chain of lines with the verdict on every hop.
-pub fn derive(derivation: &Derivation, address: String) -> DerivationReport {
-    let chain = (derivation.chain)().complete();
-    let hops = verify(&chain, &address);
-    let mismatch = chain.units().err().map(|mismatch| mismatch.to_string());
-    let holds = mismatch.is_none() && !hops.is_empty() && hops.iter().all(|hop| hop.verdict.holds());
+fn derive(derivation: &Derivation, found: Derived, rows: Rows, address: String) -> DerivationReport {
+    let holds = found.holds();
+    let Derived { chain, hops, mismatch } = found;
     DerivationReport {
         address,
         says: derivation.says,
-        rows: derivation.rows,
+        rows,
         hypotheses: chain.given.iter().map(hypothesis).collect(),
         lines: lines(&chain, &hops),
         conditions: conditions(&chain),
-        mismatch,
+        mismatch: mismatch.map(|mismatch| mismatch.to_string()),
         verdict: holds.into(),
     }
 }
@@ -102,10 +190,10 @@ pub fn lines(chain: &Chain, hops: &[Hop]) -> Vec<LineReport> {
 
 fn show(line: &Line, hop: Option<HopReport>) -> LineReport {
     let face = match &line.claim {
-        Claim::Equation(equation) => of_equation(equation),
+        Told::Equation(equation) => of_equation(equation),
         // Only a start has no hop behind it.
-        Claim::Expr(expr) if hop.is_none() => of_start(expr),
-        Claim::Expr(expr) => of_next(expr),
+        Told::Expr(expr) if hop.is_none() => of_start(expr),
+        Told::Expr(expr) => of_next(expr),
     };
     let unfolded = line.unfolded.iter().map(step).collect();
     LineReport { by: line.by.clone(), says: line.says, hop, unfolded, ..face }
@@ -114,24 +202,203 @@ fn show(line: &Line, hop: Option<HopReport>) -> LineReport {
 /// A single step inside a line.
 fn step(line: &Line) -> LineReport {
     let face = match &line.claim {
-        Claim::Equation(equation) => of_equation(equation),
-        Claim::Expr(expr) => of_next(expr),
+        Told::Equation(equation) => of_equation(equation),
+        Told::Expr(expr) => of_next(expr),
     };
     LineReport { by: line.by.clone(), says: line.says, ..face }
 }
 
 /// What was found of a hop, in words.
-pub fn found(verdict: &Verdict) -> HopReport {
+pub fn found(verdict: &Hopped) -> HopReport {
     let (found, digits) = match verdict {
-        Verdict::Proved => ("proved".to_owned(), None),
-        Verdict::Agrees { points, digits, .. } => {
+        Hopped::Proved => ("proved".to_owned(), None),
+        Hopped::Agrees { points, digits, .. } => {
             (format!("agrees to {digits:.0} digits at {points} points"), Some(*digits))
         }
-        Verdict::Refuted { at, digits } => {
+        Hopped::Refuted { at, digits } => {
             let point: Vec<_> = at.iter().map(|(symbol, value)| format!("{symbol} = {value}")).collect();
             (format!("refuted: {:.0} digits agree at {}", digits.max(0.0), point.join(", ")), Some(*digits))
         }
-        Verdict::Unknown { why } => (format!("undecided: {why}"), None),
+        Hopped::Unknown { why } => (format!("undecided: {why}"), None),
     };
-    HopReport { verdict: verdict.holds().into(), found, digits: digits.map(Number) }
+    HopReport { verdict: hop_holds(verdict).into(), found, digits: digits.map(Number) }
+}
+
+fn parameters(setting: &Setting) -> Vec<ParameterReport> {
+    let wavelength = setting.wavelength();
+    let entries = setting.entries().map(|(parameter, text, value)| {
+        let number = match value {
+            Value::Number(number) => Some(Number(*number)),
+            Value::Medium(_) | Value::Conductor(_) => None,
+        };
+        let index = match value {
+            Value::Medium(medium) => medium.index(wavelength).ok(),
+            Value::Number(_) | Value::Conductor(_) => None,
+        };
+        let unit = match parameter.kind {
+            Kind::Number { unit, .. } => unit,
+            Kind::Count { .. } => "1",
+            Kind::Medium | Kind::ClearMedium => "1",
+            // Three numbers, each with a unit of its own.
+            Kind::Conductor => "",
+        };
+        ParameterReport {
+            name: parameter.name,
+            says: parameter.says,
+            text: text.to_owned(),
+            value: number,
+            n: index.map(|index| Number(index.re)),
+            k: index.map(|index| Number(index.im)),
+            unit,
+        }
+    });
+    entries.collect()
+}
+
+fn readout(step: &Step, setting: &Setting) -> Vec<QuantityReport> {
+    let quantities = step.readout.map(|read| read(setting)).unwrap_or_default();
+    let report = quantities.into_iter().map(|quantity| QuantityReport {
+        key: quantity.key,
+        symbol: quantity.symbol,
+        says: quantity.says,
+        value: Number(quantity.value),
+        unit: quantity.unit,
+    });
+    report.collect()
+}
+
+/// What a question asks, what may be answered, and what is said to each answer.
+fn ask(question: &Question, setting: &Setting, address: String) -> QuestionReport {
+    use chapters::vocabulary::{Answer, Given};
+    let right = question.right(setting);
+    let options = question.options().into_iter().enumerate().map(|(at, says)| {
+        let reply = question.reply(setting, Given::Option(at));
+        OptionReport { says, right: reply.right, reply: reply.says }
+    });
+    let (number, unit) = match (question.answer, right) {
+        (Answer::Number { unit, .. }, Given::Number(number)) => (Some(Number(number)), unit),
+        _ => (None, ""),
+    };
+    QuestionReport { address, asks: question.asks, options: options.collect(), number, unit, because: question.because }
+}
+
+fn check(check: &dyn Claim, found: Timed<Checked>, rows: Rows, address: String) -> CheckReport {
+    let Timed { found: Checked { measured, limit, holds }, seconds } = found;
+    let head = check.head();
+    let words = crate::report::limit;
+    let (bound, unit, why) = match head.bound {
+        Bound::AtMost { unit, why, .. } => (format!("at most {} {unit}", words(limit)), unit, why),
+        Bound::Order { order, tolerance, why } => (expected_order(order, tolerance), "1", why),
+        Bound::PValue { .. } => {
+            (format!("p at least {}", short(limit)), "1", "Šidák's share of the curriculum's significance")
+        }
+    };
+    CheckReport {
+        address,
+        claim: head.claim,
+        rows,
+        route: head.route,
+        value: Number(measured.value),
+        bound: bound.trim_end_matches(" 1").to_owned(),
+        why,
+        limit: Number(limit),
+        unit,
+        verdict: holds.into(),
+        at: measured.at,
+        cases: measured.cases,
+        seconds,
+    }
+}
+
+fn press(stress: &Stress, found: Timed<Vec<Extreme>>, rows: Rows, address: String) -> StressReport {
+    StressReport {
+        address,
+        claim: stress.claim,
+        rows,
+        textbook: stress.textbook,
+        reference: stress.reference,
+        verdict: judge::survives(&found.found).into(),
+        cases: found.found.iter().map(case).collect(),
+        seconds: found.seconds,
+    }
+}
+
+fn case(extreme: &Extreme) -> CaseReport {
+    CaseReport {
+        input: extreme.input.clone(),
+        quantity: extreme.quantity,
+        reference: seventeen_digits(&extreme.reference),
+        textbook: Number(extreme.textbook),
+        ours: Number(extreme.ours),
+        textbook_digits: extreme.digits(extreme.textbook),
+        our_digits: extreme.digits(extreme.ours),
+        allowed_digits: digits(extreme.allowed()),
+        condition: Number(extreme.condition),
+        worst_of: extreme.worst_of,
+        vanishes: extreme.reference == precise::real(0.0),
+        verdict: extreme.holds().into(),
+    }
+}
+
+/// What all heats of one race may take together [s], as long as each runs once.
+const RACE_TIME: f64 = 1.5;
+/// How long one heat is repeated [s], so that its fastest run is free of the machine's other business.
+const HEAT_TIME: f64 = 0.02;
+
+fn race(
+    race: &Race,
+    setting: &Setting,
+    rows: Rows,
+    address: String,
+    clock: &dyn Clock,
+    wanted: &dyn Fn(&str) -> bool,
+) -> RaceReport {
+    let heats: usize = race.lanes.iter().map(|lane| lane.works.len()).sum();
+    let patience = (RACE_TIME / heats.max(1) as f64).min(HEAT_TIME);
+    let lanes = race.lanes.iter().filter(|lane| wanted(lane.id)).map(|lane| {
+        let address = format!("{address}/{}", lane.id);
+        let found = judge::lane(lane, setting, &address, clock, patience);
+        run(lane, found, address)
+    });
+    RaceReport {
+        lanes: lanes.collect(),
+        address,
+        claim: race.claim,
+        rows,
+        work: race.work,
+        error: race.error,
+        reference: race.reference,
+    }
+}
+
+fn run(lane: &Lane, found: Raced, address: String) -> LaneReport {
+    let points = found.points.iter().map(|point| PointReport {
+        work: point.work,
+        error: Number(point.error),
+        seconds: point.seconds,
+        ns_per_work: point.seconds * 1e9 / point.work as f64,
+    });
+    LaneReport {
+        address,
+        label: lane.label,
+        repeats: lane.repeats,
+        points: points.collect(),
+        order: found.order,
+        expects: expectation(lane.expects),
+        verdict: found.holds.into(),
+        asserted: lane.expects,
+    }
+}
+
+fn expectation(expects: Expects) -> String {
+    match expects {
+        Expects::Order { order, tolerance } => expected_order(order, tolerance),
+        Expects::Within { limit: most, why } => format!("error at most {}: {why}", limit(most)),
+        Expects::Converges { last, why } => format!("error falls at every point, to at most {}: {why}", limit(last)),
+        Expects::Breaks { limit: most, why } => format!("error above {}: {why}", limit(most)),
+    }
+}
+
+fn expected_order(order: f64, tolerance: f64) -> String {
+    format!("order {} ± {}", significant(order, 3), significant(tolerance, 3))
 }

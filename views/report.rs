@@ -1,5 +1,6 @@
 //! What a run found, as plain data: terminal and JSON are views of it.
 
+use chapters::vocabulary::Part;
 use equation::face::Block;
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
@@ -9,7 +10,7 @@ use yardstick::precise::Real;
 /// Name of the JSON document's layout.
 pub const SCHEMA: &str = "lesson-report/1";
 
-/// What a run does with the steps it is about.
+/// What a run does with the steps it is about; figures are drawn beside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Parts {
     /// Units, derivations and checks.
@@ -18,6 +19,23 @@ pub struct Parts {
     pub stress: bool,
     /// Error against run time.
     pub races: bool,
+}
+
+impl Parts {
+    /// Whether `part` is run.
+    pub fn has(self, part: Part) -> bool {
+        match part {
+            Part::Checks => self.checks,
+            Part::Stress => self.stress,
+            Part::Races => self.races,
+            Part::Figures => false,
+        }
+    }
+
+    /// One part alone; none if it is the figures.
+    pub fn only(part: Part) -> Self {
+        Self { checks: part == Part::Checks, stress: part == Part::Stress, races: part == Part::Races }
+    }
 }
 
 /// Everything that one run found.
@@ -58,6 +76,8 @@ pub struct StepReport {
     pub setting: Vec<ParameterReport>,
     pub readout: Vec<QuantityReport>,
     pub statements: Vec<StatementReport>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub questions: Vec<QuestionReport>,
     pub derivations: Vec<DerivationReport>,
     pub checks: Vec<CheckReport>,
     pub stress: Vec<StressReport>,
@@ -102,6 +122,30 @@ pub struct StatementReport {
     /// The SI dimension of both sides, or how they differ.
     pub dimension: String,
     pub verdict: Verdict,
+}
+
+/// A question, and what is said to each answer.
+#[derive(Debug, Serialize)]
+pub struct QuestionReport {
+    pub address: String,
+    pub asks: &'static str,
+    /// What can be chosen; empty if a number is asked for.
+    pub options: Vec<OptionReport>,
+    /// The right number, in `unit` (SI).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub number: Option<Number>,
+    pub unit: &'static str,
+    /// What the right answer shows.
+    pub because: &'static str,
+}
+
+/// An answer that can be chosen.
+#[derive(Debug, Serialize)]
+pub struct OptionReport {
+    pub says: &'static str,
+    pub right: bool,
+    /// What is said to whoever chooses it.
+    pub reply: &'static str,
 }
 
 #[derive(Debug, Serialize)]

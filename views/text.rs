@@ -4,7 +4,7 @@ use crate::page::{Page, Span, Tone, typeset};
 use crate::report::Parts;
 use crate::report::*;
 use chapters::lecture::LECTURE;
-use chapters::vocabulary::Expects;
+use chapters::vocabulary::{Expects, Item, Part};
 use chapters::{CURRICULUM, Chapter, Step};
 use unicode_width::UnicodeWidthStr;
 
@@ -40,25 +40,24 @@ fn written(page: &mut Page, chapter: &Chapter) {
     }
 }
 
-/// What a step has, in one line.
+/// What a step has, in one line: the checks by name, the rest by number.
 fn inventory(step: &Step) -> String {
-    let ids: Vec<_> = step.checks.iter().map(|check| check.id).collect();
+    let ids: Vec<_> = step.checks.iter().map(|check| check.head().id).collect();
     let mut parts = vec![step.rows.join(" ")];
     if !ids.is_empty() {
         parts.push(format!("checks {}", ids.join(", ")));
     }
-    for (count, one, many) in [
-        (step.derivations.len(), "derivation", "derivations"),
-        (step.stress.len(), "family of extreme cases", "families of extreme cases"),
-        (step.races.len(), "race", "races"),
-        (step.figures.len(), "figure", "figures"),
-    ] {
-        match count {
-            0 => {}
-            1 => parts.push(format!("1 {one}")),
-            _ => parts.push(format!("{count} {many}")),
+    let mut counts: Vec<((&str, &str), usize)> = Vec::new();
+    for item in step.items().filter(|item| !matches!(item, Item::Statement(_) | Item::Check(_))) {
+        match counts.iter_mut().find(|(kind, _)| *kind == item.kind()) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((item.kind(), 1)),
         }
     }
+    parts.extend(counts.into_iter().map(|((one, many), count)| match count {
+        1 => format!("1 {one}"),
+        _ => format!("{count} {many}"),
+    }));
     parts.retain(|part| !part.is_empty());
     parts.join(" · ")
 }
@@ -441,9 +440,10 @@ fn short_time(ns: f64) -> String {
 fn pointers(page: &mut Page, step: &Step, address: &str) {
     let command = address.replace('/', " ");
     let mut rows: Vec<(&str, String)> = Vec::new();
-    rows.extend(step.stress.iter().map(|stress| ("--stress", stress.claim.to_owned())));
-    rows.extend(step.races.iter().map(|race| ("--race", race.claim.to_owned())));
-    rows.extend(step.figures.iter().map(|figure| ("--plot", figure.says.to_owned())));
+    rows.extend(step.items().filter_map(|item| match item.part()? {
+        Part::Checks => None,
+        part => Some((part.flag(), item.says().to_owned())),
+    }));
     if rows.is_empty() {
         return;
     }

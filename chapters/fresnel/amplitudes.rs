@@ -8,7 +8,8 @@ use super::{INTERFACE, extremes, incidence, interface, media, over_angle, over_a
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
 use crate::vocabulary::{
-    ALLOWED_ULPS, Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, Stress,
+    ALLOWED_ULPS, Bench, Bound, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+    stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{asin, cos, sin, tan};
@@ -32,212 +33,128 @@ const AS_PROMISED: Bound = Bound::AtMost {
 
 const ROUTE: &str = "the equation above, as the object on the page, in 256-bit arithmetic";
 
-pub(super) const R_S_STEP: Step = Step {
-    id: "r_s",
-    title: "Reflected, s",
-    says: "Across the plane of incidence the reflected field changes sign at a denser medium.",
-    rows: &["E36"],
-    parameters: INTERFACE,
-    statements: &[Statement {
-        id: "ratio",
-        says: "reflected over incident electric field, s",
-        rows: &["E36"],
-        equation: || Equation::new(R_S, r_s()),
-    }],
-    derivations: &[Derivation {
-        id: "from_boundary",
-        says: "E35 solved for E₁′/E₁, with H = nE/Z₀",
-        rows: &["E36"],
-        chain: || s_chain(r_s()),
-        spoiled: || s_chain(-r_s()),
-        slip: "the sign of r_s",
-    }],
-    readout: Some(|setting| readout(setting, ["r_s_re", "r_s_im"], ["Re r_s", "Im r_s"], |a| a.r_s)),
-    checks: &[Check {
-        id: "as_written",
-        claim: "the program's r_s is the lecture's",
-        rows: &["E36"],
-        route: ROUTE,
-        bound: AS_PROMISED,
-        measure: |bench| against_equation(bench, &r_s(), |a| a.r_s, 0),
-        spoiled: |bench| against_equation(bench, &(sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2)), |a| a.r_s, 0),
-        slip: "the minus sign is dropped",
-    }],
-    stress: &[Stress {
-        id: "small_contrast",
-        claim: "r_s keeps its digits at normal incidence and between nearly equal media",
-        rows: &["E36"],
-        textbook: "−sin(θ₁−θ₂)/sin(θ₁+θ₂)",
-        reference: "(q₁ − q₂)/(q₁ + q₂) in 256 bits",
-        cases: |setting| extremes::cases(&["r_s_re"], &hard_inputs(setting)),
-    }],
-    races: &[],
-    figures: &[Figure {
-        id: "against_angle",
-        says: "r_s with its sign against the angle.",
-        rows: &["E36"],
-        plot: |setting| curves(setting, "Reflected amplitude, s", &[("r_s", Hue::S, |a| a.r_s)]),
-    }],
-};
+pub(super) const R_S_EXHIBIT: Exhibit = exhibit(
+    "r_s",
+    INTERFACE,
+    &[figure("against_angle", "r_s with its sign against the angle.", |setting| {
+        curves(setting, "Reflected amplitude, s", &[("r_s", Hue::S, |a| a.r_s)])
+    })],
+);
 
-pub(super) const T_S_STEP: Step = Step {
-    id: "t_s",
-    title: "Transmitted, s",
-    says: "The transmitted field is the sum of the incident and the reflected one.",
-    rows: &["E37"],
-    parameters: INTERFACE,
-    statements: &[Statement {
-        id: "ratio",
-        says: "transmitted over incident electric field, s",
-        rows: &["E37"],
-        equation: || Equation::new(T_S, t_s()),
-    }],
-    derivations: &[Derivation {
-        id: "from_boundary",
-        says: "E35 solved for E₂/E₁, with H = nE/Z₀",
-        rows: &["E37"],
-        chain: || t_s_chain(t_s()),
-        spoiled: || t_s_chain(2 * sin(THETA_1) * cos(THETA_2) / sin(THETA_1 + THETA_2)),
-        slip: "the angles are interchanged",
-    }],
-    readout: Some(|setting| readout(setting, ["t_s_re", "t_s_im"], ["Re t_s", "Im t_s"], |a| a.t_s)),
-    checks: &[Check {
-        id: "as_written",
-        claim: "the program's t_s is the lecture's",
-        rows: &["E37"],
-        route: ROUTE,
-        bound: AS_PROMISED,
-        measure: |bench| against_equation(bench, &t_s(), |a| a.t_s, 2),
-        spoiled: |bench| {
-            against_equation(bench, &(2 * sin(THETA_1) * cos(THETA_2) / sin(THETA_1 + THETA_2)), |a| a.t_s, 2)
-        },
-        slip: "the angles are interchanged",
-    }],
-    stress: &[Stress {
-        id: "grazing",
-        claim: "t_s keeps its digits down to the last picoradian above the surface",
-        rows: &["E37"],
-        textbook: "2 sin θ₂ cos θ₁/sin(θ₁+θ₂)",
-        reference: "2 q₁/(q₁ + q₂) in 256 bits",
-        cases: |setting| extremes::cases(&["t_s_re"], &hard_inputs(setting)),
-    }],
-    races: &[],
-    figures: &[Figure {
-        id: "against_angle",
-        says: "t_s against the angle, into and out of the medium.",
-        rows: &["E37"],
-        plot: |setting| curves(setting, "Transmitted amplitude, s", &[("t_s", Hue::Transmitted, |a| a.t_s)]),
-    }],
-};
+pub(super) const R_S_STEP: Step = step(
+    R_S_EXHIBIT,
+    "Reflected, s",
+    "Across the plane of incidence the reflected field changes sign at a denser medium.",
+)
+.rows(&["E36"])
+.statements(&[statement("ratio", "reflected over incident electric field, s", || Equation::new(R_S, r_s()))])
+.derivations(&[derivation("from_boundary", "E35 solved for E₁′/E₁, with H = nE/Z₀", || s_chain(r_s()))
+    .slip("the sign of r_s", || s_chain(-r_s()))])
+.readout(|setting| readout(setting, ["r_s_re", "r_s_im"], ["Re r_s", "Im r_s"], |a| a.r_s))
+.checks(&[&check("as_written", "the program's r_s is the lecture's")
+    .against(ROUTE)
+    .bound(AS_PROMISED)
+    .of::<fn() -> Expr>(|bench, equation| against_equation(bench, &equation(), |a| a.r_s, 0), r_s)
+    .slip("the minus sign is dropped", || sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2))])
+.stress(&[stress(
+    "small_contrast",
+    "r_s keeps its digits at normal incidence and between nearly equal media",
+    |setting| extremes::cases(&["r_s_re"], &hard_inputs(setting)),
+)
+.textbook("−sin(θ₁−θ₂)/sin(θ₁+θ₂)")
+.against("(q₁ − q₂)/(q₁ + q₂) in 256 bits")]);
 
-pub(super) const R_P_STEP: Step = Step {
-    id: "r_p",
-    title: "Reflected, p",
-    says: "In the plane of incidence the reflected field passes through zero.",
-    rows: &["E39"],
-    parameters: INTERFACE,
-    statements: &[Statement {
-        id: "ratio",
-        says: "reflected over incident electric field, p",
-        rows: &["E39"],
-        equation: || Equation::new(R_P, r_p()),
-    }],
-    derivations: &[Derivation {
-        id: "from_boundary",
-        says: "E38 solved for E₁′/E₁, with H = nE/Z₀",
-        rows: &["E39"],
-        chain: || p_chain(r_p()),
-        spoiled: || p_chain(sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2)),
-        slip: "sine for tangent",
-    }],
-    readout: Some(|setting| readout(setting, ["r_p_re", "r_p_im"], ["Re r_p", "Im r_p"], |a| a.r_p)),
-    checks: &[Check {
-        id: "as_written",
-        claim: "the program's r_p is the lecture's",
-        rows: &["E39"],
-        route: ROUTE,
-        bound: AS_PROMISED,
-        measure: |bench| against_equation(bench, &r_p(), |a| a.r_p, 4),
-        spoiled: |bench| {
-            against_equation(
-                bench,
-                &(tan(THETA_1 - THETA_2) / tan(THETA_1 - THETA_2 + 2 * THETA_2 * THETA_2)),
-                |a| a.r_p,
-                4,
-            )
-        },
-        slip: "θ₂ is squared in the denominator",
-    }],
-    stress: &[Stress {
-        id: "brewster",
-        claim: "r_p keeps its digits where it vanishes: at Brewster's angle, and between nearly equal media",
-        rows: &["E39"],
-        textbook: "tan(θ₁−θ₂)/tan(θ₁+θ₂)",
-        reference: "(n₂²q₁ − n₁²q₂)/(n₂²q₁ + n₁²q₂) in 256 bits",
-        cases: |setting| {
-            let brewster = brewster_angle(1.0, 1.5);
-            let near = [-1e-6, -1e-9, 1e-9, 1e-6].map(|offset| clear(Direction::Angle(brewster + offset), 1.0, 1.5));
-            extremes::cases(&["r_p_re"], &[hard_inputs(setting), near.to_vec()].concat())
-        },
-    }],
-    races: &[],
-    figures: &[Figure {
-        id: "against_angle",
-        says: "r_p with its sign against the angle: the zero is Brewster's.",
-        rows: &["E39"],
-        plot: |setting| {
-            curves(setting, "Reflected amplitudes", &[("r_s", Hue::S, |a| a.r_s), ("r_p", Hue::P, |a| a.r_p)])
-        },
-    }],
-};
+pub(super) const T_S_EXHIBIT: Exhibit = exhibit(
+    "t_s",
+    INTERFACE,
+    &[figure("against_angle", "t_s against the angle, into and out of the medium.", |setting| {
+        curves(setting, "Transmitted amplitude, s", &[("t_s", Hue::Transmitted, |a| a.t_s)])
+    })],
+);
 
-pub(super) const T_P_STEP: Step = Step {
-    id: "t_p",
-    title: "Transmitted, p",
-    says: "With r_s, t_s and r_p the fourth ratio completes the interface.",
-    rows: &["E40"],
-    parameters: INTERFACE,
-    statements: &[Statement {
-        id: "ratio",
-        says: "transmitted over incident electric field, p",
-        rows: &["E40"],
-        equation: || Equation::new(T_P, t_p()),
-    }],
-    derivations: &[Derivation {
-        id: "from_boundary",
-        says: "E38 solved for E₂/E₁, with H = nE/Z₀",
-        rows: &["E40"],
-        chain: || t_p_chain(t_p()),
-        spoiled: || t_p_chain(t_s()),
-        slip: "the factor 1/cos(θ₁−θ₂) is forgotten",
-    }],
-    readout: Some(|setting| readout(setting, ["t_p_re", "t_p_im"], ["Re t_p", "Im t_p"], |a| a.t_p)),
-    checks: &[Check {
-        id: "as_written",
-        claim: "the program's t_p is the lecture's",
-        rows: &["E40"],
-        route: ROUTE,
-        bound: AS_PROMISED,
-        measure: |bench| against_equation(bench, &t_p(), |a| a.t_p, 6),
-        spoiled: |bench| against_equation(bench, &t_s(), |a| a.t_p, 6),
-        slip: "the factor 1/cos(θ₁−θ₂) is forgotten",
-    }],
-    stress: &[Stress {
-        id: "grazing",
-        claim: "t_p keeps its digits at grazing incidence and out of a dense medium",
-        rows: &["E40"],
-        textbook: "2 sin θ₂ cos θ₁/(sin(θ₁+θ₂) cos(θ₁−θ₂))",
-        reference: "2 n₁n₂q₁/(n₂²q₁ + n₁²q₂) in 256 bits",
-        cases: |setting| extremes::cases(&["t_p_re"], &hard_inputs(setting)),
-    }],
-    races: &[],
-    figures: &[Figure {
-        id: "amplitudes",
-        says: "All four ratios with their signs, into the medium and out of it.",
-        rows: &["E36", "E37", "E39", "E40"],
-        plot: both_ways,
-    }],
-};
+pub(super) const T_S_STEP: Step =
+    step(T_S_EXHIBIT, "Transmitted, s", "The transmitted field is the sum of the incident and the reflected one.")
+        .rows(&["E37"])
+        .statements(&[statement("ratio", "transmitted over incident electric field, s", || Equation::new(T_S, t_s()))])
+        .derivations(&[derivation("from_boundary", "E35 solved for E₂/E₁, with H = nE/Z₀", || t_s_chain(t_s()))
+            .slip("the angles are interchanged", || {
+                t_s_chain(2 * sin(THETA_1) * cos(THETA_2) / sin(THETA_1 + THETA_2))
+            })])
+        .readout(|setting| readout(setting, ["t_s_re", "t_s_im"], ["Re t_s", "Im t_s"], |a| a.t_s))
+        .checks(&[&check("as_written", "the program's t_s is the lecture's")
+            .against(ROUTE)
+            .bound(AS_PROMISED)
+            .of::<fn() -> Expr>(|bench, equation| against_equation(bench, &equation(), |a| a.t_s, 2), t_s)
+            .slip("the angles are interchanged", || 2 * sin(THETA_1) * cos(THETA_2) / sin(THETA_1 + THETA_2))])
+        .stress(&[stress(
+            "grazing",
+            "t_s keeps its digits down to the last picoradian above the surface",
+            |setting| extremes::cases(&["t_s_re"], &hard_inputs(setting)),
+        )
+        .textbook("2 sin θ₂ cos θ₁/sin(θ₁+θ₂)")
+        .against("2 q₁/(q₁ + q₂) in 256 bits")]);
+
+pub(super) const R_P_EXHIBIT: Exhibit = exhibit(
+    "r_p",
+    INTERFACE,
+    &[figure("against_angle", "r_p with its sign against the angle: the zero is Brewster's.", |setting| {
+        curves(setting, "Reflected amplitudes", &[("r_s", Hue::S, |a| a.r_s), ("r_p", Hue::P, |a| a.r_p)])
+    })],
+);
+
+pub(super) const R_P_STEP: Step =
+    step(R_P_EXHIBIT, "Reflected, p", "In the plane of incidence the reflected field passes through zero.")
+        .rows(&["E39"])
+        .statements(&[statement("ratio", "reflected over incident electric field, p", || Equation::new(R_P, r_p()))])
+        .derivations(&[derivation("from_boundary", "E38 solved for E₁′/E₁, with H = nE/Z₀", || p_chain(r_p()))
+            .slip("sine for tangent", || p_chain(sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2)))])
+        .readout(|setting| readout(setting, ["r_p_re", "r_p_im"], ["Re r_p", "Im r_p"], |a| a.r_p))
+        .checks(&[&check("as_written", "the program's r_p is the lecture's")
+            .against(ROUTE)
+            .bound(AS_PROMISED)
+            .of::<fn() -> Expr>(|bench, equation| against_equation(bench, &equation(), |a| a.r_p, 4), r_p)
+            .slip("θ₂ is squared in the denominator", || {
+                tan(THETA_1 - THETA_2) / tan(THETA_1 - THETA_2 + 2 * THETA_2 * THETA_2)
+            })])
+        .stress(&[stress(
+            "brewster",
+            "r_p keeps its digits where it vanishes: at Brewster's angle, and between nearly equal media",
+            |setting| {
+                let brewster = brewster_angle(1.0, 1.5);
+                let near =
+                    [-1e-6, -1e-9, 1e-9, 1e-6].map(|offset| clear(Direction::Angle(brewster + offset), 1.0, 1.5));
+                extremes::cases(&["r_p_re"], &[hard_inputs(setting), near.to_vec()].concat())
+            },
+        )
+        .textbook("tan(θ₁−θ₂)/tan(θ₁+θ₂)")
+        .against("(n₂²q₁ − n₁²q₂)/(n₂²q₁ + n₁²q₂) in 256 bits")]);
+
+pub(super) const T_P_EXHIBIT: Exhibit = exhibit(
+    "t_p",
+    INTERFACE,
+    &[figure("amplitudes", "All four ratios with their signs, into the medium and out of it.", both_ways)
+        .rows(&["E36", "E37", "E39", "E40"])],
+);
+
+pub(super) const T_P_STEP: Step =
+    step(T_P_EXHIBIT, "Transmitted, p", "With r_s, t_s and r_p the fourth ratio completes the interface.")
+        .rows(&["E40"])
+        .statements(&[statement("ratio", "transmitted over incident electric field, p", || Equation::new(T_P, t_p()))])
+        .derivations(&[derivation("from_boundary", "E38 solved for E₂/E₁, with H = nE/Z₀", || t_p_chain(t_p()))
+            .slip("the factor 1/cos(θ₁−θ₂) is forgotten", || t_p_chain(t_s()))])
+        .readout(|setting| readout(setting, ["t_p_re", "t_p_im"], ["Re t_p", "Im t_p"], |a| a.t_p))
+        .checks(&[&check("as_written", "the program's t_p is the lecture's")
+            .against(ROUTE)
+            .bound(AS_PROMISED)
+            .of::<fn() -> Expr>(|bench, equation| against_equation(bench, &equation(), |a| a.t_p, 6), t_p)
+            .slip("the factor 1/cos(θ₁−θ₂) is forgotten", t_s)])
+        .stress(&[stress(
+            "grazing",
+            "t_p keeps its digits at grazing incidence and out of a dense medium",
+            |setting| extremes::cases(&["t_p_re"], &hard_inputs(setting)),
+        )
+        .textbook("2 sin θ₂ cos θ₁/(sin(θ₁+θ₂) cos(θ₁−θ₂))")
+        .against("2 n₁n₂q₁/(n₂²q₁ + n₁²q₂) in 256 bits")]);
 
 /// E36
 pub(super) fn r_s() -> Expr {

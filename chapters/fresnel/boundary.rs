@@ -4,7 +4,7 @@ use super::fields::{tangential_step, waves};
 use super::symbols::{E_1, E_1R, E_2, ELECTRIC, H_1, H_1R, H_2, MAGNETIC, N_1, N_2, NORMAL, THETA_1, THETA_2, Z_0};
 use super::{INTERFACE, extremes, incidence, sample_inputs};
 use crate::setting::Setting;
-use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step};
+use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, statement, step};
 use equation::derivation::Chain;
 use equation::expr::{cos, cross, sin, vector};
 use equation::{Equation, Symbol};
@@ -12,74 +12,47 @@ use light::optics::Incidence;
 use light::optics::film::Polarisation;
 use light::optics::fresnel::{Amplitudes, amplitudes};
 
-pub(super) const STEP: Step = Step {
-    id: "boundary",
-    title: "What must be continuous",
-    says: "The tangential fields on both sides are the same: two equations for each polarisation.",
-    rows: &["E35", "E38"],
-    parameters: INTERFACE,
-    statements: &[
-        Statement {
-            id: "s_electric",
-            says: "s: the electric field is all tangential",
-            rows: &["E35"],
-            equation: || conditions(Polarisation::S)[0].clone(),
-        },
-        Statement {
-            id: "s_magnetic",
-            says: "s: of the magnetic field cos θ is",
-            rows: &["E35"],
-            equation: || conditions(Polarisation::S)[1].clone(),
-        },
-        Statement {
-            id: "p_electric",
-            says: "p: of the electric field cos θ is tangential",
-            rows: &["E38"],
-            equation: || conditions(Polarisation::P)[0].clone(),
-        },
-        Statement {
-            id: "p_magnetic",
-            says: "p: the magnetic field is all tangential",
-            rows: &["E38"],
-            equation: || conditions(Polarisation::P)[1].clone(),
-        },
-    ],
-    derivations: &[
-        Derivation {
-            id: "s",
-            says: "E4 for fields of which the electric one stands across the plane of incidence",
-            rows: &["E35"],
-            chain: || {
-                let [electric, magnetic] = conditions(Polarisation::S);
-                continuous(Polarisation::S).then(electric, ["components"]).then(magnetic, ["components"])
-            },
-            spoiled: || {
-                let all = Equation::new((H_1 + H_1R) * cos(THETA_1), H_2 * cos(THETA_2));
-                continuous(Polarisation::S).then(all, ["components"])
-            },
-            slip: "the reflected wave does not turn round",
-        },
-        Derivation {
-            id: "p",
-            says: "E4 for fields of which the magnetic one stands across the plane of incidence",
-            rows: &["E38"],
-            chain: || {
-                let [electric, magnetic] = conditions(Polarisation::P);
-                continuous(Polarisation::P).then(electric, ["components"]).then(magnetic, ["components"])
-            },
-            spoiled: || {
-                let all = Equation::new((E_1 + E_1R) * cos(THETA_1), E_2 * cos(THETA_2));
-                continuous(Polarisation::P).then(all, ["components"])
-            },
-            slip: "the reflected wave does not turn round",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[CONTINUITY],
-    stress: &[],
-    races: &[],
-    figures: &[],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit("boundary", INTERFACE, &[]);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "What must be continuous",
+    "The tangential fields on both sides are the same: two equations for each \
+     polarisation.",
+)
+.rows(&["E35", "E38"])
+.statements(&[
+    statement("s_electric", "s: the electric field is all tangential", || conditions(Polarisation::S)[0].clone())
+        .rows(&["E35"]),
+    statement("s_magnetic", "s: of the magnetic field cos θ is", || conditions(Polarisation::S)[1].clone())
+        .rows(&["E35"]),
+    statement("p_electric", "p: of the electric field cos θ is tangential", || conditions(Polarisation::P)[0].clone())
+        .rows(&["E38"]),
+    statement("p_magnetic", "p: the magnetic field is all tangential", || conditions(Polarisation::P)[1].clone())
+        .rows(&["E38"]),
+])
+.derivations(&[
+    derivation("s", "E4 for fields of which the electric one stands across the plane of incidence", || {
+        let [electric, magnetic] = conditions(Polarisation::S);
+        continuous(Polarisation::S).then(electric, ["components"]).then(magnetic, ["components"])
+    })
+    .rows(&["E35"])
+    .slip("the reflected wave does not turn round", || {
+        let all = Equation::new((H_1 + H_1R) * cos(THETA_1), H_2 * cos(THETA_2));
+        continuous(Polarisation::S).then(all, ["components"])
+    }),
+    derivation("p", "E4 for fields of which the magnetic one stands across the plane of incidence", || {
+        let [electric, magnetic] = conditions(Polarisation::P);
+        continuous(Polarisation::P).then(electric, ["components"]).then(magnetic, ["components"])
+    })
+    .rows(&["E38"])
+    .slip("the reflected wave does not turn round", || {
+        let all = Equation::new((E_1 + E_1R) * cos(THETA_1), E_2 * cos(THETA_2));
+        continuous(Polarisation::P).then(all, ["components"])
+    }),
+])
+.readout(readout)
+.checks(&[&CONTINUITY]);
 
 /// E35 or E38: the electric and the magnetic condition.
 pub(super) fn conditions(polarisation: Polarisation) -> [Equation; 2] {
@@ -152,20 +125,15 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     vec![step("step_s", "s", Polarisation::S), step("step_p", "p", Polarisation::P)]
 }
 
-const CONTINUITY: Check = Check {
-    id: "continuity",
-    claim: "the program's amplitudes make tangential E and H continuous, in clear and absorbing media",
-    rows: &["E35", "E38"],
-    route: "full field vectors of the three waves, H = n k×E, component by component",
-    bound: Bound::AtMost {
-        limit: 32.0,
-        unit: "ε",
-        why: "a dozen roundings in the amplitudes and in each of the vectors' products",
-    },
-    measure: |bench| largest_step(bench, |a| a),
-    spoiled: |bench| largest_step(bench, |a| Amplitudes { r_p: -a.r_p, ..a }),
-    slip: "r_p with the sign of the other convention",
-};
+const CONTINUITY: Check<fn(Amplitudes) -> Amplitudes> = check(
+    "continuity",
+    "the program's amplitudes make tangential E and H continuous, in clear and \
+     absorbing media",
+)
+.against("full field vectors of the three waves, H = n k×E, component by component")
+.within(32.0, "ε", "a dozen roundings in the amplitudes and in each of the vectors' products")
+.of(largest_step, |a| a)
+.slip("r_p with the sign of the other convention", |a| Amplitudes { r_p: -a.r_p, ..a });
 
 fn largest_step(bench: &mut Bench, amend: fn(Amplitudes) -> Amplitudes) -> Measured {
     Measured::worst(sample_inputs(bench.setting).iter().flat_map(|input| {

@@ -6,7 +6,9 @@ use super::symbols::{N_1, N_2, THETA_1, THETA_2};
 use super::{INTERFACE, interface, pseudo_brewster};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
-use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, Stress};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step, stress,
+};
 use equation::derivation::Chain;
 use equation::expr::{cos, pi, sin, tan};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -17,70 +19,51 @@ use std::f64::consts::FRAC_PI_2;
 
 const THETA_B: Symbol = Symbol::scalar("theta_B", Dimension::ONE).within(0.3, 1.2);
 
-pub(super) const STEP: Step = Step {
-    id: "brewster",
-    title: "The angle at which p does not reflect",
-    says: "At Brewster's angle reflected and refracted ray are at right angles, and r_p changes sign.",
-    rows: &["C11"],
-    parameters: INTERFACE,
-    statements: &[
-        Statement {
-            id: "angle",
-            says: "Brewster's angle",
-            rows: &["C11"],
-            equation: || Equation::new(tan(THETA_B), N_2 / N_1),
-        },
-        Statement {
-            id: "right_angle",
-            says: "reflected and refracted ray stand at right angles",
-            rows: &["C11"],
-            equation: || Equation::new(THETA_B + THETA_2, pi() / 2),
-        },
-    ],
-    derivations: &[
-        Derivation {
-            id: "from_snell",
-            says: "where θ₁ + θ₂ is a right angle, Snell's law is tan θ_B = n₂/n₁",
-            rows: &["C11"],
-            chain: || at_right_angle(tan(THETA_1)),
-            spoiled: || at_right_angle(sin(THETA_1)),
-            slip: "sine for tangent",
-        },
-        Derivation {
-            id: "nothing_reflected",
-            says: "there the wave that E38 leaves to be reflected vanishes",
-            rows: &["C11"],
-            chain: || reflected(N_2, N_1, sin(THETA_1), Expr::from(0)),
-            spoiled: || reflected(N_1, N_2, sin(THETA_1), Expr::from(0)),
-            slip: "s for p",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[NOTHING_REFLECTED, RIGHT_ANGLE],
-    stress: &[Stress {
-        id: "zero",
-        claim: "R_p keeps its digits however close to its zero",
-        rows: &["C11"],
-        textbook: "tan²(θ₁−θ₂)/tan²(θ₁+θ₂)",
-        reference: "256 bits",
-        cases: |setting| {
-            let offsets = [-1e-3, -1e-6, -1e-9, -1e-12, 0.0, 1e-12, 1e-9, 1e-6];
-            let media = [(1.0, 1.5), (1.5, 1.0), (1.0, 2.4)];
-            let near = media.iter().flat_map(|&(n_i, n_t)| {
-                let angle = brewster_angle(n_i, n_t);
-                offsets.map(|offset| Input { direction: Direction::Angle(angle + offset), n_i, n_t: n_t.into() })
-            });
-            cases(&["R_p"], &[interface(setting)].into_iter().chain(near).collect::<Vec<_>>())
-        },
-    }],
-    races: &[],
-    figures: &[Figure {
-        id: "zero_of_r_p",
-        says: "R_p on a logarithmic scale for media from water to diamond: each zero stands at its own angle.",
-        rows: &["C11"],
-        plot: zeros,
-    }],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "brewster",
+    INTERFACE,
+    &[figure(
+        "zero_of_r_p",
+        "R_p on a logarithmic scale for media from water to diamond: each zero stands at its own angle.",
+        zeros,
+    )],
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "The angle at which p does not reflect",
+    "At Brewster's angle reflected and refracted ray are at right angles, and r_p changes sign.",
+)
+.rows(&["C11"])
+.statements(&[
+    statement("angle", "Brewster's angle", || Equation::new(tan(THETA_B), N_2 / N_1)),
+    statement("right_angle", "reflected and refracted ray stand at right angles", || {
+        Equation::new(THETA_B + THETA_2, pi() / 2)
+    }),
+])
+.derivations(&[
+    derivation("from_snell", "where θ₁ + θ₂ is a right angle, Snell's law is tan θ_B = n₂/n₁", || {
+        at_right_angle(tan(THETA_1))
+    })
+    .slip("sine for tangent", || at_right_angle(sin(THETA_1))),
+    derivation("nothing_reflected", "there the wave that E38 leaves to be reflected vanishes", || {
+        reflected(N_2, N_1, sin(THETA_1), Expr::from(0))
+    })
+    .slip("s for p", || reflected(N_1, N_2, sin(THETA_1), Expr::from(0))),
+])
+.readout(readout)
+.checks(&[&NOTHING_REFLECTED, &RIGHT_ANGLE])
+.stress(&[stress("zero", "R_p keeps its digits however close to its zero", |setting| {
+    let offsets = [-1e-3, -1e-6, -1e-9, -1e-12, 0.0, 1e-12, 1e-9, 1e-6];
+    let media = [(1.0, 1.5), (1.5, 1.0), (1.0, 2.4)];
+    let near = media.iter().flat_map(|&(n_i, n_t)| {
+        let angle = brewster_angle(n_i, n_t);
+        offsets.map(|offset| Input { direction: Direction::Angle(angle + offset), n_i, n_t: n_t.into() })
+    });
+    cases(&["R_p"], &[interface(setting)].into_iter().chain(near).collect::<Vec<_>>())
+})
+.textbook("tan²(θ₁−θ₂)/tan²(θ₁+θ₂)")
+.against("256 bits")]);
 
 /// Snell's law where the reflected and the refracted ray stand at right angles.
 fn square_rays() -> Chain {
@@ -122,20 +105,16 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     all.map(|(key, symbol, says, value, unit)| Quantity { key, symbol, says, value, unit }).into()
 }
 
-const NOTHING_REFLECTED: Check = Check {
-    id: "minimum",
-    claim: "the least R_p over all angles is at arctan(n₂/n₁)",
-    rows: &["C11"],
-    route: "golden-section search for the zero of R_p, by values alone",
-    bound: Bound::AtMost {
-        limit: 1e-8,
-        unit: "rad",
-        why: "√R_p falls linearly to its zero, so the search finds it to rounding; 1e−8 leaves room for the slope",
-    },
-    measure: |bench| distance_of_minimum(bench, brewster_angle),
-    spoiled: |bench| distance_of_minimum(bench, |n_i, n_t| brewster_angle(n_t, n_i)),
-    slip: "the angle of the way back",
-};
+const NOTHING_REFLECTED: Check<fn(f64, f64) -> f64> =
+    check("minimum", "the least R_p over all angles is at arctan(n₂/n₁)")
+        .against("golden-section search for the zero of R_p, by values alone")
+        .within(
+            1e-8,
+            "rad",
+            "√R_p falls linearly to its zero, so the search finds it to rounding; 1e−8 leaves room for the slope",
+        )
+        .of(distance_of_minimum, brewster_angle)
+        .slip("the angle of the way back", |n_i, n_t| brewster_angle(n_t, n_i));
 
 fn distance_of_minimum(bench: &mut Bench, angle: fn(f64, f64) -> f64) -> Measured {
     let own = interface(bench.setting);
@@ -149,18 +128,14 @@ fn distance_of_minimum(bench: &mut Bench, angle: fn(f64, f64) -> f64) -> Measure
     }))
 }
 
-const RIGHT_ANGLE: Check = Check {
-    id: "square",
-    claim: "there the reflected and the refracted ray stand at right angles",
-    rows: &["C11"],
-    route: "Snell's law at the angle that the arctangent gives",
-    bound: Bound::AtMost { limit: 8.0, unit: "ε", why: "a handful of roundings of angles below π/2" },
-    measure: |_| out_of_square(brewster_angle),
-    spoiled: |_| out_of_square(|n_i, n_t| (n_t.min(n_i) / n_t.max(n_i)).asin()),
-    slip: "the arcsine, as for the critical angle",
-};
+const RIGHT_ANGLE: Check<fn(f64, f64) -> f64> =
+    check("square", "there the reflected and the refracted ray stand at right angles")
+        .against("Snell's law at the angle that the arctangent gives")
+        .within(8.0, "ε", "a handful of roundings of angles below π/2")
+        .of(out_of_square, brewster_angle)
+        .slip("the arcsine, as for the critical angle", |n_i, n_t| (n_t.min(n_i) / n_t.max(n_i)).asin());
 
-fn out_of_square(angle: fn(f64, f64) -> f64) -> Measured {
+fn out_of_square(_: &mut Bench, angle: fn(f64, f64) -> f64) -> Measured {
     let media = [(1.0, 1.33), (1.0, 1.5), (1.0, 2.4), (1.5, 1.0), (1.0, 4.0), (1.33, 1.5)];
     Measured::worst(media.map(|(n_i, n_t)| {
         let theta = angle(n_i, n_t);

@@ -4,7 +4,10 @@ use super::extremes::{families, ours, worst_cases};
 use super::{N_I, N_T, interface};
 use crate::figure::{Axis, Map, Panel, Plot, Ramp};
 use crate::setting::{Parameter, Setting, THETA, WAVELENGTH};
-use crate::vocabulary::{ALLOWED_ULPS, Bench, Expects, Figure, Heat, Lane, Quantity, Race, Step, Stress, digits};
+use crate::vocabulary::{
+    ALLOWED_ULPS, Bench, Exhibit, Expects, Heat, Lane, Quantity, Race, Step, digits, exhibit, figure, lane, race, step,
+    stress,
+};
 use light::Complex64;
 use light::optics::fresnel::{natural_reflectance, natural_reflectance_absorbing, powers};
 use light::optics::textbook::{self, natural_reflectance_by_cosines};
@@ -13,32 +16,35 @@ use light::references::fresnel::{Exact, Input, NAMES};
 use yardstick::precise;
 use yardstick::random::uniform;
 
-pub(super) const STEP: Step = Step {
-    id: "digits",
-    title: "Digits lost, digits kept",
-    says: "As written the formulas are 0/0 at normal incidence and cancel between similar media; one identity cures both.",
-    rows: &["C10"],
-    parameters: &[N_I, Parameter { default: "1.000001", ..N_T }, THETA, WAVELENGTH],
-    statements: &[],
-    derivations: &[],
-    readout: Some(readout),
-    checks: &[],
-    stress: &[Stress {
-        id: "promise",
-        claim: "over more than ten thousand inputs chosen to break it, every output stays within 16 ε(1+κ)",
-        rows: &["C10", "C13", "C14"],
-        textbook: "E36–E42 as written",
-        reference: "256-bit arithmetic; κ from difference quotients with a relative step of 1e−30",
-        cases: |_| families().iter().flat_map(worst_cases).collect(),
-    }],
-    races: &[FORMS, FORMS_ABSORBING],
-    figures: &[Figure {
-        id: "digits_lost",
-        says: "Digits of R_n kept by the formula as written, by the cosines most renderers use, and by the program; and how many the condition number asks for.",
-        rows: &["C10"],
-        plot: digits_lost,
-    }],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "digits",
+    &[N_I, Parameter { default: "1.000001", ..N_T }, THETA, WAVELENGTH],
+    &[figure(
+        "digits_lost",
+        "Digits of R_n kept by the formula as written, by the cosines most renderers use, \
+         and by the program; and how many the condition number asks for.",
+        digits_lost,
+    )],
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Digits lost, digits kept",
+    "As written the formulas are 0/0 at normal incidence and cancel between similar \
+     media; one identity cures both.",
+)
+.rows(&["C10"])
+.readout(readout)
+.stress(&[stress(
+    "promise",
+    "over more than ten thousand inputs chosen to break it, every output stays within \
+     16 ε(1+κ)",
+    |_| families().iter().flat_map(worst_cases).collect(),
+)
+.rows(&["C10", "C13", "C14"])
+.textbook("E36–E42 as written")
+.against("256-bit arithmetic; κ from difference quotients with a relative step of 1e−30")])
+.races(&[FORMS, FORMS_ABSORBING]);
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
     let input = interface(setting);
@@ -59,47 +65,58 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
 const BATCH: u64 = 4096;
 const JUDGED: usize = 48;
 
-const FORMS: Race = Race {
-    id: "forms",
-    claim: "in a batch the form that keeps its digits costs no more than the plain cosines: R_n between clear media",
-    rows: &["C10", "E42"],
-    work: "evaluations of R_n",
-    error: "worst relative error of R_n",
-    reference: "worst relative error against 256-bit arithmetic over angles down to 1e−9 and contrasts down to 1e−9",
-    lanes: &[
-        lane("written", "E42 as written", BREAKS, |bench, work| {
-            clear(bench, work, singly(|cos, n_t| by_angles(cos.acos(), n_t.re)))
-        }),
-        lane("cosines", "cosines", BREAKS, |bench, work| {
-            clear(bench, work, singly(|cos, n_t| natural_reflectance_by_cosines(cos, 1.0, n_t.re)))
-        }),
-        lane("single", "the program, one by one", KEEPS, |bench, work| clear(bench, work, singly(one_by_one))),
-        lane("batch", "the program, in a batch", KEEPS, |bench, work| {
-            clear(bench, work, |cosines, n_t, out| natural_reflectance(cosines, 1.0, n_t.re, out))
-        }),
-    ],
-};
+const FORMS: Race = race(
+    "forms",
+    "in a batch the form that keeps its digits costs no more than the plain cosines: \
+     R_n between clear media",
+)
+.rows(&["C10", "E42"])
+.work("evaluations of R_n")
+.error(
+    "worst relative error of R_n",
+    "worst relative error against 256-bit arithmetic over angles down to 1e−9 and \
+     contrasts down to 1e−9",
+)
+.lanes(&[
+    entrant("written", "E42 as written", BREAKS, |bench, work| {
+        clear(bench, work, singly(|cos, n_t| by_angles(cos.acos(), n_t.re)))
+    }),
+    entrant("cosines", "cosines", BREAKS, |bench, work| {
+        clear(bench, work, singly(|cos, n_t| natural_reflectance_by_cosines(cos, 1.0, n_t.re)))
+    }),
+    entrant("single", "the program, one by one", KEEPS, |bench, work| clear(bench, work, singly(one_by_one))),
+    entrant("batch", "the program, in a batch", KEEPS, |bench, work| {
+        clear(bench, work, |cosines, n_t, out| natural_reflectance(cosines, 1.0, n_t.re, out))
+    }),
+]);
 
-const FORMS_ABSORBING: Race = Race {
-    id: "forms_absorbing",
-    claim: "into metals the form that keeps its digits is the faster one, even one by one",
-    rows: &["C10"],
-    work: "evaluations of R_n",
-    error: "worst relative error of R_n",
-    reference: "worst relative error against 256-bit arithmetic over gold, a trace of absorption and k = 100",
-    lanes: &[
-        lane("written", "complex angles", BREAKS, |bench, work| {
-            absorbing(bench, work, singly(|cos, n_t| textbook::powers(cos.acos(), 1.0, n_t).r_n()))
-        }),
-        lane("single", "the program, one by one", KEEPS, |bench, work| absorbing(bench, work, singly(one_by_one))),
-        lane("batch", "the program, in a batch", KEEPS, |bench, work| {
-            absorbing(bench, work, |cosines, n_t, out| natural_reflectance_absorbing(cosines, 1.0, n_t, out))
-        }),
-    ],
-};
+const FORMS_ABSORBING: Race =
+    race("forms_absorbing", "into metals the form that keeps its digits is the faster one, even one by one")
+        .work("evaluations of R_n")
+        .error(
+            "worst relative error of R_n",
+            "worst relative error against 256-bit arithmetic over gold, a trace of absorption \
+             and k = 100",
+        )
+        .lanes(&[
+            entrant("written", "complex angles", BREAKS, |bench, work| {
+                absorbing(bench, work, singly(|cos, n_t| textbook::powers(cos.acos(), 1.0, n_t).r_n()))
+            }),
+            entrant("single", "the program, one by one", KEEPS, |bench, work| {
+                absorbing(bench, work, singly(one_by_one))
+            }),
+            entrant("batch", "the program, in a batch", KEEPS, |bench, work| {
+                absorbing(bench, work, |cosines, n_t, out| natural_reflectance_absorbing(cosines, 1.0, n_t, out))
+            }),
+        ]);
 
-const fn lane(id: &'static str, label: &'static str, expects: Expects, prepare: fn(&mut Bench, u64) -> Heat) -> Lane {
-    Lane { id, label, works: &[BATCH], expects, repeats: 1, prepare }
+const fn entrant(
+    id: &'static str,
+    label: &'static str,
+    expects: Expects,
+    prepare: fn(&mut Bench, u64) -> Heat,
+) -> Lane {
+    lane(id, label, &[BATCH], prepare).expects(expects)
 }
 
 const BREAKS: Expects =

@@ -5,7 +5,9 @@ use super::symbols::{N_1, N_2, N_REL, R_N, THETA_1, THETA_2};
 use super::{INTERFACE, golden_section, interface};
 use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
 use crate::setting::Setting;
-use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+};
 use equation::derivation::Chain;
 use equation::expr::{cos, d, ratio, sqrt};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -20,88 +22,57 @@ const X: Symbol = Symbol::scalar("x", Dimension::ONE).within(1.5, 3.0);
 const X_DIP: Symbol = Symbol::scalar("x_d", Dimension::ONE).within(4.0, 9.0);
 const R_MIN: Symbol = Symbol::scalar("R_d", Dimension::ONE);
 
-pub(super) const STEP: Step = Step {
-    id: "dip",
-    title: "Where reflectance falls first",
-    says: "Above n₂/n₁ = 2+√3, or from inside below 2−√3, natural light is reflected least at an oblique angle.",
-    rows: &["C11"],
-    parameters: INTERFACE,
-    statements: &[
-        Statement {
-            id: "least_index",
-            says: "the least relative index that dips",
-            rows: &["C11"],
-            equation: || Equation::new(N_REL.pow(2) - 4 * N_REL + 1, Expr::from(0)),
-        },
-        Statement {
-            id: "place",
-            says: "the dip, where x = n₂cosθ₂/(n₁cosθ₁) and n = n₂/n₁",
-            rows: &["C11"],
-            equation: || Equation::new(X_DIP + N_REL.pow(2) / X_DIP, sum_at_the_dip()),
-        },
-        Statement { id: "depth", says: "its value", rows: &["C11"], equation: || Equation::new(R_MIN, depth()) },
-    ],
-    derivations: &[
-        Derivation {
-            id: "in_one_variable",
-            says: "R_n from E35 and E38, with x for both cosines and n for both indices",
-            rows: &["C11"],
-            chain: || in_one_variable(natural(&X.into())),
-            spoiled: || in_one_variable(natural(&(1 / X))),
-            slip: "x upside down",
-        },
-        Derivation {
-            id: "symmetry",
-            says: "n²/x for x exchanges s and p, so R_n is level at x = n: at normal incidence",
-            rows: &["C11"],
-            chain: || symmetry(N_REL.pow(2) / X),
-            spoiled: || symmetry(N_REL / X),
-            slip: "n for n²",
-        },
-        Derivation {
-            id: "stationary",
-            says: "dR_n/dx vanishes at normal incidence, x² = n², and at the dip",
-            rows: &["C11"],
-            chain: || stationary(6),
-            spoiled: || stationary(4),
-            slip: "4n² for 6n²",
-        },
-        Derivation {
-            id: "threshold_from_place",
-            says: "the dip parts from normal incidence where its x is n: the two sides of its equation are equal there",
-            rows: &["C11"],
-            chain: || at_normal((N_REL + 1).pow(2)),
-            spoiled: || at_normal((N_REL - 1).pow(2)),
-            slip: "n − 1 for n + 1",
-        },
-        Derivation {
-            id: "two_plus_root_three",
-            says: "the least index that dips, and from inside its inverse",
-            rows: &["C11"],
-            chain: || by_its_roots(2 + root_of_three()),
-            spoiled: || by_its_roots(1 + root_of_three()),
-            slip: "1 + √3 for 2 + √3",
-        },
-        Derivation {
-            id: "at_the_dip",
-            says: "R_n at the dip's x",
-            rows: &["C11"],
-            chain: || at_the_dip(depth()),
-            spoiled: || at_the_dip(ratio(1, 2) - 2 * N_REL.pow(2) / (N_REL.pow(2) + 1).pow(2)),
-            slip: "n² + 1 for n² − 1",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[THRESHOLD, FLAT, PLACE_AND_DEPTH, METALS],
-    stress: &[],
-    races: &[],
-    figures: &[Figure {
-        id: "curves",
-        says: "R_n relative to normal incidence: below 2+√3 it only rises, above it dips first; metals may do so too.",
-        rows: &["C11"],
-        plot: dips,
-    }],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "dip",
+    INTERFACE,
+    &[figure(
+        "curves",
+        "R_n relative to normal incidence: below 2+√3 it only rises, above it dips first; metals may do so too.",
+        dips,
+    )],
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Where reflectance falls first",
+    "Above n₂/n₁ = 2+√3, or from inside below 2−√3, natural light is reflected least at an oblique angle.",
+)
+.rows(&["C11"])
+.statements(&[
+    statement("least_index", "the least relative index that dips", || {
+        Equation::new(N_REL.pow(2) - 4 * N_REL + 1, Expr::from(0))
+    }),
+    statement("place", "the dip, where x = n₂cosθ₂/(n₁cosθ₁) and n = n₂/n₁", || {
+        Equation::new(X_DIP + N_REL.pow(2) / X_DIP, sum_at_the_dip())
+    }),
+    statement("depth", "its value", || Equation::new(R_MIN, depth())),
+])
+.derivations(&[
+    derivation("in_one_variable", "R_n from E35 and E38, with x for both cosines and n for both indices", || {
+        in_one_variable(natural(&X.into()))
+    })
+    .slip("x upside down", || in_one_variable(natural(&(1 / X)))),
+    derivation("symmetry", "n²/x for x exchanges s and p, so R_n is level at x = n: at normal incidence", || {
+        symmetry(N_REL.pow(2) / X)
+    })
+    .slip("n for n²", || symmetry(N_REL / X)),
+    derivation("stationary", "dR_n/dx vanishes at normal incidence, x² = n², and at the dip", || stationary(6))
+        .slip("4n² for 6n²", || stationary(4)),
+    derivation(
+        "threshold_from_place",
+        "the dip parts from normal incidence where its x is n: the two sides of its equation are equal there",
+        || at_normal((N_REL + 1).pow(2)),
+    )
+    .slip("n − 1 for n + 1", || at_normal((N_REL - 1).pow(2))),
+    derivation("two_plus_root_three", "the least index that dips, and from inside its inverse", || {
+        by_its_roots(2 + root_of_three())
+    })
+    .slip("1 + √3 for 2 + √3", || by_its_roots(1 + root_of_three())),
+    derivation("at_the_dip", "R_n at the dip's x", || at_the_dip(depth()))
+        .slip("n² + 1 for n² − 1", || at_the_dip(ratio(1, 2) - 2 * N_REL.pow(2) / (N_REL.pow(2) + 1).pow(2))),
+])
+.readout(readout)
+.checks(&[&THRESHOLD, &FLAT, &PLACE_AND_DEPTH, &METALS]);
 
 fn depth() -> Expr {
     ratio(1, 2) - 2 * N_REL.pow(2) / (N_REL.pow(2) - 1).pow(2)
@@ -226,22 +197,16 @@ fn exact(theta: f64, n: f64) -> Real {
 
 const SMALL: f64 = 1e-10;
 
-const THRESHOLD: Check = Check {
-    id: "threshold",
-    claim: "the dip begins at n₂/n₁ = 2+√3 into a medium, 2−√3 out of it",
-    rows: &["C11"],
-    route: "bisection for the index at which R_n(1e−10) − R_n(0) changes sign, in 256-bit arithmetic",
-    bound: Bound::AtMost {
-        limit: 1e-14, unit: "1", why: "bisection to rounding; the finite angle moves it by 1e−20"
-    },
-    measure: |_| threshold(|n| dip(n).is_some()),
-    spoiled: |_| threshold(|n| n * n - 4.0 * n - 1.0 > 0.0),
-    slip: "−1 for +1 in n² − 4n + 1",
-};
+const THRESHOLD: Check<fn(f64) -> bool> =
+    check("threshold", "the dip begins at n₂/n₁ = 2+√3 into a medium, 2−√3 out of it")
+        .against("bisection for the index at which R_n(1e−10) − R_n(0) changes sign, in 256-bit arithmetic")
+        .within(1e-14, "1", "bisection to rounding; the finite angle moves it by 1e−20")
+        .of(threshold, |n| dip(n).is_some())
+        .slip("−1 for +1 in n² − 4n + 1", |n| n * n - 4.0 * n - 1.0 > 0.0);
 
 /// Distance between where the program's closed form begins to dip and where R_n itself does; and that the former is
 /// 2 ± √3.
-fn threshold(dips: fn(f64) -> bool) -> Measured {
+fn threshold(_: &mut Bench, dips: fn(f64) -> bool) -> Measured {
     let bisect = |rises: &dyn Fn(f64) -> bool, mut rising: f64, mut falling: f64| {
         for _ in 0..60 {
             let middle = 0.5 * (rising + falling);
@@ -257,18 +222,14 @@ fn threshold(dips: fn(f64) -> bool) -> Measured {
     }))
 }
 
-const FLAT: Check = Check {
-    id: "flat",
-    claim: "near normal incidence the θ² terms of R_s and R_p cancel: R_n = R₀ + O(θ⁴)",
-    rows: &["C11"],
-    route: "order of R_n(θ) − R₀ between θ = 1e−6 and 1e−10 in 256-bit arithmetic",
-    bound: Bound::Order { order: 4.0, tolerance: 1e-6, why: "the next term is θ², 1e−12 at most" },
-    measure: |_| order_at_normal("R_n"),
-    spoiled: |_| order_at_normal("R_s"),
-    slip: "R_s alone, whose θ² term stays",
-};
+const FLAT: Check<&'static str> =
+    check("flat", "near normal incidence the θ² terms of R_s and R_p cancel: R_n = R₀ + O(θ⁴)")
+        .against("order of R_n(θ) − R₀ between θ = 1e−6 and 1e−10 in 256-bit arithmetic")
+        .order(4.0, 1e-6, "the next term is θ², 1e−12 at most")
+        .of(order_at_normal, "R_n")
+        .slip("R_s alone, whose θ² term stays", "R_s");
 
-fn order_at_normal(name: &str) -> Measured {
+fn order_at_normal(_: &mut Bench, name: &str) -> Measured {
     let at = NAMES.iter().position(|known| *known == name).expect("an output");
     let rise = |theta: f64, n: f64| {
         let value = |theta| {
@@ -284,24 +245,16 @@ fn order_at_normal(name: &str) -> Measured {
     )
 }
 
-const PLACE_AND_DEPTH: Check = Check {
-    id: "place_and_depth",
-    claim: "the dip lies where the closed form says, as deep as ½ − 2n²/(n²−1)²",
-    rows: &["C11"],
-    route: "golden-section search over the angle",
-    bound: Bound::AtMost {
-        limit: 1e-6,
-        unit: "1",
-        why: "the place of a flat minimum is known to √ε over the curvature; the depth, to rounding",
-    },
-    measure: |_| dip_found(dip),
-    spoiled: |_| {
-        dip_found(|n| dip(n).map(|dip| Dip { r_n: 0.5 - 2.0 * n * n / ((n * n + 1.0) * (n * n + 1.0)), ..dip }))
-    },
-    slip: "n² + 1 for n² − 1 in the depth",
-};
+const PLACE_AND_DEPTH: Check<fn(f64) -> Option<Dip>> =
+    check("place_and_depth", "the dip lies where the closed form says, as deep as ½ − 2n²/(n²−1)²")
+        .against("golden-section search over the angle")
+        .within(1e-6, "1", "the place of a flat minimum is known to √ε over the curvature; the depth, to rounding")
+        .of(dip_found, dip)
+        .slip("n² + 1 for n² − 1 in the depth", |n| {
+            dip(n).map(|dip| Dip { r_n: 0.5 - 2.0 * n * n / ((n * n + 1.0) * (n * n + 1.0)), ..dip })
+        });
 
-fn dip_found(closed: fn(f64) -> Option<Dip>) -> Measured {
+fn dip_found(_: &mut Bench, closed: fn(f64) -> Option<Dip>) -> Measured {
     Measured::worst([4.5, 5.0, 6.0, 10.0, 0.2, 0.1].into_iter().flat_map(|n: f64| {
         let (theta, value) = least(1.0, n.into());
         let closed = closed(n).unwrap_or(Dip { theta: f64::NAN, r_n: f64::NAN });
@@ -309,18 +262,14 @@ fn dip_found(closed: fn(f64) -> Option<Dip>) -> Measured {
     }))
 }
 
-const METALS: Check = Check {
-    id: "metals",
-    claim: "metals dip too: R_n of aluminium and chromium falls by at least a twentieth before it rises",
-    rows: &["C11"],
-    route: "the least over a fan of angles against normal incidence, from the published indices at 550 nm",
-    bound: Bound::AtMost { limit: 0.95, unit: "1", why: "the claim's twentieth" },
-    measure: |_| dip_of_metals(|powers| powers.r_n()),
-    spoiled: |_| dip_of_metals(|powers| powers.r_s),
-    slip: "s alone, which only rises",
-};
+const METALS: Check<fn(&Powers) -> f64> =
+    check("metals", "metals dip too: R_n of aluminium and chromium falls by at least a twentieth before it rises")
+        .against("the least over a fan of angles against normal incidence, from the published indices at 550 nm")
+        .within(0.95, "1", "the claim's twentieth")
+        .of(dip_of_metals, |powers| powers.r_n())
+        .slip("s alone, which only rises", |powers| powers.r_s);
 
-fn dip_of_metals(share: fn(&Powers) -> f64) -> Measured {
+fn dip_of_metals(_: &mut Bench, share: fn(&Powers) -> f64) -> Measured {
     Measured::worst(["aluminium", "chromium"].into_iter().map(|name| {
         let index = light::optics::material::named(name).and_then(|material| material.index(550e-9).ok());
         let index = index.unwrap_or(Complex64::new(f64::NAN, 0.0));

@@ -6,7 +6,9 @@ use super::snell::with_snell;
 use super::symbols::{N_1, N_2, R_N, R_P, R_S, T_P, T_S, THETA_1, THETA_2};
 use super::{INTERFACE, incidence, interface};
 use crate::setting::Setting;
-use crate::vocabulary::{Bench, Bound, Check, Derivation, Extreme, Measured, Quantity, Statement, Step, Stress};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, statement, step, stress,
+};
 use equation::derivation::Chain;
 use equation::expr::{cos, sin};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -18,57 +20,32 @@ use std::f64::consts::FRAC_PI_2;
 
 const T_N: Symbol = Symbol::scalar("T_n", Dimension::ONE);
 
-pub(super) const STEP: Step = Step {
-    id: "energy",
-    title: "What is not reflected is transmitted",
-    says: "At a clear interface the two shares make one, for s, for p and for natural light.",
-    rows: &["E43"],
-    parameters: INTERFACE,
-    statements: &[Statement {
-        id: "balance",
-        says: "energy is conserved",
-        rows: &["E43"],
-        equation: || Equation::new(R_N + T_N, Expr::from(1)),
-    }],
-    derivations: &[
-        Derivation {
-            id: "s",
-            says: "R_s + T_s from E36, E37 and E41",
-            rows: &["E43"],
-            chain: || s_balance(weight()),
-            spoiled: || s_balance(Expr::from(1)),
-            slip: "T taken as t²",
-        },
-        Derivation {
-            id: "p",
-            says: "R_p + T_p from E39, E40 and E41",
-            rows: &["E43"],
-            chain: || p_balance(weight()),
-            spoiled: || p_balance(Expr::from(1)),
-            slip: "T taken as t²",
-        },
-        Derivation {
-            id: "natural",
-            says: "R_n + T_n, the means of s and p",
-            rows: &["E43"],
-            chain: || balance(Expr::from(1)),
-            spoiled: || balance(Expr::from(2)),
-            slip: "the two halves are each taken for a whole",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[R_PLUS_T],
-    stress: &[Stress {
-        id: "small_transmittance",
-        claim: "T keeps its digits where it is small, because it is computed by itself",
-        rows: &["E43"],
-        textbook: "T = 1 − R, as most programs have it",
-        reference: "E41 in 256 bits",
-        cases: small_transmittances,
-    }],
-    races: &[],
-    figures: &[],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit("energy", INTERFACE, &[]);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "What is not reflected is transmitted",
+    "At a clear interface the two shares make one, for s, for p and for natural light.",
+)
+.rows(&["E43"])
+.statements(&[statement("balance", "energy is conserved", || Equation::new(R_N + T_N, Expr::from(1)))])
+.derivations(&[
+    derivation("s", "R_s + T_s from E36, E37 and E41", || s_balance(weight()))
+        .slip("T taken as t²", || s_balance(Expr::from(1))),
+    derivation("p", "R_p + T_p from E39, E40 and E41", || p_balance(weight()))
+        .slip("T taken as t²", || p_balance(Expr::from(1))),
+    derivation("natural", "R_n + T_n, the means of s and p", || balance(Expr::from(1)))
+        .slip("the two halves are each taken for a whole", || balance(Expr::from(2))),
+])
+.readout(readout)
+.checks(&[&R_PLUS_T])
+.stress(&[stress(
+    "small_transmittance",
+    "T keeps its digits where it is small, because it is computed by itself",
+    small_transmittances,
+)
+.textbook("T = 1 − R, as most programs have it")
+.against("E41 in 256 bits")]);
 
 /// What T is more than t².
 fn weight() -> Expr {
@@ -135,21 +112,15 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     all.map(|(key, symbol, says, value)| Quantity { key, symbol, says, value, unit: "1" }).into()
 }
 
-const R_PLUS_T: Check = Check {
-    id: "r_plus_t",
-    claim: "R + T = 1 at every angle, into the glass and out of it, for s, p and natural light",
-    rows: &["E43"],
-    route: "R from the reflected, T from the transmitted wave alone; conservation joins them",
-    bound: Bound::AtMost { limit: 8.0, unit: "ε", why: "about ten roundings of numbers near 1" },
-    measure: |bench| imbalance(bench, powers),
-    spoiled: |bench| {
-        imbalance(bench, |incidence, n_i, n_t| {
+const R_PLUS_T: Check<fn(Incidence, f64, Complex64) -> Powers> =
+    check("r_plus_t", "R + T = 1 at every angle, into the glass and out of it, for s, p and natural light")
+        .against("R from the reflected, T from the transmitted wave alone; conservation joins them")
+        .within(8.0, "ε", "about ten roundings of numbers near 1")
+        .of(imbalance, powers)
+        .slip("T taken as |t|²", |incidence, n_i, n_t| {
             let a = amplitudes(incidence, n_i, n_t);
             Powers { t_s: a.t_s.norm_sqr(), t_p: a.t_p.norm_sqr(), ..powers(incidence, n_i, n_t) }
-        })
-    },
-    slip: "T taken as |t|²",
-};
+        });
 
 fn imbalance(bench: &mut Bench, powers: fn(Incidence, f64, Complex64) -> Powers) -> Measured {
     let own = interface(bench.setting);

@@ -111,7 +111,11 @@ const THIN_FILM: Function = Function {
     outputs: &[
         one("r_re", "reflected over incident electric field, real part"),
         one("r_im", "imaginary part"),
-        one("t_re", "electric field at the substrate over incident field at the first interface, real part"),
+        one(
+            "t_re",
+            "electric field at the substrate over incident field at the first interface, real \
+             part",
+        ),
         one("t_im", "imaginary part"),
         one("R", "reflected share of power"),
         one("T", "share of power that enters the substrate"),

@@ -4,7 +4,9 @@ use super::amplitudes::contrast;
 use super::{INTERFACE, incidence, interface};
 use crate::figure::{Axis, Chart, Hue, Panel, Picture, Plot};
 use crate::setting::Setting;
-use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+};
 use equation::derivation::Chain;
 use equation::expr::{cos, d, ratio, sqrt};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -15,66 +17,55 @@ use light::optics::fresnel::powers;
 
 use super::symbols::{N_REL, R_N, THETA_1};
 
-pub(super) const STEP: Step = Step {
-    id: "grazing",
-    title: "Everything is a mirror at grazing incidence",
-    says: "However clear the medium, its reflectance rises to one as the light grazes it.",
-    rows: &["C12"],
-    parameters: INTERFACE,
-    statements: &[Statement {
-        id: "near_grazing",
-        says: "near grazing, with n = n₂/n₁ > 1",
-        rows: &["C12"],
-        equation: || Equation::approximate(R_N, 1 - 2 * (N_REL.pow(2) + 1) / sqrt(N_REL.pow(2) - 1) * cos(THETA_1)),
-    }],
-    derivations: &[
-        Derivation {
-            id: "derivative",
-            says: "dR_n/dc with c = cos θ₁, and the refracted cosine by Snell's law",
-            rows: &["C12"],
-            chain: || derivative(slope(N_REL.pow(2))),
-            spoiled: || derivative(slope(N_REL.into())),
-            slip: "n for n² before the part of p",
-        },
-        Derivation {
-            id: "slope",
-            says: "that at grazing incidence, c = 0",
-            rows: &["C12"],
-            chain: || at_grazing(N_REL.pow(2) + 1),
-            spoiled: || at_grazing(N_REL.pow(2) - 1),
-            slip: "s and p do not add",
-        },
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "grazing",
+    INTERFACE,
+    &[
+        figure(
+            "sphere",
+            "A polished dark sphere on a tiled floor: as it is, its reflectance alone, and \
+             with R_n held at its value face on.",
+            sphere,
+        ),
+        figure(
+            "what_is_lost",
+            "1 − R_n against the cosine: a straight line on logarithmic axes, for glass and \
+             metals alike.",
+            approach,
+        ),
     ],
-    readout: Some(|setting| {
-        let input = interface(setting);
-        let share = |incidence| powers(incidence, input.n_i, input.n_t).r_n();
-        let at = |degrees: f64| share(Incidence::from_angle(degrees.to_radians()));
-        let all = [
-            ("R_n", "R_n", "at the angle set", share(incidence(setting))),
-            ("R_n_0", "R_n(0°)", "face on", at(0.0)),
-            ("R_n_80", "R_n(80°)", "ten degrees above the surface", at(80.0)),
-            ("R_n_89", "R_n(89°)", "one degree above it", at(89.0)),
-        ];
-        all.map(|(key, symbol, says, value)| Quantity { key, symbol, says, value, unit: "1" }).into()
-    }),
-    checks: &[APPROACH],
-    stress: &[],
-    races: &[],
-    figures: &[
-        Figure {
-            id: "sphere",
-            says: "A polished dark sphere on a tiled floor: as it is, its reflectance alone, and with R_n held at its value face on.",
-            rows: &["C12"],
-            plot: sphere,
-        },
-        Figure {
-            id: "what_is_lost",
-            says: "1 − R_n against the cosine: a straight line on logarithmic axes, for glass and metals alike.",
-            rows: &["C12"],
-            plot: approach,
-        },
-    ],
-};
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Everything is a mirror at grazing incidence",
+    "However clear the medium, its reflectance rises to one as the light grazes it.",
+)
+.rows(&["C12"])
+.statements(&[statement("near_grazing", "near grazing, with n = n₂/n₁ > 1", || {
+    Equation::approximate(R_N, 1 - 2 * (N_REL.pow(2) + 1) / sqrt(N_REL.pow(2) - 1) * cos(THETA_1))
+})])
+.derivations(&[
+    derivation("derivative", "dR_n/dc with c = cos θ₁, and the refracted cosine by Snell's law", || {
+        derivative(slope(N_REL.pow(2)))
+    })
+    .slip("n for n² before the part of p", || derivative(slope(N_REL.into()))),
+    derivation("slope", "that at grazing incidence, c = 0", || at_grazing(N_REL.pow(2) + 1))
+        .slip("s and p do not add", || at_grazing(N_REL.pow(2) - 1)),
+])
+.readout(|setting| {
+    let input = interface(setting);
+    let share = |incidence| powers(incidence, input.n_i, input.n_t).r_n();
+    let at = |degrees: f64| share(Incidence::from_angle(degrees.to_radians()));
+    let all = [
+        ("R_n", "R_n", "at the angle set", share(incidence(setting))),
+        ("R_n_0", "R_n(0°)", "face on", at(0.0)),
+        ("R_n_80", "R_n(80°)", "ten degrees above the surface", at(80.0)),
+        ("R_n_89", "R_n(89°)", "one degree above it", at(89.0)),
+    ];
+    all.map(|(key, symbol, says, value)| Quantity { key, symbol, says, value, unit: "1" }).into()
+})
+.checks(&[&APPROACH]);
 
 /// cos θ₁
 const COSINE: Symbol = Symbol::scalar("c", Dimension::ONE).within(0.1, 0.9);
@@ -106,22 +97,14 @@ fn at_grazing(factor: Expr) -> Chain {
         .then(-(2 * factor / sqrt(N_REL.pow(2) - 1)), ["cancel n² − 1"])
 }
 
-const APPROACH: Check = Check {
-    id: "approach",
-    claim: "1 − R_n falls in proportion to cos θ, with the slope 2(n²+1)/√(n²−1)",
-    rows: &["C12"],
-    route: "T_n at cos θ from 1e−4 to 1e−12 against the series' first term",
-    bound: Bound::AtMost {
-        limit: 20.0,
-        unit: "cos θ",
-        why: "the next term of the series is of relative order cos θ, times at most n² + 1",
-    },
-    measure: |_| slope_found(|n| 2.0 * (n * n + 1.0) / (n * n - 1.0).sqrt()),
-    spoiled: |_| slope_found(|n| 4.0 / (n * n - 1.0).sqrt()),
-    slip: "the slope of s alone",
-};
+const APPROACH: Check<fn(f64) -> f64> =
+    check("approach", "1 − R_n falls in proportion to cos θ, with the slope 2(n²+1)/√(n²−1)")
+        .against("T_n at cos θ from 1e−4 to 1e−12 against the series' first term")
+        .within(20.0, "cos θ", "the next term of the series is of relative order cos θ, times at most n² + 1")
+        .of(slope_found, |n| 2.0 * (n * n + 1.0) / (n * n - 1.0).sqrt())
+        .slip("the slope of s alone", |n| 4.0 / (n * n - 1.0).sqrt());
 
-fn slope_found(slope: fn(f64) -> f64) -> Measured {
+fn slope_found(_: &mut Bench, slope: fn(f64) -> f64) -> Measured {
     let cosines = [1e-4, 1e-6, 1e-9, 1e-12];
     let cases = [1.33, 1.5, 2.4, 4.0].into_iter().flat_map(|n| cosines.map(|cos| (n, cos)));
     Measured::worst(cases.map(|(n, cos)| {

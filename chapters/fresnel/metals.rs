@@ -6,7 +6,8 @@ use super::{N_I, N_T, extremes, incidence, interface, over_angle, pseudo_brewste
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{
-    ALLOWED_ULPS, Bench, Bound, Check, Extreme, Figure, Measured, Quantity, Statement, Step, Stress,
+    ALLOWED_ULPS, Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, exhibit, figure, statement, step,
+    stress,
 };
 use equation::expr::{cos, i, sin, sqrt, tan};
 use equation::value::Bindings;
@@ -34,93 +35,56 @@ const KAPPA: Symbol = Symbol::scalar("kappa", Dimension::ONE).real(0.0, 8.0);
 /// r_p/r_s, what an ellipsometer measures.
 const RHO: Symbol = Symbol::scalar("rho", Dimension::ONE);
 
-pub(super) const STEP: Step = Step {
-    id: "metals",
-    title: "Metals and other media that absorb",
-    says: "An absorbing medium has a complex index, and the same formulas hold.",
-    rows: &["C14"],
-    parameters: &[N_I, METAL, THETA, WAVELENGTH],
-    statements: &[
-        Statement {
-            id: "index",
-            says: "the wave in the medium decays as e^(−κk₀z)",
-            rows: &["C14"],
-            equation: || Equation::new(N_2, N + i() * KAPPA),
-        },
-        Statement {
-            id: "normal_wave",
-            says: "its normal wave number over that of the vacuum",
-            rows: &["C14"],
-            equation: || Equation::new(Q_2, sqrt(N_2.pow(2) - N_1.pow(2) * sin(THETA_1).pow(2))),
-        },
-        Statement {
-            id: "r_s",
-            says: "reflected over incident electric field, s",
-            rows: &["C14"],
-            equation: || Equation::new(R_S, contrast(N_1 * cos(THETA_1), Q_2.into())),
-        },
-        Statement {
-            id: "r_p",
-            says: "reflected over incident electric field, p",
-            rows: &["C14"],
-            equation: || Equation::new(R_P, contrast(N_2.pow(2) * cos(THETA_1), N_1 * Q_2)),
-        },
-        Statement {
-            id: "normal_reflectance",
-            says: "at normal incidence",
-            rows: &["C14"],
-            equation: || Equation::new(R_0, at_normal_incidence(KAPPA.pow(2))),
-        },
-        Statement {
-            id: "ellipsometer",
-            says: "modulus and phase of ρ = r_p/r_s at one angle give the index back",
-            rows: &["C14"],
-            equation: || Equation::new(N_2, from_ellipsometer()),
-        },
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "metals",
+    &[N_I, METAL, THETA, WAVELENGTH],
+    &[
+        figure("colour", "Why gold is yellow: reflectance at normal incidence over the visible.", over_the_visible),
+        figure("angle", "R_p dips at the pseudo-Brewster angle, and never to zero.", against_angle),
+        figure("phase", "No polarisation comes back in phase: linear light leaves a metal elliptical.", phases),
     ],
-    derivations: &[],
-    readout: Some(readout),
-    checks: &[ENERGY, NORMAL, PHASE, TABLE, MIRRORS, CONTINUITY],
-    stress: &[
-        Stress {
-            id: "conductors",
-            claim: "reflected and transmitted power keep their digits for κ up to 1000, towards the normal and grazing",
-            rows: &["C14"],
-            textbook: "E36–E42 with complex θ₂ = asin(n₁ sin θ₁/n₂)",
-            reference: "the boundary conditions solved in 256 bits",
-            cases: |setting| extremes::cases(&["R_p", "T_p"], &[vec![interface(setting)], conductors()].concat()),
-        },
-        Stress {
-            id: "traces",
-            claim: "a trace of absorption is neither lost nor blown up at the critical angle and at Brewster's",
-            rows: &["C14"],
-            textbook: "E36–E42 with complex θ₂ = asin(n₁ sin θ₁/n₂)",
-            reference: "the boundary conditions solved in 256 bits",
-            cases: traces,
-        },
-    ],
-    races: &[],
-    figures: &[
-        Figure {
-            id: "colour",
-            says: "Why gold is yellow: reflectance at normal incidence over the visible.",
-            rows: &["C14"],
-            plot: over_the_visible,
-        },
-        Figure {
-            id: "angle",
-            says: "R_p dips at the pseudo-Brewster angle, and never to zero.",
-            rows: &["C14"],
-            plot: against_angle,
-        },
-        Figure {
-            id: "phase",
-            says: "No polarisation comes back in phase: linear light leaves a metal elliptical.",
-            rows: &["C14"],
-            plot: phases,
-        },
-    ],
-};
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Metals and other media that absorb",
+    "An absorbing medium has a complex index, and the same formulas hold.",
+)
+.rows(&["C14"])
+.statements(&[
+    statement("index", "the wave in the medium decays as e^(−κk₀z)", || Equation::new(N_2, N + i() * KAPPA)),
+    statement("normal_wave", "its normal wave number over that of the vacuum", || {
+        Equation::new(Q_2, sqrt(N_2.pow(2) - N_1.pow(2) * sin(THETA_1).pow(2)))
+    }),
+    statement("r_s", "reflected over incident electric field, s", || {
+        Equation::new(R_S, contrast(N_1 * cos(THETA_1), Q_2.into()))
+    }),
+    statement("r_p", "reflected over incident electric field, p", || {
+        Equation::new(R_P, contrast(N_2.pow(2) * cos(THETA_1), N_1 * Q_2))
+    }),
+    statement("normal_reflectance", "at normal incidence", || Equation::new(R_0, at_normal_incidence(KAPPA.pow(2)))),
+    statement("ellipsometer", "modulus and phase of ρ = r_p/r_s at one angle give the index back", || {
+        Equation::new(N_2, from_ellipsometer())
+    }),
+])
+.readout(readout)
+.checks(&[&ENERGY, &NORMAL, &PHASE, &TABLE, &MIRRORS, &CONTINUITY])
+.stress(&[
+    stress(
+        "conductors",
+        "reflected and transmitted power keep their digits for κ up to 1000, towards the normal and grazing",
+        |setting| extremes::cases(&["R_p", "T_p"], &[vec![interface(setting)], conductors()].concat()),
+    )
+    .textbook("E36–E42 with complex θ₂ = asin(n₁ sin θ₁/n₂)")
+    .against("the boundary conditions solved in 256 bits"),
+    stress(
+        "traces",
+        "a trace of absorption is neither lost nor blown up at the critical angle and at Brewster's",
+        traces,
+    )
+    .textbook("E36–E42 with complex θ₂ = asin(n₁ sin θ₁/n₂)")
+    .against("the boundary conditions solved in 256 bits"),
+]);
 
 fn contrast(near: Expr, far: Expr) -> Expr {
     (&near - &far) / (near + far)
@@ -163,20 +127,14 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     ]
 }
 
-const ENERGY: Check = Check {
-    id: "energy_flow",
-    claim: "what is not reflected flows into the metal: R + T = 1, although no wave keeps its power there",
-    rows: &["C14"],
-    route: "½ Re(E×H*) of the transmitted wave's full field vectors just behind the interface",
-    bound: Bound::AtMost {
-        limit: 32.0,
-        unit: "ε",
-        why: "a dozen roundings in R, in the amplitudes and in the vectors' products",
-    },
-    measure: |bench| imbalance(bench, carried),
-    spoiled: |bench| imbalance(bench, carried_by_parts),
-    slip: "Re n₂ · Re cos θ₂ is taken for Re(n₂ cos θ₂)",
-};
+const ENERGY: Check<fn(Polarisation, &Input, &Amplitudes) -> f64> = check(
+    "energy_flow",
+    "what is not reflected flows into the metal: R + T = 1, although no wave keeps its power there",
+)
+.against("½ Re(E×H*) of the transmitted wave's full field vectors just behind the interface")
+.within(32.0, "ε", "a dozen roundings in R, in the amplitudes and in the vectors' products")
+.of(imbalance, carried)
+.slip("Re n₂ · Re cos θ₂ is taken for Re(n₂ cos θ₂)", carried_by_parts);
 
 /// R + T − 1 [ε] in absorbing media at every angle of a fan, with T from `through`.
 fn imbalance(bench: &mut Bench, through: fn(Polarisation, &Input, &Amplitudes) -> f64) -> Measured {
@@ -208,20 +166,19 @@ fn carried_by_parts(polarisation: Polarisation, input: &Input, a: &Amplitudes) -
     input.n_t.re * cos_t.re / (input.n_i * incidence.cos()) * t.norm_sqr()
 }
 
-const NORMAL: Check = Check {
-    id: "at_normal_incidence",
-    claim: "the program's R at normal incidence is the equation on the page",
-    rows: &["C14"],
-    route: "the equation above, as the object on the page, in 256-bit arithmetic",
-    bound: Bound::AtMost {
-        limit: ALLOWED_ULPS,
-        unit: "ε(1+κ)",
-        why: "the project's promise: no more than a few roundings beyond what the inputs' own rounding does",
-    },
-    measure: |bench| against_equation(bench, &at_normal_incidence(KAPPA.pow(2))),
-    spoiled: |bench| against_equation(bench, &at_normal_incidence(-KAPPA.pow(2))),
-    slip: "the complex index is squared where its modulus should be",
-};
+const NORMAL: Check<fn() -> Expr> =
+    check("at_normal_incidence", "the program's R at normal incidence is the equation on the page")
+        .against("the equation above, as the object on the page, in 256-bit arithmetic")
+        .within(
+            ALLOWED_ULPS,
+            "ε(1+κ)",
+            "the project's promise: no more than a few roundings beyond what the inputs' own rounding does",
+        )
+        .of::<fn() -> Expr>(
+            |bench, equation| against_equation(bench, &equation()),
+            || at_normal_incidence(KAPPA.pow(2)),
+        )
+        .slip("the complex index is squared where its modulus should be", || at_normal_incidence(-KAPPA.pow(2)));
 
 /// Error of the program's R_n at normal incidence against `equation`, in ε(1 + κ): random metals, some with indices
 /// near the incident one, and the setting's own.
@@ -247,20 +204,12 @@ fn against_equation(bench: &mut Bench, equation: &Expr) -> Measured {
     }))
 }
 
-const PHASE: Check = Check {
-    id: "inversion",
-    claim: "modulus and phase of r_p/r_s give the index back that they were computed from",
-    rows: &["C14"],
-    route: "the ellipsometer's closed inversion: no square root's branch, no continuity of fields",
-    bound: Bound::AtMost {
-        limit: 32.0,
-        unit: "ε/|1+ρ|",
-        why: "a dozen roundings in each ratio, and 1 + ρ, small for good metals, magnifies them",
-    },
-    measure: |bench| index_from_ratio(bench, |ratio| ratio),
-    spoiled: |bench| index_from_ratio(bench, |ratio| ratio.conj()),
-    slip: "the phase has the sign of the other time convention",
-};
+const PHASE: Check<fn(Complex64) -> Complex64> =
+    check("inversion", "modulus and phase of r_p/r_s give the index back that they were computed from")
+        .against("the ellipsometer's closed inversion: no square root's branch, no continuity of fields")
+        .within(32.0, "ε/|1+ρ|", "a dozen roundings in each ratio, and 1 + ρ, small for good metals, magnifies them")
+        .of(index_from_ratio, |ratio| ratio)
+        .slip("the phase has the sign of the other time convention", |ratio| ratio.conj());
 
 fn index_from_ratio(bench: &mut Bench, amend: fn(Complex64) -> Complex64) -> Measured {
     let own = interface(bench.setting);
@@ -279,16 +228,14 @@ fn index_from_ratio(bench: &mut Bench, amend: fn(Complex64) -> Complex64) -> Mea
     }))
 }
 
-const TABLE: Check = Check {
-    id: "handbook",
-    claim: "the indices and reflectances of a printed table belong together",
-    rows: &["C14"],
-    route: "Born & Wolf, Principles of Optics (7th ed.), table 14.1: n, nκ and R at 589.3 nm",
-    bound: Bound::AtMost { limit: 0.006, unit: "1", why: "R is printed to 0.01, and n to two or three digits" },
-    measure: |_| printed(|n_t| powers(Incidence::NORMAL, 1.0, n_t).r_n()),
-    spoiled: |_| printed(|n_t| powers(Incidence::NORMAL, 1.0, Complex64::new(n_t.re, n_t.re * n_t.im)).r_n()),
-    slip: "the printed nκ is taken for κ, and multiplied by n once more",
-};
+const TABLE: Check<fn(Complex64) -> f64> =
+    check("handbook", "the indices and reflectances of a printed table belong together")
+        .against("Born & Wolf, Principles of Optics (7th ed.), table 14.1: n, nκ and R at 589.3 nm")
+        .within(0.006, "1", "R is printed to 0.01, and n to two or three digits")
+        .of(printed, |n_t| powers(Incidence::NORMAL, 1.0, n_t).r_n())
+        .slip("the printed nκ is taken for κ, and multiplied by n once more", |n_t| {
+            powers(Incidence::NORMAL, 1.0, Complex64::new(n_t.re, n_t.re * n_t.im)).r_n()
+        });
 
 /// Sodium, silver, magnesium, gold, copper, aluminium: n, nκ, R.
 const PRINTED: [(&str, f64, f64, f64); 6] = [
@@ -300,27 +247,24 @@ const PRINTED: [(&str, f64, f64, f64); 6] = [
     ("aluminium", 1.44, 5.23, 0.83),
 ];
 
-fn printed(reflectance: fn(Complex64) -> f64) -> Measured {
+fn printed(_: &mut Bench, reflectance: fn(Complex64) -> f64) -> Measured {
     let error = |(metal, n, k, printed): (&str, f64, f64, f64)| {
         (reflectance(Complex64::new(n, k)) - printed, format!("{metal}, n = {n}, nκ = {k}"))
     };
     Measured::worst(PRINTED.map(error))
 }
 
-const MIRRORS: Check = Check {
-    id: "mirrors",
-    claim: "the program's metals reflect as much as mirrors do",
-    rows: &["C14"],
-    route: "photometry of freshly evaporated mirrors: G. Hass, in American Institute of Physics Handbook (3rd ed.), §6g",
-    bound: Bound::AtMost {
-        limit: 0.05,
-        unit: "1",
-        why: "evaporated films differ by a few hundredths with their grain and roughness, off the absorption edges",
-    },
-    measure: |_| against_mirrors(|n_t| powers(Incidence::NORMAL, 1.0, n_t).r_n()),
-    spoiled: |_| against_mirrors(|n_t| powers(Incidence::NORMAL, 1.0, n_t.re.into()).r_n()),
-    slip: "the index without its imaginary part",
-};
+const MIRRORS: Check<fn(Complex64) -> f64> = check("mirrors", "the program's metals reflect as much as mirrors do")
+    .against(
+        "photometry of freshly evaporated mirrors: G. Hass, in American Institute of Physics Handbook (3rd ed.), §6g",
+    )
+    .within(
+        0.05,
+        "1",
+        "evaporated films differ by a few hundredths with their grain and roughness, off the absorption edges",
+    )
+    .of(against_mirrors, |n_t| powers(Incidence::NORMAL, 1.0, n_t).r_n())
+    .slip("the index without its imaginary part", |n_t| powers(Incidence::NORMAL, 1.0, n_t.re.into()).r_n());
 
 /// Metal, vacuum wavelength [nm], R.
 const MEASURED_MIRRORS: [(&str, f64, f64); 12] = [
@@ -338,30 +282,26 @@ const MEASURED_MIRRORS: [(&str, f64, f64); 12] = [
     ("copper", 700.0, 0.975),
 ];
 
-fn against_mirrors(reflectance: fn(Complex64) -> f64) -> Measured {
+fn against_mirrors(_: &mut Bench, reflectance: fn(Complex64) -> f64) -> Measured {
     Measured::worst(MEASURED_MIRRORS.map(|(name, nanometres, measured)| {
         let index = material::named(name).and_then(|metal| metal.index(nanometres * 1e-9).ok());
         (index.map_or(f64::NAN, reflectance) - measured, format!("{name}, {nanometres} nm"))
     }))
 }
 
-const CONTINUITY: Check = Check {
-    id: "vanishing_absorption",
-    claim: "as κ → 0 the amplitudes go over into those of the clear medium, in proportion to κ",
-    rows: &["C14"],
-    route: "the same function with κ = 0; slope of the difference over six decades of κ",
-    bound: Bound::AtMost {
-        limit: 0.01,
-        unit: "1",
-        why: "r is analytic in the index away from the critical angle; the slope is off by what is left of κ² = 1e−4",
-    },
-    measure: |_| approach(|r| r),
-    spoiled: |_| approach(|r| r.conj()),
-    slip: "the root on the other branch behind total reflection",
-};
+const CONTINUITY: Check<fn(Complex64) -> Complex64> =
+    check("vanishing_absorption", "as κ → 0 the amplitudes go over into those of the clear medium, in proportion to κ")
+        .against("the same function with κ = 0; slope of the difference over six decades of κ")
+        .within(
+            0.01,
+            "1",
+            "r is analytic in the index away from the critical angle; the slope is off by what is left of κ² = 1e−4",
+        )
+        .of(approach, |r| r)
+        .slip("the root on the other branch behind total reflection", |r| r.conj());
 
 /// How far the slope of |r(κ) − r(0)| is from 1, in partial and in total reflection.
-fn approach(amend: fn(Complex64) -> Complex64) -> Measured {
+fn approach(_: &mut Bench, amend: fn(Complex64) -> Complex64) -> Measured {
     let cases = [(1.0, 1.5, 0.3), (1.0, 1.5, 1.3), (1.5, 1.0, 0.3), (1.5, 1.0, 0.9), (1.5, 1.0, 1.3)];
     Measured::worst(cases.into_iter().flat_map(|(n_i, n, theta)| {
         let at = |k: f64| amplitudes(Incidence::from_angle(theta), n_i, Complex64::new(n, k));

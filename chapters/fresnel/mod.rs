@@ -20,7 +20,7 @@ mod symbols;
 mod total_reflection;
 
 use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
-use crate::vocabulary::Chapter;
+use crate::vocabulary::{Chapter, Exhibit};
 use light::Complex64;
 use light::optics::{Direction, Incidence, fresnel};
 use light::references::fresnel::Input;
@@ -52,8 +52,30 @@ pub const CHAPTER: Chapter = Chapter {
         schlick::STEP,
         films::STEP,
     ],
+    figures: FIGURES,
     functions: functions::FUNCTIONS,
 };
+
+/// What its steps show, apart from the evidence.
+pub const FIGURES: &[Exhibit] = &[
+    snell::EXHIBIT,
+    boundary::EXHIBIT,
+    amplitudes::R_S_EXHIBIT,
+    amplitudes::T_S_EXHIBIT,
+    amplitudes::R_P_EXHIBIT,
+    amplitudes::T_P_EXHIBIT,
+    powers::EXHIBIT,
+    natural::EXHIBIT,
+    energy::EXHIBIT,
+    digits::EXHIBIT,
+    brewster::EXHIBIT,
+    dip::EXHIBIT,
+    grazing::EXHIBIT,
+    total_reflection::EXHIBIT,
+    metals::EXHIBIT,
+    schlick::EXHIBIT,
+    films::EXHIBIT,
+];
 
 /// The medium the light comes from.
 const N_I: Parameter = Parameter {

@@ -7,7 +7,8 @@ use super::{INTERFACE, incidence, interface, over_angle, over_angle_near, sample
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
 use crate::vocabulary::{
-    Bench, Bound, Check, Derivation, Expects, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step, Stress,
+    Bench, Check, Exhibit, Heat, Measured, Quantity, Race, Step, check, derivation, exhibit, figure, lane, race,
+    statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{cos, integral_between, pi, ratio, sin, tan};
@@ -24,82 +25,68 @@ use yardstick::random::uniform;
 const R_S: Symbol = Symbol::scalar("R_s", Dimension::ONE);
 const R_P: Symbol = Symbol::scalar("R_p", Dimension::ONE);
 
-pub(super) const STEP: Step = Step {
-    id: "natural",
-    title: "Natural light",
-    says: "Light of every polarisation at once reflects as the mean of s and p: powers are averaged, not fields.",
-    rows: &["E42"],
-    parameters: INTERFACE,
-    statements: &[Statement {
-        id: "reflectance",
-        says: "reflected share of natural light",
-        rows: &["E42"],
-        equation: || Equation::new(R_N, natural()),
-    }],
-    derivations: &[Derivation {
-        id: "mean",
-        says: "the mean over all directions of vibration, with E36 and E39",
-        rows: &["E42"],
-        chain: || mean(natural()),
-        spoiled: || {
-            mean(
-                ((tan(THETA_1 - THETA_2) / tan(THETA_1 + THETA_2) - sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2))
-                    / 2)
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "natural",
+    INTERFACE,
+    &[figure("against_angle", "R_s, R_p, R_n and T_n against the angle, into the medium and out of it.", reflectance)],
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Natural light",
+    "Light of every polarisation at once reflects as the mean of s and p: powers are averaged, not fields.",
+)
+.rows(&["E42"])
+.statements(&[statement("reflectance", "reflected share of natural light", || Equation::new(R_N, natural()))])
+.derivations(&[derivation("mean", "the mean over all directions of vibration, with E36 and E39", || mean(natural()))
+    .slip("the mean of the fields, squared", || {
+        mean(
+            ((tan(THETA_1 - THETA_2) / tan(THETA_1 + THETA_2) - sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2)) / 2)
                 .pow(2),
-            )
+        )
+    })])
+.readout(|setting| {
+    let input = interface(setting);
+    let powers = powers(incidence(setting), input.n_i, input.n_t);
+    vec![
+        Quantity {
+            key: "R_n",
+            symbol: "R_n",
+            says: "reflected share of natural light",
+            value: powers.r_n(),
+            unit: "1",
         },
-        slip: "the mean of the fields, squared",
-    }],
-    readout: Some(|setting| {
-        let input = interface(setting);
-        let powers = powers(incidence(setting), input.n_i, input.n_t);
-        vec![
-            Quantity {
-                key: "R_n",
-                symbol: "R_n",
-                says: "reflected share of natural light",
-                value: powers.r_n(),
-                unit: "1",
-            },
-            Quantity { key: "T_n", symbol: "T_n", says: "transmitted share", value: powers.t_n(), unit: "1" },
-            Quantity {
-                key: "polarisation",
-                symbol: "(R_s−R_p)/(R_s+R_p)",
-                says: "degree of polarisation of the reflected light",
-                value: (powers.r_s - powers.r_p) / (powers.r_s + powers.r_p),
-                unit: "1",
-            },
-        ]
-    }),
-    checks: &[EVERY_AZIMUTH, WALSH],
-    stress: &[Stress {
-        id: "normal_and_alike",
-        claim: "R_n keeps its digits at normal incidence and between nearly equal media",
-        rows: &["E42"],
-        textbook: "½[sin²(θ₁−θ₂)/sin²(θ₁+θ₂) + tan²(θ₁−θ₂)/tan²(θ₁+θ₂)]",
-        reference: "256 bits",
-        cases: |setting| {
-            let clear = |direction, n_i: f64, n_t: f64| Input { direction, n_i, n_t: n_t.into() };
-            let inputs = [
-                interface(setting),
-                clear(Direction::Angle(0.0), 1.0, 1.5),
-                clear(Direction::Cos(1.0 - 1e-16), 1.0, 1.5),
-                clear(Direction::Angle(0.5), 1.0, 1.0 + 1e-9),
-                clear(Direction::Angle(0.5), 1.0, 1.0 + 1e-15),
-                clear(Direction::Grazing(1e-6), 1.0, 1.0 + 1e-12),
-                clear(Direction::Angle(0.5), 1.5, 1.5 - 1e-12),
-            ];
-            cases(&["R_n"], &inputs)
+        Quantity { key: "T_n", symbol: "T_n", says: "transmitted share", value: powers.t_n(), unit: "1" },
+        Quantity {
+            key: "polarisation",
+            symbol: "(R_s−R_p)/(R_s+R_p)",
+            says: "degree of polarisation of the reflected light",
+            value: (powers.r_s - powers.r_p) / (powers.r_s + powers.r_p),
+            unit: "1",
         },
-    }],
-    races: &[HEMISPHERE],
-    figures: &[Figure {
-        id: "against_angle",
-        says: "R_s, R_p, R_n and T_n against the angle, into the medium and out of it.",
-        rows: &["E42"],
-        plot: reflectance,
-    }],
-};
+    ]
+})
+.checks(&[&EVERY_AZIMUTH, &WALSH])
+.stress(&[stress(
+    "normal_and_alike",
+    "R_n keeps its digits at normal incidence and between nearly equal media",
+    |setting| {
+        let clear = |direction, n_i: f64, n_t: f64| Input { direction, n_i, n_t: n_t.into() };
+        let inputs = [
+            interface(setting),
+            clear(Direction::Angle(0.0), 1.0, 1.5),
+            clear(Direction::Cos(1.0 - 1e-16), 1.0, 1.5),
+            clear(Direction::Angle(0.5), 1.0, 1.0 + 1e-9),
+            clear(Direction::Angle(0.5), 1.0, 1.0 + 1e-15),
+            clear(Direction::Grazing(1e-6), 1.0, 1.0 + 1e-12),
+            clear(Direction::Angle(0.5), 1.5, 1.5 - 1e-12),
+        ];
+        cases(&["R_n"], &inputs)
+    },
+)
+.textbook("½[sin²(θ₁−θ₂)/sin²(θ₁+θ₂) + tan²(θ₁−θ₂)/tan²(θ₁+θ₂)]")
+.against("256 bits")])
+.races(&[HEMISPHERE]);
 
 fn natural() -> Expr {
     let (sum, difference) = (THETA_1 + THETA_2, THETA_1 - THETA_2);
@@ -121,20 +108,14 @@ fn mean(last: Expr) -> Chain {
         .then(last, ["E41: R = r²", "E36", "E39"])
 }
 
-const EVERY_AZIMUTH: Check = Check {
-    id: "every_azimuth",
-    claim: "R_n is the mean over all directions of polarisation",
-    rows: &["E42"],
-    route: "fields polarised at 16 azimuths, each split into s and p, reflected, and its power summed",
-    bound: Bound::AtMost {
-        limit: 16.0,
-        unit: "ε",
-        why: "the trapezoid rule is exact for cos², so only rounding is left",
-    },
-    measure: |bench| over_azimuths(bench, |a, cos, sin| (a.r_s * cos).norm_sqr() + (a.r_p * sin).norm_sqr()),
-    spoiled: |bench| over_azimuths(bench, |a, cos, sin| (a.r_s * cos + a.r_p * sin).norm_sqr()),
-    slip: "the fields of s and p are added although they stand at right angles",
-};
+const EVERY_AZIMUTH: Check<fn(&Amplitudes, f64, f64) -> f64> =
+    check("every_azimuth", "R_n is the mean over all directions of polarisation")
+        .against("fields polarised at 16 azimuths, each split into s and p, reflected, and its power summed")
+        .within(16.0, "ε", "the trapezoid rule is exact for cos², so only rounding is left")
+        .of(over_azimuths, |a, cos, sin| (a.r_s * cos).norm_sqr() + (a.r_p * sin).norm_sqr())
+        .slip("the fields of s and p are added although they stand at right angles", |a, cos, sin| {
+            (a.r_s * cos + a.r_p * sin).norm_sqr()
+        });
 
 fn over_azimuths(bench: &mut Bench, power: fn(&Amplitudes, f64, f64) -> f64) -> Measured {
     const AZIMUTHS: u32 = 16;
@@ -149,22 +130,14 @@ fn over_azimuths(bench: &mut Bench, power: fn(&Amplitudes, f64, f64) -> f64) -> 
     }))
 }
 
-const WALSH: Check = Check {
-    id: "diffuse",
-    claim: "under an even sky the interface reflects what Walsh's closed form says",
-    rows: &["E42"],
-    route: "64-point Gauss–Legendre quadrature of R_n over the hemisphere against Walsh's closed form of 1926",
-    bound: Bound::AtMost {
-        limit: 1e-12,
-        unit: "1",
-        why: "the quadrature converges geometrically; the closed form's terms reach 100 and cancel",
-    },
-    measure: |_| against_walsh(|cos| 2.0 * cos),
-    spoiled: |_| against_walsh(|_| 1.0),
-    slip: "the cosine of the even sky is forgotten",
-};
+const WALSH: Check<fn(f64) -> f64> =
+    check("diffuse", "under an even sky the interface reflects what Walsh's closed form says")
+        .against("64-point Gauss–Legendre quadrature of R_n over the hemisphere against Walsh's closed form of 1926")
+        .within(1e-12, "1", "the quadrature converges geometrically; the closed form's terms reach 100 and cancel")
+        .of(against_walsh, |cos| 2.0 * cos)
+        .slip("the cosine of the even sky is forgotten", |_| 1.0);
 
-fn against_walsh(weight: fn(f64) -> f64) -> Measured {
+fn against_walsh(_: &mut Bench, weight: fn(f64) -> f64) -> Measured {
     let rule = gauss_legendre(64);
     Measured::worst([1.2, 1.33, 1.5, 1.8, 2.4, 4.0].map(|n| {
         let mean: f64 = rule.iter().map(|&(cos, w)| w * weight(cos) * single(cos, n)).sum();
@@ -181,56 +154,32 @@ fn single(cos: f64, n: f64) -> f64 {
 /// The relative index of the race.
 const GLASS: f64 = 1.5;
 
-const HEMISPHERE: Race = Race {
-    id: "hemisphere",
-    claim: "the mean reflectance under an even sky: what a smooth rule gains over dice",
-    rows: &["E42"],
-    work: "evaluations of R_n",
-    error: "relative error of the mean R_n",
-    reference: "relative error against Walsh's closed form, n = 1.5",
-    lanes: &[
-        Lane {
-            id: "monte_carlo",
-            label: "Monte Carlo",
-            works: &[16, 64, 256, 1024, 4096, 16384],
-            expects: Expects::Order { order: 0.5, tolerance: 0.15 },
-            repeats: 32,
-            prepare: |bench, work| {
+const HEMISPHERE: Race =
+    race("hemisphere", "the mean reflectance under an even sky: what a smooth rule gains over dice")
+        .work("evaluations of R_n")
+        .error("relative error of the mean R_n", "relative error against Walsh's closed form, n = 1.5")
+        .lanes(&[
+            lane("monte_carlo", "Monte Carlo", &[16, 64, 256, 1024, 4096, 16384], |bench, work| {
                 let cosines: Vec<f64> = (0..work).map(|_| uniform(&mut bench.stream, 0.0, 1.0)).collect();
                 even(cosines)
-            },
-        },
-        Lane {
-            id: "golden_ratio",
-            label: "golden-ratio sequence",
-            works: &[16, 64, 256, 1024, 4096, 16384],
-            expects: Expects::Order { order: 1.0, tolerance: 0.35 },
-            repeats: 32,
-            prepare: |bench, work| {
+            })
+            .repeated(32)
+            .order(0.5, 0.15),
+            lane("golden_ratio", "golden-ratio sequence", &[16, 64, 256, 1024, 4096, 16384], |bench, work| {
                 // Weyl's sequence of the golden ratio from a random start (Cranley–Patterson rotation).
                 let start = uniform(&mut bench.stream, 0.0, 1.0);
                 let golden = 0.5 * (5f64.sqrt() - 1.0);
                 even((0..work).map(|at| (start + at as f64 * golden).fract()).collect())
-            },
-        },
-        Lane {
-            id: "midpoint",
-            label: "midpoint rule",
-            works: &[8, 32, 128, 512, 2048, 8192],
-            expects: Expects::Order { order: 2.0, tolerance: 0.2 },
-            repeats: 1,
-            prepare: |_, work| even((0..work).map(|at| (at as f64 + 0.5) / work as f64).collect()),
-        },
-        Lane {
-            id: "gauss",
-            label: "Gauss–Legendre",
-            works: &[4, 6, 8, 12, 16, 32],
-            expects: Expects::Within { limit: 2e-3, why: "four points already do what thousands of dice do" },
-            repeats: 1,
-            prepare: |_, work| mean_of(gauss_legendre(work as usize)),
-        },
-    ],
-};
+            })
+            .repeated(32)
+            .order(1.0, 0.35),
+            lane("midpoint", "midpoint rule", &[8, 32, 128, 512, 2048, 8192], |_, work| {
+                even((0..work).map(|at| (at as f64 + 0.5) / work as f64).collect())
+            })
+            .order(2.0, 0.2),
+            lane("gauss", "Gauss–Legendre", &[4, 6, 8, 12, 16, 32], |_, work| mean_of(gauss_legendre(work as usize)))
+                .within(2e-3, "four points already do what thousands of dice do"),
+        ]);
 
 fn even(cosines: Vec<f64>) -> Heat {
     let weight = 1.0 / cosines.len() as f64;

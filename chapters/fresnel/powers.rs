@@ -6,7 +6,9 @@ use super::fields::{flow, waves};
 use super::symbols::{E_1, E_1R, E_2, ELECTRIC, MAGNETIC, N_1, N_2, NORMAL, R_S, T_P, T_S, THETA_1, THETA_2, Z_0};
 use super::{INTERFACE, incidence, interface, sample_inputs};
 use crate::setting::Setting;
-use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step, Stress};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, statement, step, stress,
+};
 use equation::derivation::Chain;
 use equation::expr::{abs, cos, cross, dot};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -21,71 +23,52 @@ const S_I: Symbol = Symbol::vector("S_i", Dimension::WATT_PER_SQUARE_METRE);
 const S_R: Symbol = Symbol::vector("S_r", Dimension::WATT_PER_SQUARE_METRE);
 const S_T: Symbol = Symbol::vector("S_t", Dimension::WATT_PER_SQUARE_METRE);
 
-pub(super) const STEP: Step = Step {
-    id: "powers",
-    title: "Shares of the power",
-    says: "Power through the interface counts the normal component of the energy flow: T is not |t|².",
-    rows: &["E41"],
-    parameters: INTERFACE,
-    statements: &[
-        Statement {
-            id: "reflectance",
-            says: "reflected share, as magnitudes: the reflected flow runs backwards",
-            rows: &["E41"],
-            equation: || Equation::new(REFLECTANCE, abs(dot(NORMAL, S_R)) / abs(dot(NORMAL, S_I))),
-        },
-        Statement {
-            id: "transmittance",
-            says: "transmitted share",
-            rows: &["E41"],
-            equation: || Equation::new(TRANSMITTANCE, abs(dot(NORMAL, S_T)) / abs(dot(NORMAL, S_I))),
-        },
-        Statement {
-            id: "from_amplitudes",
-            says: "between clear media: slower light carries more power per field, in a narrower or wider beam",
-            rows: &["E41"],
-            equation: || Equation::new(TRANSMITTANCE, N_2 * cos(THETA_2) / (N_1 * cos(THETA_1)) * T_S.pow(2)),
-        },
-    ],
-    derivations: &[
-        Derivation {
-            id: "reflected_from_poynting",
-            says: "the flow of the reflected wave through the interface over the incident one's, with the sign turned",
-            rows: &["E41"],
-            chain: || reflected(R_S.pow(2)),
-            spoiled: || reflected(-R_S.pow(2)),
-            slip: "one normal for both flows, without the magnitude",
-        },
-        Derivation {
-            id: "from_poynting",
-            says: "the flow of the transmitted wave over the incident one's, s",
-            rows: &["E41"],
-            chain: || transmitted(Polarisation::S, T_S, N_2 * cos(THETA_2) / (N_1 * cos(THETA_1)) * T_S.pow(2)),
-            spoiled: || transmitted(Polarisation::S, T_S, T_S.pow(2)),
-            slip: "T taken as t²",
-        },
-        Derivation {
-            id: "from_poynting_p",
-            says: "the same for p, whose fields stand otherwise",
-            rows: &["E41"],
-            chain: || transmitted(Polarisation::P, T_P, N_2 * cos(THETA_2) / (N_1 * cos(THETA_1)) * T_P.pow(2)),
-            spoiled: || transmitted(Polarisation::P, T_P, cos(THETA_2) / cos(THETA_1) * T_P.pow(2)),
-            slip: "the index is forgotten",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[FLOW],
-    stress: &[Stress {
-        id: "grazing",
-        claim: "R and T keep their digits at grazing incidence, normal incidence and near equal indices",
-        rows: &["E41"],
-        textbook: "|r|² and (n₂cosθ₂/n₁cosθ₁)|t|² from the angles",
-        reference: "the amplitudes in 256 bits",
-        cases: |setting| cases(&["R_s", "T_s", "R_p", "T_p"], &hard_inputs(setting)),
-    }],
-    races: &[],
-    figures: &[],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit("powers", INTERFACE, &[]);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Shares of the power",
+    "Power through the interface counts the normal component of the energy flow: T is not |t|².",
+)
+.rows(&["E41"])
+.statements(&[
+    statement("reflectance", "reflected share, as magnitudes: the reflected flow runs backwards", || {
+        Equation::new(REFLECTANCE, abs(dot(NORMAL, S_R)) / abs(dot(NORMAL, S_I)))
+    }),
+    statement("transmittance", "transmitted share", || {
+        Equation::new(TRANSMITTANCE, abs(dot(NORMAL, S_T)) / abs(dot(NORMAL, S_I)))
+    }),
+    statement(
+        "from_amplitudes",
+        "between clear media: slower light carries more power per field, in a narrower or wider beam",
+        || Equation::new(TRANSMITTANCE, N_2 * cos(THETA_2) / (N_1 * cos(THETA_1)) * T_S.pow(2)),
+    ),
+])
+.derivations(&[
+    derivation(
+        "reflected_from_poynting",
+        "the flow of the reflected wave through the interface over the incident one's, with the sign turned",
+        || reflected(R_S.pow(2)),
+    )
+    .slip("one normal for both flows, without the magnitude", || reflected(-R_S.pow(2))),
+    derivation("from_poynting", "the flow of the transmitted wave over the incident one's, s", || {
+        transmitted(Polarisation::S, T_S, N_2 * cos(THETA_2) / (N_1 * cos(THETA_1)) * T_S.pow(2))
+    })
+    .slip("T taken as t²", || transmitted(Polarisation::S, T_S, T_S.pow(2))),
+    derivation("from_poynting_p", "the same for p, whose fields stand otherwise", || {
+        transmitted(Polarisation::P, T_P, N_2 * cos(THETA_2) / (N_1 * cos(THETA_1)) * T_P.pow(2))
+    })
+    .slip("the index is forgotten", || transmitted(Polarisation::P, T_P, cos(THETA_2) / cos(THETA_1) * T_P.pow(2))),
+])
+.readout(readout)
+.checks(&[&FLOW])
+.stress(&[stress(
+    "grazing",
+    "R and T keep their digits at grazing incidence, normal incidence and near equal indices",
+    |setting| cases(&["R_s", "T_s", "R_p", "T_p"], &hard_inputs(setting)),
+)
+.textbook("|r|² and (n₂cosθ₂/n₁cosθ₁)|t|² from the angles")
+.against("the amplitudes in 256 bits")]);
 
 /// `chain` with the mean flows of real fields, S = ½ E×H.
 fn with_flows(chain: Chain, polarisation: Polarisation) -> Chain {
@@ -129,16 +112,12 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     all.map(|(key, symbol, says, value)| Quantity { key, symbol, says, value, unit: "1" }).into()
 }
 
-const FLOW: Check = Check {
-    id: "flow",
-    claim: "R and T are the normal flows of energy, reflected and transmitted over incident",
-    rows: &["E41"],
-    route: "Re(E×H*) of the three waves' field vectors, normal component",
-    bound: Bound::AtMost { limit: 32.0, unit: "ε", why: "two dozen roundings in the fields and their products" },
-    measure: |bench| against_flow(bench, |_, powers| powers),
-    spoiled: |bench| against_flow(bench, |a, powers| Powers { t_s: a.t_s.norm_sqr(), t_p: a.t_p.norm_sqr(), ..powers }),
-    slip: "T taken as |t|²",
-};
+const FLOW: Check<fn(&Amplitudes, Powers) -> Powers> =
+    check("flow", "R and T are the normal flows of energy, reflected and transmitted over incident")
+        .against("Re(E×H*) of the three waves' field vectors, normal component")
+        .within(32.0, "ε", "two dozen roundings in the fields and their products")
+        .of(against_flow, |_, powers| powers)
+        .slip("T taken as |t|²", |a, powers| Powers { t_s: a.t_s.norm_sqr(), t_p: a.t_p.norm_sqr(), ..powers });
 
 fn against_flow(bench: &mut Bench, amend: fn(&Amplitudes, Powers) -> Powers) -> Measured {
     Measured::worst(sample_inputs(bench.setting).iter().flat_map(|input| {

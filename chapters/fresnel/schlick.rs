@@ -6,8 +6,8 @@ use super::{INTERFACE, extremes, incidence, interface, over_angle, over_angle_ne
 use crate::figure::{Axis, Chart, Hue, Map, Panel, Plot, Ramp};
 use crate::setting::{DEFAULT_WAVELENGTH, Setting};
 use crate::vocabulary::{
-    ALLOWED_ULPS, Bench, Bound, Check, Derivation, Expects, Extreme, Figure, Heat, Lane, Measured, Quantity, Race,
-    Statement, Step, Stress,
+    ALLOWED_ULPS, Bench, Check, Exhibit, Expects, Extreme, Heat, Measured, Quantity, Race, Step, check, derivation,
+    exhibit, figure, lane, race, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{cos, d, pi, ratio};
@@ -24,76 +24,50 @@ use std::hint::black_box;
 use yardstick::precise;
 use yardstick::random::uniform;
 
-pub(super) const STEP: Step = Step {
-    id: "schlick",
-    title: "Schlick's approximation",
-    says: "A fifth power stands in for R_n: close for glass in air, wrong from inside it.",
-    rows: &["E44"],
-    parameters: INTERFACE,
-    statements: &[
-        Statement {
-            id: "r_0",
-            says: "reflectance at normal incidence",
-            rows: &["E44"],
-            equation: || Equation::new(R_0, ((N_1 - N_2) / (N_1 + N_2)).pow(2)),
-        },
-        Statement {
-            id: "schlick",
-            says: "Schlick's approximation",
-            rows: &["E44"],
-            equation: || Equation::approximate(R_N, fifth_power(cos(THETA_1))),
-        },
-        Statement {
-            id: "rarer_side",
-            says: "out of the denser medium it is the refracted angle that reaches 90°",
-            rows: &["E44"],
-            equation: || Equation::approximate(R_N, fifth_power(cos(THETA_2))),
-        },
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "schlick",
+    INTERFACE,
+    &[
+        figure("error_map", "Schlick's error over angle and index, with the cosine of either side.", error_map),
+        figure(
+            "curves",
+            "Exact and approximate reflectance: the setting's, out of glass, of a high index, and of a metal.",
+            curves,
+        ),
     ],
-    derivations: &[
-        Derivation {
-            id: "normal_incidence",
-            says: "R_n from E35 and E38 at θ = 0, where E36 and E39 themselves are 0/0",
-            rows: &["E44"],
-            chain: || at_normal(((N_1 - N_2) / (N_1 + N_2)).pow(2)),
-            spoiled: || at_normal(((N_1 - N_2) / (N_1 + N_2)).pow(2) / 2),
-            slip: "s and p do not add",
-        },
-        Derivation {
-            id: "slope",
-            says: "how the approximation starts at grazing incidence",
-            rows: &["E44"],
-            chain: || grazing(-5 * (1 - R_0)),
-            spoiled: || grazing(Expr::from(-5)),
-            slip: "the fifth power is differentiated without its factor",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[AS_WRITTEN, ENDS, GRAZING_SLOPE, GLASS, INSIDE, METALS],
-    stress: &[Stress {
-        id: "beyond_glass",
-        claim: "where Schlick keeps no digit the exact form costs little more and keeps them all",
-        rows: &["E44"],
-        textbook: "Schlick's R₀ + (1 − R₀)(1 − cos θ₁)⁵",
-        reference: "R_n from the boundary conditions in 256 bits",
-        cases: beyond_glass,
-    }],
-    races: &[SPEED, TABLE],
-    figures: &[
-        Figure {
-            id: "error_map",
-            says: "Schlick's error over angle and index, with the cosine of either side.",
-            rows: &["E44"],
-            plot: error_map,
-        },
-        Figure {
-            id: "curves",
-            says: "Exact and approximate reflectance: the setting's, out of glass, of a high index, and of a metal.",
-            rows: &["E44"],
-            plot: curves,
-        },
-    ],
-};
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Schlick's approximation",
+    "A fifth power stands in for R_n: close for glass in air, wrong from inside it.",
+)
+.rows(&["E44"])
+.statements(&[
+    statement("r_0", "reflectance at normal incidence", || Equation::new(R_0, ((N_1 - N_2) / (N_1 + N_2)).pow(2))),
+    statement("schlick", "Schlick's approximation", || Equation::approximate(R_N, fifth_power(cos(THETA_1)))),
+    statement("rarer_side", "out of the denser medium it is the refracted angle that reaches 90°", || {
+        Equation::approximate(R_N, fifth_power(cos(THETA_2)))
+    }),
+])
+.derivations(&[
+    derivation("normal_incidence", "R_n from E35 and E38 at θ = 0, where E36 and E39 themselves are 0/0", || {
+        at_normal(((N_1 - N_2) / (N_1 + N_2)).pow(2))
+    })
+    .slip("s and p do not add", || at_normal(((N_1 - N_2) / (N_1 + N_2)).pow(2) / 2)),
+    derivation("slope", "how the approximation starts at grazing incidence", || grazing(-5 * (1 - R_0)))
+        .slip("the fifth power is differentiated without its factor", || grazing(Expr::from(-5))),
+])
+.readout(readout)
+.checks(&[&AS_WRITTEN, &ENDS, &GRAZING_SLOPE, &GLASS, &INSIDE, &METALS])
+.stress(&[stress(
+    "beyond_glass",
+    "where Schlick keeps no digit the exact form costs little more and keeps them all",
+    beyond_glass,
+)
+.textbook("Schlick's R₀ + (1 − R₀)(1 − cos θ₁)⁵")
+.against("R_n from the boundary conditions in 256 bits")])
+.races(&[SPEED, TABLE]);
 
 /// R₀ + (1 − R₀)(1 − cos)⁵
 fn fifth_power(cosine: Expr) -> Expr {
@@ -142,20 +116,11 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     quantities
 }
 
-const AS_WRITTEN: Check = Check {
-    id: "as_written",
-    claim: "the program's approximation is the equation on the page",
-    rows: &["E44"],
-    route: "the equation above, as the object on the page, in 256-bit arithmetic",
-    bound: Bound::AtMost {
-        limit: ALLOWED_ULPS,
-        unit: "ε",
-        why: "ten operations on positive numbers; only 1 − cos θ subtracts, and cos θ is exact here",
-    },
-    measure: |bench| against_equation(bench, &fifth_power(cos(THETA_1))),
-    spoiled: |bench| against_equation(bench, &(R_0 + (1 - R_0) * (1 - cos(THETA_1)).pow(4))),
-    slip: "the fourth power",
-};
+const AS_WRITTEN: Check<fn() -> Expr> = check("as_written", "the program's approximation is the equation on the page")
+    .against("the equation above, as the object on the page, in 256-bit arithmetic")
+    .within(ALLOWED_ULPS, "ε", "ten operations on positive numbers; only 1 − cos θ subtracts, and cos θ is exact here")
+    .of::<fn() -> Expr>(|bench, equation| against_equation(bench, &equation()), || fifth_power(cos(THETA_1)))
+    .slip("the fourth power", || R_0 + (1 - R_0) * (1 - cos(THETA_1)).pow(4));
 
 /// Relative error of the program's function against `equation` [ε], at random cosines and reflectances.
 fn against_equation(bench: &mut Bench, equation: &Expr) -> Measured {
@@ -171,18 +136,12 @@ fn against_equation(bench: &mut Bench, equation: &Expr) -> Measured {
     }))
 }
 
-const ENDS: Check = Check {
-    id: "both_ends",
-    claim: "the approximation is exact along the normal and at grazing incidence, metals included",
-    rows: &["E44"],
-    route: "the exact R_n",
-    bound: Bound::AtMost {
-        limit: 16.0, unit: "ε", why: "a few roundings; at cos θ = 1e−20 both are 1 to 18 digits"
-    },
-    measure: |bench| at_both_ends(bench, schlick),
-    spoiled: |bench| at_both_ends(bench, |cos_i, r_0| r_0 + (1.0 - cos_i).powi(5)),
-    slip: "the factor 1 − R₀ is forgotten",
-};
+const ENDS: Check<fn(f64, f64) -> f64> =
+    check("both_ends", "the approximation is exact along the normal and at grazing incidence, metals included")
+        .against("the exact R_n")
+        .within(16.0, "ε", "a few roundings; at cos θ = 1e−20 both are 1 to 18 digits")
+        .of(at_both_ends, schlick)
+        .slip("the factor 1 − R₀ is forgotten", |cos_i, r_0| r_0 + (1.0 - cos_i).powi(5));
 
 fn at_both_ends(bench: &mut Bench, approximate: fn(f64, f64) -> f64) -> Measured {
     let own = interface(bench.setting);
@@ -197,19 +156,17 @@ fn at_both_ends(bench: &mut Bench, approximate: fn(f64, f64) -> f64) -> Measured
     }))
 }
 
-const GRAZING_SLOPE: Check = Check {
-    id: "grazing_slope",
-    claim: "at grazing incidence the approximation starts with a slope of its own, 5(1 − R₀) per cos θ",
-    rows: &["E44"],
-    route: "expansion of E36 and E39 at cos θ → 0: 1 − R_n = 2(n² + 1)/√(n² − 1) cos θ + O(cos² θ)",
-    bound: Bound::AtMost { limit: 1e-3, unit: "1", why: "cos θ = 1e−5, and the next term's factor is some tens" },
-    measure: |_| grazing_slope(|r_0| 5.0 * (1.0 - r_0)),
-    spoiled: |_| grazing_slope(|_| 5.0),
-    slip: "the fifth power is differentiated without its factor",
-};
+const GRAZING_SLOPE: Check<fn(f64) -> f64> = check(
+    "grazing_slope",
+    "at grazing incidence the approximation starts with a slope of its own, 5(1 − R₀) per cos θ",
+)
+.against("expansion of E36 and E39 at cos θ → 0: 1 − R_n = 2(n² + 1)/√(n² − 1) cos θ + O(cos² θ)")
+.within(1e-3, "1", "cos θ = 1e−5, and the next term's factor is some tens")
+.of(grazing_slope, |r_0| 5.0 * (1.0 - r_0))
+.slip("the fifth power is differentiated without its factor", |_| 5.0);
 
 /// ((Schlick − exact) − (difference of the slopes) cos θ)/cos θ near grazing, with Schlick's slope from `slope`.
-fn grazing_slope(slope: fn(f64) -> f64) -> Measured {
+fn grazing_slope(_: &mut Bench, slope: fn(f64) -> f64) -> Measured {
     let cos_i = 1e-5;
     Measured::worst(GLASSES.map(|n| {
         let r_0 = normal_reflectance(1.0, n.into());
@@ -222,25 +179,23 @@ fn grazing_slope(slope: fn(f64) -> f64) -> Measured {
 /// How far Schlick may be from R_n for indices between water's and dense flint's, against air.
 const GLASS_ERROR: f64 = 0.06;
 
-const GLASS: Check = Check {
-    id: "glass_in_air",
-    claim: "for water and glass in air the approximation is off by a few hundredths at most, near grazing",
-    rows: &["E44"],
-    route: "the exact R_n, every quarter of a degree",
-    bound: Bound::AtMost {
-        limit: GLASS_ERROR,
-        unit: "1",
-        why: "the wedge between the slopes at grazing, widest for water, opens so far before the fifth power closes it",
-    },
-    measure: |_| for_glass(schlick),
-    spoiled: |_| for_glass(|cos_i, r_0| r_0 + (1.0 - r_0) * (1.0 - cos_i).powi(4)),
-    slip: "the fourth power",
-};
+const GLASS: Check<fn(f64, f64) -> f64> = check(
+    "glass_in_air",
+    "for water and glass in air the approximation is off by a few hundredths at most, near grazing",
+)
+.against("the exact R_n, every quarter of a degree")
+.within(
+    GLASS_ERROR,
+    "1",
+    "the wedge between the slopes at grazing, widest for water, opens so far before the fifth power closes it",
+)
+.of(for_glass, schlick)
+.slip("the fourth power", |cos_i, r_0| r_0 + (1.0 - r_0) * (1.0 - cos_i).powi(4));
 
 /// Indices of water, crown glass, flint and dense flint.
 const GLASSES: [f64; 4] = [1.333, 1.5, 1.6, 1.78];
 
-fn for_glass(approximate: fn(f64, f64) -> f64) -> Measured {
+fn for_glass(_: &mut Bench, approximate: fn(f64, f64) -> f64) -> Measured {
     Measured::worst(GLASSES.into_iter().flat_map(|n| {
         let r_0 = normal_reflectance(1.0, n.into());
         cosines().map(move |cos_i| {
@@ -255,22 +210,20 @@ fn cosines() -> impl Iterator<Item = f64> {
     (0..360).map(|quarter| (f64::from(quarter) / 4.0).to_radians().cos())
 }
 
-const INSIDE: Check = Check {
-    id: "from_inside",
-    claim: "from inside glass the rarer side's cosine keeps the bound; the incident one misses total reflection",
-    rows: &["E44"],
-    route: "the exact R_n, below and beyond the critical one",
-    bound: Bound::AtMost {
-        limit: GLASS_ERROR,
-        unit: "1",
-        why: "R_n is the same from both sides at angles that Snell's law joins, so the error from outside carries over",
-    },
-    measure: |_| from_inside(schlick_rarer_side),
-    spoiled: |_| from_inside(|cos_i, n_i, n_t| schlick(cos_i, normal_reflectance(n_i, n_t.into()))),
-    slip: "cos θ₁ is used in the denser medium",
-};
+const INSIDE: Check<fn(f64, f64, f64) -> f64> = check(
+    "from_inside",
+    "from inside glass the rarer side's cosine keeps the bound; the incident one misses total reflection",
+)
+.against("the exact R_n, below and beyond the critical one")
+.within(
+    GLASS_ERROR,
+    "1",
+    "R_n is the same from both sides at angles that Snell's law joins, so the error from outside carries over",
+)
+.of(from_inside, schlick_rarer_side)
+.slip("cos θ₁ is used in the denser medium", |cos_i, n_i, n_t| schlick(cos_i, normal_reflectance(n_i, n_t.into())));
 
-fn from_inside(approximate: fn(f64, f64, f64) -> f64) -> Measured {
+fn from_inside(_: &mut Bench, approximate: fn(f64, f64, f64) -> f64) -> Measured {
     Measured::worst(GLASSES.into_iter().flat_map(|n| {
         cosines().map(move |cos_i| {
             let exact = powers(Incidence::from_cos(cos_i), n, 1.0.into()).r_n();
@@ -282,22 +235,14 @@ fn from_inside(approximate: fn(f64, f64, f64) -> f64) -> Measured {
 /// How far the form with two reflectances may be from R_n of metals.
 const DIPPED_ERROR: f64 = 0.05;
 
-const METALS: Check = Check {
-    id: "metals",
-    claim: "one more reflectance, at 82°, makes the approximation fit for metals",
-    rows: &["E44"],
-    route: "the exact R_n of gold, silver, copper, aluminium and chromium over the visible",
-    bound: Bound::AtMost {
-        limit: DIPPED_ERROR,
-        unit: "1",
-        why: "one lobe through one point: what is left beside it, largest for chromium at 87°",
-    },
-    measure: |_| for_metals(|_, r_82| r_82),
-    spoiled: |_| for_metals(|r_0, _| schlick(Dipped::COS, r_0)),
-    slip: "Schlick's own value at 82° is taken for the metal's",
-};
+const METALS: Check<fn(f64, f64) -> f64> =
+    check("metals", "one more reflectance, at 82°, makes the approximation fit for metals")
+        .against("the exact R_n of gold, silver, copper, aluminium and chromium over the visible")
+        .within(DIPPED_ERROR, "1", "one lobe through one point: what is left beside it, largest for chromium at 87°")
+        .of(for_metals, |_, r_82| r_82)
+        .slip("Schlick's own value at 82° is taken for the metal's", |r_0, _| schlick(Dipped::COS, r_0));
 
-fn for_metals(at_82: fn(f64, f64) -> f64) -> Measured {
+fn for_metals(_: &mut Bench, at_82: fn(f64, f64) -> f64) -> Measured {
     let metals = ["gold", "silver", "copper", "aluminium", "chromium"];
     let wavelengths = [400e-9, 450e-9, 500e-9, 550e-9, 600e-9, 650e-9, 700e-9];
     let cases = metals.into_iter().flat_map(|name| wavelengths.map(|wavelength| (name, wavelength)));
@@ -353,110 +298,59 @@ const EXACT: Expects = Expects::Within { limit: 1e-15, why: "a few roundings of 
 /// R_n of many cosines in one call.
 type Batch = fn(&[f64], &mut [f64]);
 
-const SPEED: Race = Race {
-    id: "speed",
-    claim: "Schlick's error buys a few nanoseconds; with the rarer side's cosine it buys none",
-    rows: &["E44"],
-    work: "evaluations of R_n",
-    error: "largest |ΔR|",
-    reference: "largest |ΔR|; R_n in 256 bits at 64 of the cosines",
-    lanes: &[
-        Lane {
-            id: "exact",
-            label: "exact, into glass",
-            works: EVALUATIONS,
-            expects: EXACT,
-            repeats: 1,
-            prepare: |_, work| {
-                heat(work, GLASS_INDEX.into(), |cos_i, out| natural_reflectance(cos_i, 1.0, GLASS_INDEX, out))
-            },
-        },
-        Lane {
-            id: "schlick",
-            label: "Schlick, into glass",
-            works: EVALUATIONS,
-            expects: Expects::Within { limit: GLASS_ERROR, why: "its known error for glass (check glass_in_air)" },
-            repeats: 1,
-            prepare: |_, work| {
-                heat(work, GLASS_INDEX.into(), |cos_i, out| {
-                    let r_0 = normal_reflectance(1.0, GLASS_INDEX.into());
-                    each(cos_i, out, |cos_i| schlick(cos_i, r_0));
-                })
-            },
-        },
-        Lane {
-            id: "exact_inside",
-            label: "exact, from inside",
-            works: EVALUATIONS,
-            expects: Expects::Within {
-                limit: 1e-12,
-                why: "beside the critical angle the last bit of cos θ₁ moves R by its root; elsewhere a few roundings",
-            },
-            repeats: 1,
-            prepare: |_, work| heat_inside(work, |cos_i, out| natural_reflectance(cos_i, GLASS_INDEX, 1.0, out)),
-        },
-        Lane {
-            id: "rarer_side",
-            label: "Schlick, rarer side",
-            works: EVALUATIONS,
-            expects: Expects::Within { limit: GLASS_ERROR, why: "reciprocity (check from_inside)" },
-            repeats: 1,
-            prepare: |_, work| {
-                heat_inside(work, |cos_i, out| each(cos_i, out, |cos_i| schlick_rarer_side(cos_i, GLASS_INDEX, 1.0)))
-            },
-        },
-        Lane {
-            id: "schlick_inside",
-            label: "Schlick with cos θ_1",
-            works: EVALUATIONS,
-            expects: Expects::Breaks { limit: 0.5, why: "cos θ₁ never comes near 0 before everything is reflected" },
-            repeats: 1,
-            prepare: |_, work| {
-                heat_inside(work, |cos_i, out| {
-                    let r_0 = normal_reflectance(GLASS_INDEX, 1.0.into());
-                    each(cos_i, out, |cos_i| schlick(cos_i, r_0));
-                })
-            },
-        },
-        Lane {
-            id: "exact_metal",
-            label: "exact, chromium",
-            works: EVALUATIONS,
-            expects: EXACT,
-            repeats: 1,
-            prepare: |_, work| {
-                heat(work, metal(), |cos_i, out| natural_reflectance_absorbing(cos_i, 1.0, metal(), out))
-            },
-        },
-        Lane {
-            id: "schlick_metal",
-            label: "Schlick, chromium",
-            works: EVALUATIONS,
-            expects: Expects::Breaks { limit: DIPPED_ERROR, why: "R dips before it rises: no fifth power does" },
-            repeats: 1,
-            prepare: |_, work| {
-                heat(work, metal(), |cos_i, out| {
-                    let r_0 = normal_reflectance(1.0, metal());
-                    each(cos_i, out, |cos_i| schlick(cos_i, r_0));
-                })
-            },
-        },
-        Lane {
-            id: "dipped_metal",
-            label: "Schlick with a dip at 82°, chromium",
-            works: EVALUATIONS,
-            expects: Expects::Within { limit: DIPPED_ERROR, why: "its known error for metals (check metals)" },
-            repeats: 1,
-            prepare: |_, work| {
-                heat(work, metal(), |cos_i, out| {
-                    let r_82 = powers(Incidence::from_cos(Dipped::COS), 1.0, metal()).r_n();
-                    let dipped = Dipped::new(normal_reflectance(1.0, metal()), r_82);
-                    each(cos_i, out, |cos_i| dipped.reflectance(cos_i));
-                })
-            },
-        },
-    ],
-};
+const SPEED: Race = race("speed", "Schlick's error buys a few nanoseconds; with the rarer side's cosine it buys none")
+    .work("evaluations of R_n")
+    .error("largest |ΔR|", "largest |ΔR|; R_n in 256 bits at 64 of the cosines")
+    .lanes(&[
+        lane("exact", "exact, into glass", EVALUATIONS, |_, work| {
+            heat(work, GLASS_INDEX.into(), |cos_i, out| natural_reflectance(cos_i, 1.0, GLASS_INDEX, out))
+        })
+        .expects(EXACT),
+        lane("schlick", "Schlick, into glass", EVALUATIONS, |_, work| {
+            heat(work, GLASS_INDEX.into(), |cos_i, out| {
+                let r_0 = normal_reflectance(1.0, GLASS_INDEX.into());
+                each(cos_i, out, |cos_i| schlick(cos_i, r_0));
+            })
+        })
+        .within(GLASS_ERROR, "its known error for glass (check glass_in_air)"),
+        lane("exact_inside", "exact, from inside", EVALUATIONS, |_, work| {
+            heat_inside(work, |cos_i, out| natural_reflectance(cos_i, GLASS_INDEX, 1.0, out))
+        })
+        .within(
+            1e-12,
+            "beside the critical angle the last bit of cos θ₁ moves R by its root; elsewhere a few roundings",
+        ),
+        lane("rarer_side", "Schlick, rarer side", EVALUATIONS, |_, work| {
+            heat_inside(work, |cos_i, out| each(cos_i, out, |cos_i| schlick_rarer_side(cos_i, GLASS_INDEX, 1.0)))
+        })
+        .within(GLASS_ERROR, "reciprocity (check from_inside)"),
+        lane("schlick_inside", "Schlick with cos θ_1", EVALUATIONS, |_, work| {
+            heat_inside(work, |cos_i, out| {
+                let r_0 = normal_reflectance(GLASS_INDEX, 1.0.into());
+                each(cos_i, out, |cos_i| schlick(cos_i, r_0));
+            })
+        })
+        .breaks(0.5, "cos θ₁ never comes near 0 before everything is reflected"),
+        lane("exact_metal", "exact, chromium", EVALUATIONS, |_, work| {
+            heat(work, metal(), |cos_i, out| natural_reflectance_absorbing(cos_i, 1.0, metal(), out))
+        })
+        .expects(EXACT),
+        lane("schlick_metal", "Schlick, chromium", EVALUATIONS, |_, work| {
+            heat(work, metal(), |cos_i, out| {
+                let r_0 = normal_reflectance(1.0, metal());
+                each(cos_i, out, |cos_i| schlick(cos_i, r_0));
+            })
+        })
+        .breaks(DIPPED_ERROR, "R dips before it rises: no fifth power does"),
+        lane("dipped_metal", "Schlick with a dip at 82°, chromium", EVALUATIONS, |_, work| {
+            heat(work, metal(), |cos_i, out| {
+                let r_82 = powers(Incidence::from_cos(Dipped::COS), 1.0, metal()).r_n();
+                let dipped = Dipped::new(normal_reflectance(1.0, metal()), r_82);
+                each(cos_i, out, |cos_i| dipped.reflectance(cos_i));
+            })
+        })
+        .within(DIPPED_ERROR, "its known error for metals (check metals)"),
+    ]);
 
 fn each(cosines: &[f64], out: &mut [f64], value: impl Fn(f64) -> f64) {
     for (out, &cos) in out.iter_mut().zip(cosines) {
@@ -505,51 +399,24 @@ const ENTRIES: &[u64] = &[16, 32, 64, 128, 256, 512, 1024];
 /// Look-ups that a table is judged by.
 const JUDGED: usize = 1 << 13;
 
-const TABLE: Race = Race {
-    id: "table",
-    claim: "filling a table buys digits as the square of its size, but only as the root where R has a vertical tangent",
-    rows: &["E44"],
-    work: "entries of the table, filled once",
-    error: "largest |ΔR|",
-    reference: "largest |ΔR|; the exact R_n in f64, whose error is a trillionth of a table's",
-    lanes: &[
-        Lane {
-            id: "glass",
-            label: "table in cos θ_1, into glass",
-            works: ENTRIES,
-            expects: Expects::Order { order: 2.0, tolerance: 0.2 },
-            repeats: 1,
-            prepare: |_, work| tabulated(work, 1.0, GLASS_INDEX.into()),
-        },
-        Lane {
-            id: "metal",
-            label: "table in cos θ_1, chromium",
-            works: ENTRIES,
-            expects: Expects::Order { order: 2.0, tolerance: 0.2 },
-            repeats: 1,
-            prepare: |_, work| tabulated(work, 1.0, metal()),
-        },
-        Lane {
-            id: "inside",
-            label: "table in cos θ_1, out of glass",
-            works: ENTRIES,
-            expects: Expects::Order { order: 0.5, tolerance: 0.2 },
-            repeats: 1,
-            prepare: |_, work| tabulated(work, GLASS_INDEX, 1.0.into()),
-        },
-        Lane {
-            id: "schlick",
-            label: "Schlick, into glass (no table)",
-            works: &[1],
-            expects: Expects::Within { limit: GLASS_ERROR, why: "its known error for glass (check glass_in_air)" },
-            repeats: 1,
-            prepare: |_, _| Heat {
-                run: Box::new(|| vec![normal_reflectance(1.0, black_box(GLASS_INDEX).into())]),
-                error: Box::new(|r_0| largest_error(1.0, GLASS_INDEX.into(), |cos_i| schlick(cos_i, r_0[0]))),
-            },
-        },
-    ],
-};
+const TABLE: Race = race(
+    "table",
+    "filling a table buys digits as the square of its size, but only as the root where R has a vertical tangent",
+)
+.work("entries of the table, filled once")
+.error("largest |ΔR|", "largest |ΔR|; the exact R_n in f64, whose error is a trillionth of a table's")
+.lanes(&[
+    lane("glass", "table in cos θ_1, into glass", ENTRIES, |_, work| tabulated(work, 1.0, GLASS_INDEX.into()))
+        .order(2.0, 0.2),
+    lane("metal", "table in cos θ_1, chromium", ENTRIES, |_, work| tabulated(work, 1.0, metal())).order(2.0, 0.2),
+    lane("inside", "table in cos θ_1, out of glass", ENTRIES, |_, work| tabulated(work, GLASS_INDEX, 1.0.into()))
+        .order(0.5, 0.2),
+    lane("schlick", "Schlick, into glass (no table)", &[1], |_, _| Heat {
+        run: Box::new(|| vec![normal_reflectance(1.0, black_box(GLASS_INDEX).into())]),
+        error: Box::new(|r_0| largest_error(1.0, GLASS_INDEX.into(), |cos_i| schlick(cos_i, r_0[0]))),
+    })
+    .within(GLASS_ERROR, "its known error for glass (check glass_in_air)"),
+]);
 
 /// Filling a table of `entries` steps in cos θ₁ with the exact R_n; the error is that of looking up between them.
 fn tabulated(entries: u64, n_i: f64, n_t: Complex64) -> Heat {

@@ -4,7 +4,10 @@ use super::symbols::{C, K, K_1, K_2, N_1, N_2, OMEGA, T, THETA_1, THETA_1R, THET
 use super::{INTERFACE, extremes, incidence};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
-use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+    stress,
+};
 use equation::derivation::Chain;
 use equation::expr::{asin, cos, partial, pi, sin};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -14,68 +17,52 @@ use light::optics::incidence::{normal_squared, outgoing_root};
 use light::optics::{Direction, Incidence, fresnel};
 use yardstick::precise;
 
-pub(super) const STEP: Step = Step {
-    id: "snell",
-    title: "Where the waves go",
-    says: "Along the interface all three waves keep step, and that alone fixes their directions.",
-    rows: &["E33"],
-    parameters: INTERFACE,
-    statements: &[
-        Statement {
-            id: "reflection",
-            says: "the reflected wave leaves at the angle of incidence",
-            rows: &["E33"],
-            equation: || Equation::new(THETA_1, THETA_1R),
-        },
-        Statement {
-            id: "velocities",
-            says: "the sines go as the phase velocities",
-            rows: &["E33"],
-            equation: || Equation::new(sin(THETA_1) / V_1, sin(THETA_2) / V_2),
-        },
-        Statement {
-            id: "snell",
-            says: "Snell's law",
-            rows: &["E33"],
-            equation: || Equation::new(N_1 * sin(THETA_1), N_2 * sin(THETA_2)),
-        },
-    ],
-    derivations: &[
-        Derivation {
-            id: "mirror",
-            says: "the incident and the reflected wave are in step along the interface, with the same wave number",
-            rows: &["E33"],
-            chain: || mirror(THETA_1.into(), THETA_1R.into()),
-            spoiled: || mirror(THETA_1.into(), pi() / 2 - THETA_1R),
-            slip: "the angle to the surface for that to the normal",
-        },
-        Derivation {
-            id: "phase_matching",
-            says: "the incident and the transmitted wave are in step along the interface: Snell's law",
-            rows: &["E33"],
-            chain: || phase_matching(N_1 * sin(THETA_1), N_2 * sin(THETA_2)),
-            spoiled: || phase_matching(N_2 * sin(THETA_1), N_1 * sin(THETA_2)),
-            slip: "the indices stand on the wrong sides",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[FERMAT, MIRROR],
-    stress: &[Stress {
-        id: "refracted_cosine",
-        claim: "cos θ₂ keeps its digits at grazing incidence, near equal indices and at the critical angle",
-        rows: &["E33"],
-        textbook: "cos(asin(n₁ sin θ₁/n₂))",
-        reference: "√(1 − (n₁ sin θ₁/n₂)²) in 256 bits",
-        cases: refracted_cosines,
-    }],
-    races: &[],
-    figures: &[Figure {
-        id: "refraction",
-        says: "The angle of refraction against the angle of incidence, into and out of the medium.",
-        rows: &["E33"],
-        plot: refraction,
-    }],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "snell",
+    INTERFACE,
+    &[figure(
+        "refraction",
+        "The angle of refraction against the angle of incidence, into and out of the medium.",
+        refraction,
+    )],
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Where the waves go",
+    "Along the interface all three waves keep step, and that alone fixes their directions.",
+)
+.rows(&["E33"])
+.statements(&[
+    statement("reflection", "the reflected wave leaves at the angle of incidence", || Equation::new(THETA_1, THETA_1R)),
+    statement("velocities", "the sines go as the phase velocities", || {
+        Equation::new(sin(THETA_1) / V_1, sin(THETA_2) / V_2)
+    }),
+    statement("snell", "Snell's law", || Equation::new(N_1 * sin(THETA_1), N_2 * sin(THETA_2))),
+])
+.derivations(&[
+    derivation(
+        "mirror",
+        "the incident and the reflected wave are in step along the interface, with the same wave number",
+        || mirror(THETA_1.into(), THETA_1R.into()),
+    )
+    .slip("the angle to the surface for that to the normal", || mirror(THETA_1.into(), pi() / 2 - THETA_1R)),
+    derivation(
+        "phase_matching",
+        "the incident and the transmitted wave are in step along the interface: Snell's law",
+        || phase_matching(N_1 * sin(THETA_1), N_2 * sin(THETA_2)),
+    )
+    .slip("the indices stand on the wrong sides", || phase_matching(N_2 * sin(THETA_1), N_1 * sin(THETA_2))),
+])
+.readout(readout)
+.checks(&[&FERMAT, &MIRROR])
+.stress(&[stress(
+    "refracted_cosine",
+    "cos θ₂ keeps its digits at grazing incidence, near equal indices and at the critical angle",
+    refracted_cosines,
+)
+.textbook("cos(asin(n₁ sin θ₁/n₂))")
+.against("√(1 − (n₁ sin θ₁/n₂)²) in 256 bits")]);
 
 /// k·r − ωt in the plane of incidence; a wave that `runs_back` from the interface has −cos θ.
 fn phase(k: Symbol, angle: Symbol, runs_back: bool) -> Expr {
@@ -161,23 +148,17 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     ]
 }
 
-/// The second route knows no waves: of all points of the interface the ray crosses where the optical path is least.
-const FERMAT: Check = Check {
-    id: "fermat",
-    claim: "the refracted ray takes the least time",
-    rows: &["E33"],
-    route: "Fermat's principle: golden-section search for the crossing point of least optical path",
-    bound: Bound::AtMost {
-        limit: 1e-7,
-        unit: "1",
-        why: "a minimum of a path of length 1 is flat to √ε = 1.5e−8, so its place is known no better",
-    },
-    measure: |_| least_time(|n_i, n_t| (n_i, n_t)),
-    spoiled: |_| least_time(|n_i, n_t| (n_t, n_i)),
-    slip: "Snell's law with the indices interchanged",
-};
+/// Which indices Snell's law is given.
+type Order = fn(f64, f64) -> (f64, f64);
 
-fn least_time(order: fn(f64, f64) -> (f64, f64)) -> Measured {
+/// The second route knows no waves: of all points of the interface the ray crosses where the optical path is least.
+const FERMAT: Check<Order> = check("fermat", "the refracted ray takes the least time")
+    .against("Fermat's principle: golden-section search for the crossing point of least optical path")
+    .within(1e-7, "1", "a minimum of a path of length 1 is flat to √ε = 1.5e−8, so its place is known no better")
+    .of(least_time, |n_i, n_t| (n_i, n_t))
+    .slip("Snell's law with the indices interchanged", |n_i, n_t| (n_t, n_i));
+
+fn least_time(_: &mut Bench, order: fn(f64, f64) -> (f64, f64)) -> Measured {
     let media = [(1.0, 1.5), (1.5, 1.0), (1.33, 2.4), (1.0, 1.0003)];
     let crossing = [0.1, 0.3, 0.5, 0.9];
     Measured::worst(media.into_iter().flat_map(|(n_i, n_t)| crossing.map(|span| (n_i, n_t, span))).map(
@@ -192,19 +173,14 @@ fn least_time(order: fn(f64, f64) -> (f64, f64)) -> Measured {
     ))
 }
 
-const MIRROR: Check = Check {
-    id: "shortest_way",
-    claim: "the reflected ray leaves at the angle of incidence",
-    rows: &["E33"],
-    route: "Fermat's principle: golden-section search for the point of the shortest way by way of the interface",
-    bound: Bound::AtMost { limit: 1e-7, unit: "1", why: "as for the refracted ray: √ε" },
-    measure: |_| shortest_way(|height| height),
-    spoiled: |_| shortest_way(|height| height.recip()),
-    slip: "the tangent upside down",
-};
+const MIRROR: Check<fn(f64) -> f64> = check("shortest_way", "the reflected ray leaves at the angle of incidence")
+    .against("Fermat's principle: golden-section search for the point of the shortest way by way of the interface")
+    .within(1e-7, "1", "as for the refracted ray: √ε")
+    .of(shortest_way, |height| height)
+    .slip("the tangent upside down", |height| height.recip());
 
 /// From (0, 1) by way of (x, 0) to (1, `height`): the tangents of the two angles.
-fn shortest_way(amend: fn(f64) -> f64) -> Measured {
+fn shortest_way(_: &mut Bench, amend: fn(f64) -> f64) -> Measured {
     Measured::worst([0.2, 0.5, 2.0, 3.0].map(|height| {
         let way = |x: f64| x.hypot(1.0) + (1.0 - x).hypot(height);
         let x = super::golden_section(way, 0.0, 1.0);

@@ -6,7 +6,9 @@ use super::fields::{flow, waves};
 use super::{incidence, interface};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
-use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, Stress};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step, stress,
+};
 use equation::derivation::Chain;
 use equation::expr::{abs, asin, conj, cos, cross, dot, exp, i, laplacian, re, sin, tan, vector};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -42,135 +44,83 @@ const N_I: Parameter = Parameter { default: "1.5", says: "the denser medium, whe
 const N_T: Parameter =
     Parameter { name: "n_t", symbol: "n_2", says: "the rarer medium", default: "1", kind: Kind::ClearMedium };
 
-pub(super) const STEP: Step = Step {
-    id: "total_reflection",
-    title: "Total reflection",
-    says: "Beyond the critical angle |r| = 1; what remains is a phase, and a wave that clings to the surface.",
-    rows: &["C13"],
-    parameters: &[N_I, N_T, Parameter { default: "50deg", ..THETA }, WAVELENGTH],
-    statements: &[
-        Statement {
-            id: "critical",
-            says: "the critical angle",
-            rows: &["C13"],
-            equation: || Equation::new(THETA_C, asin(N_2 / N_1)),
-        },
-        Statement {
-            id: "modulus",
-            says: "with q₁ = n₁cosθ₁ and n₂cosθ₂ = iγ",
-            rows: &["C13"],
-            equation: || Equation::new(abs(R), Expr::from(1)),
-        },
-        Statement {
-            id: "phase_s",
-            says: "the phase of s",
-            rows: &["C13"],
-            equation: || Equation::new(tan(DELTA_S / 2), -(GAMMA / Q_1)),
-        },
-        Statement {
-            id: "phase_p",
-            says: "the phase of p",
-            rows: &["C13"],
-            equation: || Equation::new(tan(DELTA_P / 2), -(N_1R.pow(2) * GAMMA / (N_2R.pow(2) * Q_1))),
-        },
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "total_reflection",
+    &[N_I, N_T, Parameter { default: "50deg", ..THETA }, WAVELENGTH],
+    &[
+        figure("phase", "Phases of r_s and r_p and their difference beyond the critical angle.", phases),
+        figure("depth", "How deep the evanescent field reaches, in wavelengths.", depths),
     ],
-    derivations: &[
-        Derivation {
-            id: "normal_wave",
-            says: "the square of the normal wave number behind the interface, by Snell's law: negative beyond θ_c",
-            rows: &["C13"],
-            chain: || normal_wave(sin(THETA_1)),
-            spoiled: || normal_wave(cos(THETA_1)),
-            slip: "cosine for sine",
-        },
-        Derivation {
-            id: "from_e36",
-            says: "r r* for an imaginary normal wave number behind the interface",
-            rows: &["C13"],
-            chain: || modulus(&[Q_1.into(), Q_2.into()], Expr::from(1)),
-            spoiled: || modulus(&[Q_1.into(), Q_2.into()], (Q_1 - GAMMA).pow(2) / (Q_1 + GAMMA).pow(2)),
-            slip: "iγ taken as γ",
-        },
-        Derivation {
-            id: "from_e39",
-            says: "the same for p",
-            rows: &["C13"],
-            chain: || modulus(&p_pair(), Expr::from(1)),
-            spoiled: || modulus(&p_pair(), contrast(N_2R.pow(2) * Q_1, N_1R.pow(2) * GAMMA)),
-            slip: "iγ taken as γ",
-        },
-        Derivation {
-            id: "half_phase_s",
-            says: "the phase of r_s, from r_s = e^(iδ)",
-            rows: &["C13"],
-            chain: || phase(&[Q_1.into(), Q_2.into()], GAMMA / Q_1),
-            spoiled: || phase(&[Q_1.into(), Q_2.into()], -(GAMMA / Q_1)),
-            slip: "the wave is ahead instead of behind",
-        },
-        Derivation {
-            id: "half_phase_p",
-            says: "the same for p",
-            rows: &["C13"],
-            chain: || phase(&p_pair(), N_1R.pow(2) * GAMMA / (N_2R.pow(2) * Q_1)),
-            spoiled: || phase(&p_pair(), GAMMA / Q_1),
-            slip: "the phase of s",
-        },
-        Derivation {
-            id: "evanescent",
-            says: "the wave that fades with e^(−k₀γz) obeys the wave equation of the rarer medium",
-            rows: &["C13"],
-            chain: || evanescent(-(N_2R.pow(2) * K_0R.pow(2))),
-            spoiled: || evanescent(-(N_1R.pow(2) * K_0R.pow(2))),
-            slip: "the index of the denser medium",
-        },
-        Derivation {
-            id: "no_mean_flow",
-            says: "the mean flow through the interface: E and the tangential H are a quarter period apart",
-            rows: &["C13"],
-            chain: || normal_flow(Expr::from(0)),
-            spoiled: || normal_flow(GAMMA * abs(E_2).pow(2) / (2 * Z_0)),
-            slip: "iγ taken as γ",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[RHOMB, PHASE, DEPTH, NO_FLOW],
-    stress: &[Stress {
-        id: "about_the_critical_angle",
-        claim: "the complex amplitudes keep their digits down to the last unit on either side of the critical angle",
-        rows: &["C13"],
-        textbook: "E36, E39 with complex θ₂",
-        reference: "256 bits",
-        cases: |setting| {
-            let own = interface(setting);
-            let offsets = [-1e-6, -1e-12, -1e-15, 0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 0.3];
-            let near = |n_i: f64, n_t: f64| {
-                let critical = critical_angle(n_i, n_t).unwrap_or(FRAC_PI_2);
-                offsets.map(|offset| Input {
-                    direction: Direction::Angle((critical + offset).min(FRAC_PI_2)),
-                    n_i,
-                    n_t: n_t.into(),
-                })
-            };
-            let inputs: Vec<Input> = [own].into_iter().chain(near(1.5, 1.0)).chain(near(1.0, 1.0 - 1e-6)).collect();
-            cases(&["r_s_re", "r_s_im", "r_p_re", "r_p_im"], &inputs)
-        },
-    }],
-    races: &[],
-    figures: &[
-        Figure {
-            id: "phase",
-            says: "Phases of r_s and r_p and their difference beyond the critical angle.",
-            rows: &["C13"],
-            plot: phases,
-        },
-        Figure {
-            id: "depth",
-            says: "How deep the evanescent field reaches, in wavelengths.",
-            rows: &["C13"],
-            plot: depths,
-        },
-    ],
-};
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Total reflection",
+    "Beyond the critical angle |r| = 1; what remains is a phase, and a wave that clings to the surface.",
+)
+.rows(&["C13"])
+.statements(&[
+    statement("critical", "the critical angle", || Equation::new(THETA_C, asin(N_2 / N_1))),
+    statement("modulus", "with q₁ = n₁cosθ₁ and n₂cosθ₂ = iγ", || Equation::new(abs(R), Expr::from(1))),
+    statement("phase_s", "the phase of s", || Equation::new(tan(DELTA_S / 2), -(GAMMA / Q_1))),
+    statement("phase_p", "the phase of p", || {
+        Equation::new(tan(DELTA_P / 2), -(N_1R.pow(2) * GAMMA / (N_2R.pow(2) * Q_1)))
+    }),
+])
+.derivations(&[
+    derivation(
+        "normal_wave",
+        "the square of the normal wave number behind the interface, by Snell's law: negative beyond θ_c",
+        || normal_wave(sin(THETA_1)),
+    )
+    .slip("cosine for sine", || normal_wave(cos(THETA_1))),
+    derivation("from_e36", "r r* for an imaginary normal wave number behind the interface", || {
+        modulus(&[Q_1.into(), Q_2.into()], Expr::from(1))
+    })
+    .slip("iγ taken as γ", || modulus(&[Q_1.into(), Q_2.into()], (Q_1 - GAMMA).pow(2) / (Q_1 + GAMMA).pow(2))),
+    derivation("from_e39", "the same for p", || modulus(&p_pair(), Expr::from(1)))
+        .slip("iγ taken as γ", || modulus(&p_pair(), contrast(N_2R.pow(2) * Q_1, N_1R.pow(2) * GAMMA))),
+    derivation("half_phase_s", "the phase of r_s, from r_s = e^(iδ)", || {
+        phase(&[Q_1.into(), Q_2.into()], GAMMA / Q_1)
+    })
+    .slip("the wave is ahead instead of behind", || phase(&[Q_1.into(), Q_2.into()], -(GAMMA / Q_1))),
+    derivation("half_phase_p", "the same for p", || phase(&p_pair(), N_1R.pow(2) * GAMMA / (N_2R.pow(2) * Q_1)))
+        .slip("the phase of s", || phase(&p_pair(), GAMMA / Q_1)),
+    derivation(
+        "evanescent",
+        "the wave that fades with e^(−k₀γz) obeys the wave equation of the rarer medium",
+        || evanescent(-(N_2R.pow(2) * K_0R.pow(2))),
+    )
+    .slip("the index of the denser medium", || evanescent(-(N_1R.pow(2) * K_0R.pow(2)))),
+    derivation(
+        "no_mean_flow",
+        "the mean flow through the interface: E and the tangential H are a quarter period apart",
+        || normal_flow(Expr::from(0)),
+    )
+    .slip("iγ taken as γ", || normal_flow(GAMMA * abs(E_2).pow(2) / (2 * Z_0))),
+])
+.readout(readout)
+.checks(&[&RHOMB, &PHASE, &DEPTH, &NO_FLOW])
+.stress(&[stress(
+    "about_the_critical_angle",
+    "the complex amplitudes keep their digits down to the last unit on either side of the critical angle",
+    |setting| {
+        let own = interface(setting);
+        let offsets = [-1e-6, -1e-12, -1e-15, 0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 0.3];
+        let near = |n_i: f64, n_t: f64| {
+            let critical = critical_angle(n_i, n_t).unwrap_or(FRAC_PI_2);
+            offsets.map(|offset| Input {
+                direction: Direction::Angle((critical + offset).min(FRAC_PI_2)),
+                n_i,
+                n_t: n_t.into(),
+            })
+        };
+        let inputs: Vec<Input> = [own].into_iter().chain(near(1.5, 1.0)).chain(near(1.0, 1.0 - 1e-6)).collect();
+        cases(&["r_s_re", "r_s_im", "r_p_re", "r_p_im"], &inputs)
+    },
+)
+.textbook("E36, E39 with complex θ₂")
+.against("256 bits")]);
 
 /// (n₂cosθ₂)² = −γ².
 fn normal_wave(projection: Expr) -> Chain {
@@ -275,22 +225,14 @@ fn retardation(theta: f64, n: f64) -> f64 {
     (a.r_p / a.r_s).arg()
 }
 
-const RHOMB: Check = Check {
-    id: "fresnel_rhomb",
-    claim: "glass of n = 1.51 turns p against s by an eighth of a period at 48°37′ and at 54°37′",
-    rows: &["C13"],
-    route: "Born & Wolf, Principles of Optics (7th ed.), §1.5.4: Fresnel's rhomb",
-    bound: Bound::AtMost {
-        limit: 0.1,
-        unit: "°",
-        why: "the angles are printed to a minute of arc, over which the phase moves by up to 0.05°",
-    },
-    measure: |_| rhomb(|phase| phase),
-    spoiled: |_| rhomb(|phase| 2.0 * phase),
-    slip: "the phase of the power in place of the field's",
-};
+const RHOMB: Check<fn(f64) -> f64> =
+    check("fresnel_rhomb", "glass of n = 1.51 turns p against s by an eighth of a period at 48°37′ and at 54°37′")
+        .against("Born & Wolf, Principles of Optics (7th ed.), §1.5.4: Fresnel's rhomb")
+        .within(0.1, "°", "the angles are printed to a minute of arc, over which the phase moves by up to 0.05°")
+        .of(rhomb, |phase| phase)
+        .slip("the phase of the power in place of the field's", |phase| 2.0 * phase);
 
-fn rhomb(amend: fn(f64) -> f64) -> Measured {
+fn rhomb(_: &mut Bench, amend: fn(f64) -> f64) -> Measured {
     let angles = [48.0 + 37.0 / 60.0, 54.0 + 37.0 / 60.0];
     Measured::worst(angles.map(|degrees: f64| {
         let phase = amend(retardation(degrees.to_radians(), 1.51).abs());
@@ -298,18 +240,14 @@ fn rhomb(amend: fn(f64) -> f64) -> Measured {
     }))
 }
 
-const PHASE: Check = Check {
-    id: "relative_phase",
-    claim: "tan(δ/2) = cosθ √(sin²θ − n²)/sin²θ for the phase δ of p against s",
-    rows: &["C13"],
-    route: "Born & Wolf §1.5.4, eq. (60), in real arithmetic; the program's route is complex",
-    bound: Bound::AtMost { limit: 64.0, unit: "ε", why: "a dozen roundings, and √ next to its zero" },
-    measure: |_| against_phase_formula(|sin| sin * sin),
-    spoiled: |_| against_phase_formula(|sin| sin),
-    slip: "sin θ for sin² θ in the denominator",
-};
+const PHASE: Check<fn(f64) -> f64> =
+    check("relative_phase", "tan(δ/2) = cosθ √(sin²θ − n²)/sin²θ for the phase δ of p against s")
+        .against("Born & Wolf §1.5.4, eq. (60), in real arithmetic; the program's route is complex")
+        .within(64.0, "ε", "a dozen roundings, and √ next to its zero")
+        .of(against_phase_formula, |sin| sin * sin)
+        .slip("sin θ for sin² θ in the denominator", |sin| sin);
 
-fn against_phase_formula(denominator: fn(f64) -> f64) -> Measured {
+fn against_phase_formula(_: &mut Bench, denominator: fn(f64) -> f64) -> Measured {
     let media = [1.33, 1.5, 2.4];
     let cases = media.into_iter().flat_map(|n| (1..20).map(move |step| (n, f64::from(step) / 20.0)));
     Measured::worst(cases.filter_map(|(n, share)| {
@@ -321,22 +259,13 @@ fn against_phase_formula(denominator: fn(f64) -> f64) -> Measured {
     }))
 }
 
-const DEPTH: Check = Check {
-    id: "tunnelling",
-    claim: "behind the interface the field falls to 1/e in the depth shown",
-    rows: &["C13"],
-    route: "a second prism brought near: ln T through the gap falls by 2/depth for each metre, by the film formulas",
-    bound: Bound::AtMost {
-        limit: 1e-9,
-        unit: "1",
-        why: "gaps of 20 and 40 depths: what is not exponential is below e^(−40)",
-    },
-    measure: |_| tunnelled(2.0),
-    spoiled: |_| tunnelled(1.0),
-    slip: "the depth of the power for that of the field",
-};
+const DEPTH: Check<f64> = check("tunnelling", "behind the interface the field falls to 1/e in the depth shown")
+    .against("a second prism brought near: ln T through the gap falls by 2/depth for each metre, by the film formulas")
+    .within(1e-9, "1", "gaps of 20 and 40 depths: what is not exponential is below e^(−40)")
+    .of(tunnelled, 2.0)
+    .slip("the depth of the power for that of the field", 1.0);
 
-fn tunnelled(fields_in_power: f64) -> Measured {
+fn tunnelled(_: &mut Bench, fields_in_power: f64) -> Measured {
     let cases = [(1.5, 0.8), (1.5, 1.3), (2.4, 0.6), (1.33, 1.0)];
     let each =
         cases.into_iter().flat_map(|case| [Polarisation::S, Polarisation::P].map(|polarisation| (case, polarisation)));
@@ -353,16 +282,12 @@ fn tunnelled(fields_in_power: f64) -> Measured {
     }))
 }
 
-const NO_FLOW: Check = Check {
-    id: "no_flow",
-    claim: "the evanescent wave is there and carries no energy across",
-    rows: &["C13"],
-    route: "Re(E×H*)·n of the transmitted field vectors, over |E||H|",
-    bound: Bound::AtMost { limit: 8.0, unit: "ε", why: "E and H are a quarter period apart up to rounding" },
-    measure: |bench| flow_behind(bench, |r| r),
-    spoiled: |bench| flow_behind(bench, |r| Complex64::new(r.re, r.im) * Complex64::new(1.0, 1e-6)),
-    slip: "an index with a trace of absorption",
-};
+const NO_FLOW: Check<fn(Complex64) -> Complex64> =
+    check("no_flow", "the evanescent wave is there and carries no energy across")
+        .against("Re(E×H*)·n of the transmitted field vectors, over |E||H|")
+        .within(8.0, "ε", "E and H are a quarter period apart up to rounding")
+        .of(flow_behind, |r| r)
+        .slip("an index with a trace of absorption", |r| Complex64::new(r.re, r.im) * Complex64::new(1.0, 1e-6));
 
 fn flow_behind(bench: &mut Bench, amend: fn(Complex64) -> Complex64) -> Measured {
     let own = interface(bench.setting);

@@ -4,7 +4,9 @@ use super::scattering::{Scene, exact_wave_number, wave_number_on_grid};
 use crate::figure::{Axis, Chart, Dash, Hue, Map, Mark, Panel, Plot, Ramp, Shape};
 use crate::fresnel::media;
 use crate::setting::{Kind, Parameter, Setting};
-use crate::vocabulary::{Bound, Check, Figure, Measured, Quantity, Statement, Step, fitted_order, rms};
+use crate::vocabulary::{
+    Bench, Bound, Check, Exhibit, Measured, Quantity, Step, check, exhibit, figure, fitted_order, rms, statement, step,
+};
 use equation::{Dimension, Equation, Symbol};
 use light::Complex64;
 use light::em::line::{Ends, Line, Setup};
@@ -30,44 +32,33 @@ const TANGENT: Parameter = Parameter {
     kind: Kind::Number { min: 0.1, max: 100.0, unit: "1" },
 };
 
-pub(super) const STEP: Step = Step {
-    id: "agreement",
-    title: "Grid and formula agree",
-    says: "Reflection, transmission, films and the decay in a conductor come out of the grid alone, with an error that falls as the square of the cell.",
-    rows: &["C2"],
-    parameters: &[INDEX, TANGENT],
-    statements: &[Statement {
-        id: "second_order",
-        says: "what is left between grid and formula",
-        rows: &["C2"],
-        equation: || Equation::proportional(DELTA_R, CELL.pow(2)),
-    }],
-    derivations: &[],
-    readout: Some(readout),
-    checks: &[OPEN_SPACE, INTERFACES, LIMITS, FILMS, METALS, CONDUCTORS],
-    stress: &[],
-    races: &[],
-    figures: &[
-        Figure {
-            id: "pulse_at_an_interface",
-            says: "A pulse runs into glass: place to the right, time upwards. It splits, slows down and shortens.",
-            rows: &["C2"],
-            plot: space_time,
-        },
-        Figure {
-            id: "reflectance",
-            says: "Fresnel's curves, and what the grid finds without knowing them.",
-            rows: &["C2"],
-            plot: reflectance,
-        },
-        Figure {
-            id: "conductor",
-            says: "A harmonic wave driven into a conductor: the field on the grid, and E18.",
-            rows: &["C2"],
-            plot: conductor,
-        },
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "agreement",
+    &[INDEX, TANGENT],
+    &[
+        figure(
+            "pulse_at_an_interface",
+            "A pulse runs into glass: place to the right, time upwards. It splits, slows down \
+             and shortens.",
+            space_time,
+        ),
+        figure("reflectance", "Fresnel's curves, and what the grid finds without knowing them.", reflectance),
+        figure("conductor", "A harmonic wave driven into a conductor: the field on the grid, and E18.", conductor),
     ],
-};
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Grid and formula agree",
+    "Reflection, transmission, films and the decay in a conductor come out of the grid \
+     alone, with an error that falls as the square of the cell.",
+)
+.rows(&["C2"])
+.statements(&[statement("second_order", "what is left between grid and formula", || {
+    Equation::proportional(DELTA_R, CELL.pow(2))
+})])
+.readout(readout)
+.checks(&[&OPEN_SPACE, &INTERFACES, &LIMITS, &FILMS, &METALS, &CONDUCTORS]);
 
 const DELTA_R: Symbol = Symbol::scalar("Delta_R", Dimension::ONE);
 const CELL: Symbol = Symbol::scalar("Delta", Dimension::METRE);
@@ -131,43 +122,50 @@ fn films() -> impl Iterator<Item = Vec<Scene>> {
 const SECOND: Bound = Bound::Order {
     order: 2.0,
     tolerance: 0.25,
-    why: "centred differences, and media averaged where E lies on an interface; 16 to 36 cells a wave are not yet the limit",
+    why: "centred differences, and media averaged where E lies on an interface; 16 to 36 \
+          cells a wave are not yet the limit",
 };
 
-const INTERFACES: Check = Check {
-    id: "interfaces",
-    claim: "reflectance and transmittance of glass on the grid approach E36 to E41 with the second power of the cell, s and p",
-    rows: &["C2"],
-    route: "the two-dimensional solver, a pulse at 17°, 34° and 45°, the fields Fourier transformed where they come back and behind the interface",
-    bound: SECOND,
-    measure: |_| order_of(interfaces(&[0.3, 0.6, 0.785]), Scene::exact),
-    spoiled: |_| {
-        order_of(interfaces(&[0.6]), |scene| {
-            let other = if scene.polarisation == Polarisation::S { Polarisation::P } else { Polarisation::S };
-            Scene { polarisation: other, ..scene.clone() }.exact()
-        })
-    },
-    slip: "s for p",
-};
+/// R and T of a scene [1] in closed form.
+type Exact = fn(&Scene) -> (f64, f64);
 
-const OPEN_SPACE: Check = Check {
-    id: "open_space",
-    claim: "the absorbing layers send back less than a millionth of a wave, corners and slanting waves included",
-    rows: &["C2"],
-    route: "the same lamp in a plane so large that nothing comes back in time, both Fourier transformed at its carrier",
-    bound: Bound::AtMost {
-        limit: 1e-6,
-        unit: "1",
-        why: "what a layer is asked for; its loss alone would leave 10⁻¹² at right angles, the steps of its grading more",
-    },
-    measure: |_| echo(30),
-    spoiled: |_| echo(6),
-    slip: "layers of 6 cells",
-};
+const INTERFACES: Check<Exact> = check(
+    "interfaces",
+    "reflectance and transmittance of glass on the grid approach E36 to E41 with the \
+     second power of the cell, s and p",
+)
+.against(
+    "the two-dimensional solver, a pulse at 17°, 34° and 45°, the fields Fourier \
+     transformed where they come back and behind the interface",
+)
+.bound(SECOND)
+.of::<Exact>(|_, exact| order_of(interfaces(&[0.3, 0.6, 0.785]), exact), Scene::exact)
+.slip("s for p", |scene| {
+    let other = if scene.polarisation == Polarisation::S { Polarisation::P } else { Polarisation::S };
+    Scene { polarisation: other, ..scene.clone() }.exact()
+});
+
+const OPEN_SPACE: Check<usize> = check(
+    "open_space",
+    "the absorbing layers send back less than a millionth of a wave, corners and \
+     slanting waves included",
+)
+.against(
+    "the same lamp in a plane so large that nothing comes back in time, both Fourier \
+     transformed at its carrier",
+)
+.within(
+    1e-6,
+    "1",
+    "what a layer is asked for; its loss alone would leave 10⁻¹² at right angles, the \
+     steps of its grading more",
+)
+.of(echo, 30)
+.slip("layers of 6 cells", 6);
 
 /// What layers of so many cells on four sides send back of a lamp's carrier, beside and in a corner of an open square of
 /// 60 cells with the lamp off its middle.
-fn echo(layers: usize) -> Measured {
+fn echo(_: &mut Bench, layers: usize) -> Measured {
     const OPEN: usize = 60;
     /// Cells to a wave.
     const WAVE: f64 = 20.0;
@@ -204,19 +202,18 @@ fn limit(scene: &Scene) -> (f64, f64) {
     (beyond(coarse.0, fine.0), beyond(coarse.1, fine.1))
 }
 
-const LIMITS: Check = Check {
-    id: "limits",
-    claim: "and where the cell goes to nothing they are those of the formulas, up to 57°",
-    rows: &["C2"],
-    route: "the two-dimensional solver at 40 and 60 cells a wave, extrapolated, at 0°, 34° and 57°",
-    bound: Bound::AtMost { limit: 1e-4, unit: "1", why: "the fourth power of the cell, which is left" },
-    measure: |_| off_limits(1.0),
-    spoiled: |_| off_limits(1.003),
-    slip: "an ε that is 0.3 per cent too large in the formula",
-};
+const LIMITS: Check<f64> =
+    check("limits", "and where the cell goes to nothing they are those of the formulas, up to 57°")
+        .against(
+            "the two-dimensional solver at 40 and 60 cells a wave, extrapolated, at 0°, 34° \
+             and 57°",
+        )
+        .within(1e-4, "1", "the fourth power of the cell, which is left")
+        .of(off_limits, 1.0)
+        .slip("an ε that is 0.3 per cent too large in the formula", 1.003);
 
 /// Largest difference of R and T between the grid's limit and a formula whose ε is wrong by a factor.
-fn off_limits(factor: f64) -> Measured {
+fn off_limits(_: &mut Bench, factor: f64) -> Measured {
     Measured::worst(interfaces(&[0.0, 0.6, 1.0]).flatten().flat_map(|scene| {
         let substrate = Medium::dielectric(scene.substrate.eps_r * factor);
         let (found, exact) = (limit(&scene), Scene { substrate, ..scene.clone() }.exact());
@@ -236,55 +233,54 @@ fn metals(metal: Medium) -> impl Iterator<Item = Vec<Scene>> {
     })
 }
 
-const METALS: Check = Check {
-    id: "metals",
-    claim: "a metal of free electrons reflects as its complex index says, with an error of the second power of the cell",
-    rows: &["C2"],
-    route: "the electrons' equation stepped along with the fields, at 0°, 29° and 57°, against Fresnel with ε = 1 − ω_p²/(ω² + iγω)",
-    bound: Bound::Order {
-        order: 2.0,
-        tolerance: 0.3,
-        why: "centred differences; 24 to 54 cells a wave are two to five to the depth that light reaches",
-    },
-    measure: |_| order_at([24, 36, 54], metals(METAL), Scene::exact),
-    spoiled: |_| {
-        order_at([24, 36, 54], metals(METAL), |scene| {
-            let more = METAL.drude.map_or(0.0, |drude| 1.02 * drude.plasma);
-            let substrate = Medium::metal(more, 0.2 * std::f64::consts::TAU * C);
-            Scene { substrate, ..scene.clone() }.exact()
-        })
-    },
-    slip: "a plasma frequency two per cent too high in the formula",
-};
+const METALS: Check<Exact> = check(
+    "metals",
+    "a metal of free electrons reflects as its complex index says, with an error of \
+     the second power of the cell",
+)
+.against(
+    "the electrons' equation stepped along with the fields, at 0°, 29° and 57°, \
+     against Fresnel with ε = 1 − ω_p²/(ω² + iγω)",
+)
+.order(
+    2.0,
+    0.3,
+    "centred differences; 24 to 54 cells a wave are two to five to the depth that \
+     light reaches",
+)
+.of::<Exact>(|_, exact| order_at([24, 36, 54], metals(METAL), exact), Scene::exact)
+.slip("a plasma frequency two per cent too high in the formula", |scene| {
+    let more = METAL.drude.map_or(0.0, |drude| 1.02 * drude.plasma);
+    let substrate = Medium::metal(more, 0.2 * std::f64::consts::TAU * C);
+    Scene { substrate, ..scene.clone() }.exact()
+});
 
-const FILMS: Check = Check {
-    id: "films",
-    claim: "and so do those of two films on glass, every bounce included",
-    rows: &["C2"],
-    route: "the two-dimensional solver at 0°, 14° and 29° against the stack solver of chapter fresnel",
-    bound: SECOND,
-    measure: |_| order_of(films(), Scene::exact),
-    spoiled: |_| {
-        order_of(films(), |scene| {
-            let films = scene.films.iter().rev().copied().collect();
-            Scene { films, ..scene.clone() }.exact()
-        })
-    },
-    slip: "the films in the wrong order",
-};
+const FILMS: Check<Exact> = check("films", "and so do those of two films on glass, every bounce included")
+    .against(
+        "the two-dimensional solver at 0°, 14° and 29° against the stack solver of chapter \
+             fresnel",
+    )
+    .bound(SECOND)
+    .of::<Exact>(|_, exact| order_of(films(), exact), Scene::exact)
+    .slip("the films in the wrong order", |scene| {
+        let films = scene.films.iter().rev().copied().collect();
+        Scene { films, ..scene.clone() }.exact()
+    });
 
-const CONDUCTORS: Check = Check {
-    id: "conductors",
-    claim: "wave length and decay in a conductor approach E18 with the second power of the cell",
-    rows: &["C2"],
-    route: "the one-dimensional solver: ratio of the fields at two depths, against √(ω²με + iωμσ)",
-    bound: Bound::Order { order: 2.0, tolerance: 0.2, why: "centred differences" },
-    measure: |_| decay(exact_wave_number),
-    spoiled: |_| decay(|tau| exact_wave_number(1.01 * tau)),
-    slip: "a conductivity one per cent too high in the formula",
-};
+const CONDUCTORS: Check<fn(f64) -> light::Complex64> = check(
+    "conductors",
+    "wave length and decay in a conductor approach E18 with the second power of the \
+     cell",
+)
+.against(
+    "the one-dimensional solver: ratio of the fields at two depths, against √(ω²με + \
+     iωμσ)",
+)
+.order(2.0, 0.2, "centred differences")
+.of(decay, exact_wave_number)
+.slip("a conductivity one per cent too high in the formula", |tau| exact_wave_number(1.01 * tau));
 
-fn decay(exact: fn(f64) -> light::Complex64) -> Measured {
+fn decay(_: &mut Bench, exact: fn(f64) -> light::Complex64) -> Measured {
     worst_order([0.1, 1.0, 10.0].into_iter().map(|tau| {
         let points = [6, 9, 14].map(|cells| (cells as f64, (wave_number_on_grid(tau, cells) - exact(tau)).norm()));
         (fitted_order(&points).unwrap_or(f64::NAN), format!("σ/(ωε) = {tau}"))

@@ -3,7 +3,10 @@
 use crate::figure::{Axis, Chart, Dash, Hue, Mark, Plot, Shape};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::symbols::{E, EPSILON, H, SIGMA, T};
-use crate::vocabulary::{Derivation, Expects, Extreme, Figure, Heat, Lane, Quantity, Race, Statement, Step, Stress};
+use crate::vocabulary::{
+    Exhibit, Expects, Extreme, Heat, Lane, Quantity, Race, Step, derivation, exhibit, figure, lane, race, statement,
+    step, stress,
+};
 use equation::derivation::Chain;
 use equation::expr::{curl, exp, partial};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -27,74 +30,64 @@ const STEPS: Parameter = Parameter {
     kind: Kind::Count { min: 1, max: 100_000 },
 };
 
-pub(super) const STEP: Step = Step {
-    id: "conduction",
-    title: "Stiff cells",
-    says: "Charge relaxes within ε/σ while the wave takes its time: only some ways to step E survive the ratio of the two.",
-    rows: &["C2", "E18"],
-    parameters: &[TANGENT, STEPS],
-    statements: &[
-        Statement {
-            id: "relaxation",
-            says: "Ampère's law in a conductor: E relaxes towards the curl",
-            rows: &["C2"],
-            equation: || Equation::new(EPSILON * partial(E, T), curl(H) - SIGMA * E),
-        },
-        Statement {
-            id: "exponential_step",
-            says: "the exact step while the curl stays what it is",
-            rows: &["C2"],
-            equation: || Equation::new(RELAXED, relaxed()),
-        },
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "conduction",
+    &[TANGENT, STEPS],
+    &[
+        figure(
+            "stiffness",
+            "The error of each way to step E over 18 decades of conduction, and what it does \
+             to a transient.",
+            stiffness,
+        )
+        .rows(&["C2"]),
+        figure("ringing", "E of a cell, from a start that is not its own, at four steps a radian.", ringing)
+            .rows(&["C2"]),
     ],
-    derivations: &[Derivation {
-        id: "solves_ampere",
-        says: "the exponential step, put into Ampère's law",
-        rows: &["C2"],
-        chain: || step_obeys(DRIVE.into()),
-        spoiled: || step_obeys(DRIVE - SIGMA * START),
-        slip: "the curl forgets what E was at the start",
-    }],
-    readout: Some(readout),
-    checks: &[],
-    stress: &[Stress {
-        id: "coefficients",
-        claim: "what the grid multiplies E by in a step keeps its digits from the best insulator to the perfect conductor, and so does what it loses",
-        rows: &["C2"],
-        textbook: "the coefficients as they are usually programmed, 1 − e^(−x) and all",
-        reference: "the same in 256 bits",
-        cases: |_| coefficients(),
-    }],
-    races: &[
-        Race {
-            id: "insulator",
-            claim: "an insulator, σ/(ωε) = 10⁻⁶: nothing is stiff, and order wins",
-            lanes: &INSULATOR,
-            ..RACE
-        },
-        Race {
-            id: "conductor",
-            claim: "a conductor, σ/(ωε) = 10⁶: forward Euler explodes, the usual update rings, the exponential one is late",
-            lanes: &CONDUCTOR,
-            ..RACE
-        },
-        Race { id: "metal", claim: "a metal, σ/(ωε) = 10¹²: the same, only more so", lanes: &METAL, ..RACE },
-    ],
-    figures: &[
-        Figure {
-            id: "stiffness",
-            says: "The error of each way to step E over 18 decades of conduction, and what it does to a transient.",
-            rows: &["C2"],
-            plot: stiffness,
-        },
-        Figure {
-            id: "ringing",
-            says: "E of a cell, from a start that is not its own, at four steps a radian.",
-            rows: &["C2"],
-            plot: ringing,
-        },
-    ],
-};
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Stiff cells",
+    "Charge relaxes within ε/σ while the wave takes its time: only some ways to step E \
+     survive the ratio of the two.",
+)
+.rows(&["C2", "E18"])
+.statements(&[
+    statement("relaxation", "Ampère's law in a conductor: E relaxes towards the curl", || {
+        Equation::new(EPSILON * partial(E, T), curl(H) - SIGMA * E)
+    })
+    .rows(&["C2"]),
+    statement("exponential_step", "the exact step while the curl stays what it is", || {
+        Equation::new(RELAXED, relaxed())
+    })
+    .rows(&["C2"]),
+])
+.derivations(&[derivation("solves_ampere", "the exponential step, put into Ampère's law", || {
+    step_obeys(DRIVE.into())
+})
+.rows(&["C2"])
+.slip("the curl forgets what E was at the start", || step_obeys(DRIVE - SIGMA * START))])
+.readout(readout)
+.stress(&[stress(
+    "coefficients",
+    "what the grid multiplies E by in a step keeps its digits from the best insulator \
+     to the perfect conductor, and so does what it loses",
+    |_| coefficients(),
+)
+.rows(&["C2"])
+.textbook("the coefficients as they are usually programmed, 1 − e^(−x) and all")
+.against("the same in 256 bits")])
+.races(&[
+    RACE.named("insulator", "an insulator, σ/(ωε) = 10⁻⁶: nothing is stiff, and order wins").lanes(&INSULATOR),
+    RACE.named(
+        "conductor",
+        "a conductor, σ/(ωε) = 10⁶: forward Euler explodes, the usual update rings, the \
+         exponential one is late",
+    )
+    .lanes(&CONDUCTOR),
+    RACE.named("metal", "a metal, σ/(ωε) = 10¹²: the same, only more so").lanes(&METAL),
+]);
 
 const START: Symbol = Symbol::scalar("E_0", Dimension::VOLT_PER_METRE);
 const RELAXED: Symbol = Symbol::scalar("E", Dimension::VOLT_PER_METRE);
@@ -179,15 +172,10 @@ fn coefficients() -> Vec<Extreme> {
         .collect()
 }
 
-const RACE: Race = Race {
-    id: "",
-    claim: "",
-    rows: &["C2", "E18"],
-    work: "steps (Radau: its tolerance is (10/N)⁵)",
-    error: "|ΔE| over the final amplitude",
-    reference: "the closed form of a cell driven from rest by a harmonic curl, at ωt = 5",
-    lanes: &[],
-};
+const RACE: Race = race("", "")
+    .work("steps (Radau: its tolerance is (10/N)⁵)")
+    .error("|ΔE| over the final amplitude", "the closed form of a cell driven from rest by a harmonic curl, at ωt = 5")
+    .lanes(&[]);
 
 /// Exponents of ten of σ/(ωε).
 const SLOW: i32 = -6;
@@ -218,15 +206,15 @@ const METAL: [Lane; 5] = lanes::<FASTEST>([
 
 /// Every way to step a cell whose σ/(ωε) is 10^`EXPONENT`.
 const fn lanes<const EXPONENT: i32>([euler, semi, exponential, backward, radau]: [Expects; 5]) -> [Lane; 5] {
-    const fn lane(id: &'static str, label: &'static str, expects: Expects, prepare: Prepare) -> Lane {
-        Lane::once(id, label, &[64, 128, 256, 512, 1024, 2048], expects, prepare)
+    const fn entrant(id: &'static str, label: &'static str, expects: Expects, prepare: Prepare) -> Lane {
+        lane(id, label, &[64, 128, 256, 512, 1024, 2048], prepare).expects(expects)
     }
     [
-        lane("forward_euler", "forward Euler", euler, |_, n| march::<EXPONENT>(Scheme::ForwardEuler, n)),
-        lane("semi_implicit", "semi-implicit", semi, |_, n| march::<EXPONENT>(Scheme::SemiImplicit, n)),
-        lane("exponential", "exponential", exponential, |_, n| march::<EXPONENT>(Scheme::Exponential, n)),
-        lane("backward_euler", "backward Euler", backward, |_, n| march::<EXPONENT>(Scheme::BackwardEuler, n)),
-        lane("radau", "Radau IIA, adaptive", radau, |_, n| adapt::<EXPONENT>(n)),
+        entrant("forward_euler", "forward Euler", euler, |_, n| march::<EXPONENT>(Scheme::ForwardEuler, n)),
+        entrant("semi_implicit", "semi-implicit", semi, |_, n| march::<EXPONENT>(Scheme::SemiImplicit, n)),
+        entrant("exponential", "exponential", exponential, |_, n| march::<EXPONENT>(Scheme::Exponential, n)),
+        entrant("backward_euler", "backward Euler", backward, |_, n| march::<EXPONENT>(Scheme::BackwardEuler, n)),
+        entrant("radau", "Radau IIA, adaptive", radau, |_, n| adapt::<EXPONENT>(n)),
     ]
 }
 

@@ -2,7 +2,7 @@
 
 use crate::setting::Setting;
 use crate::symbols::{D, E, EPSILON, H, J, RHO, SIGMA, T};
-use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step};
+use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, statement, step};
 use equation::derivation::Chain;
 use equation::expr::{curl, divergence, partial};
 use equation::{Equation, Expr};
@@ -14,50 +14,31 @@ use light::waves::constants::EPSILON_0;
 use light::waves::substance;
 use yardstick::random::uniform;
 
-pub(super) const STEP: Step = Step {
-    id: "continuity",
-    title: "Charge is conserved",
-    says: "The four laws leave charge no way to vanish: what leaves a place as current is missing there.",
-    rows: &["E2"],
-    parameters: &[],
-    statements: &[
-        Statement {
-            id: "continuity",
-            says: "what flows away is missing",
-            rows: &["E2"],
-            equation: || Equation::new(divergence(J), -partial(RHO, T)),
-        },
-        Statement {
-            id: "relaxation",
-            says: "in a uniform conductor charge dies away where it is, in the time ε/σ",
-            rows: &["E2"],
-            equation: || Equation::new(partial(RHO, T), -(SIGMA / EPSILON * RHO)),
-        },
-    ],
-    derivations: &[
-        Derivation {
-            id: "from_maxwell",
-            says: "the divergence of Ampère's law, with Gauss's",
-            rows: &["E2"],
-            chain: || continuity(divergence(J)),
-            spoiled: || continuity(-divergence(J)),
-            slip: "the sign of the current in ∇×H = J + ∂D/∂t",
-        },
-        Derivation {
-            id: "dies_away",
-            says: "continuity with J = σE and D = εE: no place and no wave in it, only a time",
-            rows: &["E2"],
-            chain: || relaxation(-(SIGMA / EPSILON * RHO)),
-            spoiled: || relaxation(SIGMA / EPSILON * RHO),
-            slip: "the charge draws more to itself",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[KEPT, ENERGY_KEPT],
-    stress: &[],
-    races: &[],
-    figures: &[],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit("continuity", &[], &[]);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Charge is conserved",
+    "The four laws leave charge no way to vanish: what leaves a place as current is \
+     missing there.",
+)
+.rows(&["E2"])
+.statements(&[
+    statement("continuity", "what flows away is missing", || Equation::new(divergence(J), -partial(RHO, T))),
+    statement("relaxation", "in a uniform conductor charge dies away where it is, in the time ε/σ", || {
+        Equation::new(partial(RHO, T), -(SIGMA / EPSILON * RHO))
+    }),
+])
+.derivations(&[
+    derivation("from_maxwell", "the divergence of Ampère's law, with Gauss's", || continuity(divergence(J)))
+        .slip("the sign of the current in ∇×H = J + ∂D/∂t", || continuity(-divergence(J))),
+    derivation("dies_away", "continuity with J = σE and D = εE: no place and no wave in it, only a time", || {
+        relaxation(-(SIGMA / EPSILON * RHO))
+    })
+    .slip("the charge draws more to itself", || relaxation(SIGMA / EPSILON * RHO)),
+])
+.readout(readout)
+.checks(&[&KEPT, &ENERGY_KEPT]);
 
 fn continuity(last: Expr) -> Chain {
     Chain::new(-partial(RHO, T))
@@ -98,23 +79,27 @@ fn readout(_: &Setting) -> Vec<Quantity> {
     ]
 }
 
-const KEPT: Check = Check {
-    id: "kept_on_the_grid",
-    claim: "at every node and in every step of a full-field run the charge that flows away is missing, and no magnetic flux ends",
-    rows: &["E1", "E2"],
-    route: "the fluxes out of each cell added up before and after a step; currents from Ohm's law and the electrons' equation, not from the update",
-    bound: Bound::AtMost {
-        limit: 64.0,
-        unit: "ε",
-        why: "a dozen roundings of the terms, relative to the largest of them, at the worst of the 200 000 nodes and steps",
-    },
-    measure: |bench| unkept(bench, 24..=36),
-    spoiled: |bench| unkept(bench, 8..=36),
-    slip: "the current of the source is not counted",
-};
+const KEPT: Check<usize> = check(
+    "kept_on_the_grid",
+    "at every node and in every step of a full-field run the charge that flows away is \
+     missing, and no magnetic flux ends",
+)
+.rows(&["E1", "E2"])
+.against(
+    "the fluxes out of each cell added up before and after a step; currents from Ohm's \
+     law and the electrons' equation, not from the update",
+)
+.within(
+    64.0,
+    "ε",
+    "a dozen roundings of the terms, relative to the largest of them, at the worst of \
+     the 200 000 nodes and steps",
+)
+.of(unkept, 24)
+.slip("the current of the source is not counted", 8);
 
-/// The largest failure of continuity in rows of a plane with glass, a conductor and a metal, lit by a current in row 12.
-fn unkept(bench: &mut Bench, rows: std::ops::RangeInclusive<usize>) -> Measured {
+/// The largest failure of continuity in the rows from `first` to 36 of a plane with glass, a conductor and a metal, lit by a current in row 12.
+fn unkept(bench: &mut Bench, first: usize) -> Measured {
     const CELLS: [usize; 2] = [40, 60];
     let cases = [Polarisation::Te, Polarisation::Tm].into_iter().flat_map(|polarisation| {
         let mut shift = || uniform(&mut bench.stream, -4.0, 4.0);
@@ -126,29 +111,32 @@ fn unkept(bench: &mut Bench, rows: std::ops::RangeInclusive<usize>) -> Measured 
         let vacuum = Setup::vacuum(CELLS, 1.0, polarisation, Stepping::at(0.7));
         let mut plane = Plane::new(Setup { regions, sides: Sides::Bloch(0.0), ..vacuum }).expect("within all limits");
         plane.inject([20, 12], 1.0, Pulse::Gaussian { delay: 20.0 / C, width: 5.0 / C }).expect("a stepped place");
-        let rows = rows.clone();
         (1..=200).map(move |step| {
-            let balance = plane.audited_step(rows.clone()).expect("rows between the walls");
+            let balance = plane.audited_step(first..=36).expect("rows between the walls");
             (balance.divergence / f64::EPSILON, format!("{polarisation:?}, step {step}"))
         })
     });
     Measured::worst(cases.collect::<Vec<_>>())
 }
 
-const ENERGY_KEPT: Check = Check {
-    id: "energy_kept",
-    claim: "in every step the energy of the fields and electrons in a part of the grid changes by what flows in less the heat",
-    rows: &["C3"],
-    route: "the energies of all cells added up before and after a step, beside E × H through the border and Ohm's heat",
-    bound: Bound::AtMost {
-        limit: 256.0,
-        unit: "ε",
-        why: "the roundings of sums over up to 520 cells, of either sign, relative to the energy there is",
-    },
-    measure: |bench| unbalanced(bench, |balance| balance),
-    spoiled: |bench| unbalanced(bench, |balance| Balance { heat: 0.0, ..balance }),
-    slip: "the heat is left out",
-};
+const ENERGY_KEPT: Check<fn(Balance) -> Balance> = check(
+    "energy_kept",
+    "in every step the energy of the fields and electrons in a part of the grid \
+     changes by what flows in less the heat",
+)
+.rows(&["C3"])
+.against(
+    "the energies of all cells added up before and after a step, beside E × H through \
+     the border and Ohm's heat",
+)
+.within(
+    256.0,
+    "ε",
+    "the roundings of sums over up to 520 cells, of either sign, relative to the \
+     energy there is",
+)
+.of(unbalanced, |balance| balance)
+.slip("the heat is left out", |balance| Balance { heat: 0.0, ..balance });
 
 /// The worst balance of energy as `read`, along a line and in a plane, in vacuum and with each kind of medium.
 fn unbalanced(bench: &mut Bench, read: fn(Balance) -> Balance) -> Measured {

@@ -3,7 +3,7 @@
 use crate::figure::{Axis, Dash, Hue, Map, Mark, Panel, Plot, Ramp};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::symbols::{B, D, E, H, J, RHO, T};
-use crate::vocabulary::{Bench, Bound, Check, Figure, Measured, Quantity, Statement, Step};
+use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, exhibit, figure, statement, step};
 use equation::Equation;
 use equation::expr::{curl, divergence, partial};
 use light::fields::charge::MovingCharge;
@@ -21,50 +21,36 @@ const BETA: Parameter = Parameter {
     kind: Kind::Number { min: -0.99, max: 0.99, unit: "1" },
 };
 
-pub(super) const STEP: Step = Step {
-    id: "equations",
-    title: "The four laws",
-    says: "Charge is where electric flux begins and ends, magnetic flux has no ends, and each field circles the change of the other.",
-    rows: &["E1"],
-    parameters: &[BETA],
-    statements: &[
-        Statement {
-            id: "gauss",
-            says: "electric flux begins and ends at charges",
-            rows: &["E1"],
-            equation: || Equation::new(divergence(D), RHO),
-        },
-        Statement {
-            id: "no_monopoles",
-            says: "magnetic flux never begins or ends",
-            rows: &["E1"],
-            equation: || Equation::new(divergence(B), 0),
-        },
-        Statement {
-            id: "faraday",
-            says: "the electric field circles a magnetic flux that changes",
-            rows: &["E1"],
-            equation: || Equation::new(curl(E), -partial(B, T)),
-        },
-        Statement {
-            id: "ampere_maxwell",
-            says: "the magnetic field circles currents and an electric flux that changes",
-            rows: &["E1"],
-            equation: || Equation::new(curl(H), J + partial(D, T)),
-        },
-    ],
-    derivations: &[],
-    readout: Some(readout),
-    checks: &[ENDS_OF_FLUX, INDUCTION, CIRCULATION],
-    stress: &[],
-    races: &[],
-    figures: &[Figure {
-        id: "moving_charge",
-        says: "A fast charge: its field is pressed into the plane across its way, and the magnetic field circles the way.",
-        rows: &["E1"],
-        plot: moving_charge,
-    }],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "equations",
+    &[BETA],
+    &[figure(
+        "moving_charge",
+        "A fast charge: its field is pressed into the plane across its way, and the \
+         magnetic field circles the way.",
+        moving_charge,
+    )],
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "The four laws",
+    "Charge is where electric flux begins and ends, magnetic flux has no ends, and \
+     each field circles the change of the other.",
+)
+.rows(&["E1"])
+.statements(&[
+    statement("gauss", "electric flux begins and ends at charges", || Equation::new(divergence(D), RHO)),
+    statement("no_monopoles", "magnetic flux never begins or ends", || Equation::new(divergence(B), 0)),
+    statement("faraday", "the electric field circles a magnetic flux that changes", || {
+        Equation::new(curl(E), -partial(B, T))
+    }),
+    statement("ampere_maxwell", "the magnetic field circles currents and an electric flux that changes", || {
+        Equation::new(curl(H), J + partial(D, T))
+    }),
+])
+.readout(readout)
+.checks(&[&ENDS_OF_FLUX, &INDUCTION, &CIRCULATION]);
 
 fn charge(setting: &Setting) -> MovingCharge {
     MovingCharge { charge: 1e-9, beta: setting.number("beta") }
@@ -84,25 +70,18 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
 /// Nodes along each direction of a quadrature: enough for rounding to remain at the distances used here.
 const NODES: usize = 96;
 
-const ENDS_OF_FLUX: Check = Check {
-    id: "flux_ends_at_charges",
-    claim: "D flows out of a closed surface as much as there is charge inside, B not at all",
-    rows: &["E1"],
-    route: "the field of a charge in flight, integrated over spheres that hold it off-centre or not at all",
-    bound: Bound::AtMost {
-        limit: 1e-13,
-        unit: "1",
-        why: "quadrature with 96 × 96 nodes, which is past rounding, of ten thousand terms",
-    },
-    measure: |bench| flux_through_spheres(bench, MovingCharge::d),
-    spoiled: |bench| {
-        flux_through_spheres(bench, |charge, place, t| {
+const ENDS_OF_FLUX: Check<fn(&MovingCharge, Vector, f64) -> Vector> =
+    check("flux_ends_at_charges", "D flows out of a closed surface as much as there is charge inside, B not at all")
+        .against(
+            "the field of a charge in flight, integrated over spheres that hold it off-centre \
+             or not at all",
+        )
+        .within(1e-13, "1", "quadrature with 96 × 96 nodes, which is past rounding, of ten thousand terms")
+        .of(flux_through_spheres, MovingCharge::d)
+        .slip("Coulomb's field flattened without growing stronger abreast", |charge, place, t| {
             let flat = ((1.0 - charge.beta) * (1.0 + charge.beta)).sqrt();
             charge.d(place, t).map(|d| flat * d)
-        })
-    },
-    slip: "Coulomb's field flattened without growing stronger abreast",
-};
+        });
 
 /// What is wrong with the flux out of spheres around the charge, and beside it, over the charge.
 fn flux_through_spheres(bench: &mut Bench, d: fn(&MovingCharge, Vector, f64) -> Vector) -> Measured {
@@ -206,20 +185,23 @@ fn passages(bench: &mut Bench) -> Vec<Passage> {
         .into()
 }
 
-const INDUCTION: Check = Check {
-    id: "induction",
-    claim: "the circulation of E around a disc, summed over time, is the magnetic flux that the disc has lost",
-    rows: &["E1"],
-    route: "a charge flies through a leaning disc: line, surface and time integrals of its field by Gauss and trapezoid",
-    bound: Bound::AtMost {
-        limit: 1e-10,
-        unit: "1",
-        why: "past the rule's own error, rounding of Coulomb's part of the field, which is far larger and cancels round the rim",
-    },
-    measure: |bench| induction(bench, -1.0),
-    spoiled: |bench| induction(bench, 1.0),
-    slip: "Lenz's rule turned round",
-};
+const INDUCTION: Check<f64> = check(
+    "induction",
+    "the circulation of E around a disc, summed over time, is the magnetic flux that \
+     the disc has lost",
+)
+.against(
+    "a charge flies through a leaning disc: line, surface and time integrals of its \
+     field by Gauss and trapezoid",
+)
+.within(
+    1e-10,
+    "1",
+    "past the rule's own error, rounding of Coulomb's part of the field, which is far \
+     larger and cancels round the rim",
+)
+.of(induction, -1.0)
+.slip("Lenz's rule turned round", 1.0);
 
 fn induction(bench: &mut Bench, sign: f64) -> Measured {
     Measured::worst(passages(bench).iter().map(|Passage { charge, disc, half }| {
@@ -230,16 +212,15 @@ fn induction(bench: &mut Bench, sign: f64) -> Measured {
     }))
 }
 
-const CIRCULATION: Check = Check {
-    id: "displacement",
-    claim: "the circulation of H, summed over time, is the charge that went through plus the electric flux gained",
-    rows: &["E1"],
-    route: "the same passage: the charge that went through is known without any field",
-    bound: Bound::AtMost { limit: 1e-13, unit: "1", why: "past the rule's own error, rounding of a million terms" },
-    measure: |bench| displacement(bench, 1.0),
-    spoiled: |bench| displacement(bench, 0.0),
-    slip: "Ampère's law without Maxwell's term ∂D/∂t",
-};
+const CIRCULATION: Check<f64> = check(
+    "displacement",
+    "the circulation of H, summed over time, is the charge that went through plus the \
+     electric flux gained",
+)
+.against("the same passage: the charge that went through is known without any field")
+.within(1e-13, "1", "past the rule's own error, rounding of a million terms")
+.of(displacement, 1.0)
+.slip("Ampère's law without Maxwell's term ∂D/∂t", 0.0);
 
 /// What is wrong with Ampère's law, over the charge, if the flux of D counts `share`.
 fn displacement(bench: &mut Bench, share: f64) -> Measured {

@@ -34,7 +34,8 @@ const YEE: Function = Function {
         },
         Output {
             name: "v_phase",
-            says: "speed of the wave on the grid without conduction; nan if it is short enough to grow",
+            says: "speed of the wave on the grid without conduction; nan if it is short enough to \
+                   grow",
             unit: "m/s",
         },
         Output { name: "growth", says: "ln of the growth of the shortest wave per step", unit: "1" },

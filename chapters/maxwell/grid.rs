@@ -2,7 +2,9 @@
 
 use crate::figure::{Axis, Chart, Hue, Map, Mark, Panel, Plot, Ramp, Shape};
 use crate::setting::{Kind, Parameter, Setting};
-use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+};
 use equation::derivation::Chain;
 use equation::expr::{exp, i, sin};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -37,65 +39,50 @@ const UNSTABLE: Parameter = Parameter {
     kind: Kind::Count { min: 0, max: 1 },
 };
 
-pub(super) const STEP: Step = Step {
-    id: "grid",
-    title: "The laws on a grid",
-    says: "Fields half a cell and half a step apart make every derivative a centred difference; waves then run a little late, and too long a step blows up.",
-    rows: &["C2"],
-    parameters: &[COURANT, CELLS, UNSTABLE],
-    statements: &[
-        Statement {
-            id: "leapfrog",
-            says: "the step of Faraday's and Ampère's laws along z, H taken out",
-            rows: &["C2"],
-            equation: || second_differences(|z, t| FIELD.at([z, t])),
-        },
-        Statement {
-            id: "dispersion",
-            says: "what it makes of frequency and wave number",
-            rows: &["C2"],
-            equation: || Equation::new(sin(OMEGA * DT / 2).pow(2), S.pow(2) * sin(K * DZ / 2).pow(2)),
-        },
-        Statement {
-            id: "courant",
-            says: "the Courant number; beyond 1 the shortest wave has no real frequency",
-            rows: &["C2"],
-            equation: || Equation::new(S, C * DT / DZ),
-        },
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "grid",
+    &[COURANT, CELLS, UNSTABLE],
+    &[
+        figure(
+            "late_waves",
+            "Short waves run late, less so near the Courant limit; at the limit, in one \
+             dimension, not at all.",
+            late,
+        ),
+        figure(
+            "courant_map",
+            "How fast the grid's waves grow: not at all below the limit, the shortest first \
+             above it.",
+            courant_map,
+        ),
+        figure("blow_up", "The largest field on the grid, step by step: a hair beyond the limit decides.", blow_up),
     ],
-    derivations: &[Derivation {
-        id: "from_the_step",
-        says: "a harmonic wave put into the step",
-        rows: &["C2"],
-        chain: || dispersion(S.pow(2) * sin(K * DZ / 2).pow(2)),
-        spoiled: || dispersion(S.pow(2) * sin(K * DZ).pow(2)),
-        slip: "the fields a whole cell apart",
-    }],
-    readout: Some(readout),
-    checks: &[SPEED, STABLE, GROWTH, GROWTH_IN_THE_PLANE],
-    stress: &[],
-    races: &[],
-    figures: &[
-        Figure {
-            id: "late_waves",
-            says: "Short waves run late, less so near the Courant limit; at the limit, in one dimension, not at all.",
-            rows: &["C2"],
-            plot: late,
-        },
-        Figure {
-            id: "courant_map",
-            says: "How fast the grid's waves grow: not at all below the limit, the shortest first above it.",
-            rows: &["C2"],
-            plot: courant_map,
-        },
-        Figure {
-            id: "blow_up",
-            says: "The largest field on the grid, step by step: a hair beyond the limit decides.",
-            rows: &["C2"],
-            plot: blow_up,
-        },
-    ],
-};
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "The laws on a grid",
+    "Fields half a cell and half a step apart make every derivative a centred \
+     difference; waves then run a little late, and too long a step blows up.",
+)
+.rows(&["C2"])
+.statements(&[
+    statement("leapfrog", "the step of Faraday's and Ampère's laws along z, H taken out", || {
+        second_differences(|z, t| FIELD.at([z, t]))
+    }),
+    statement("dispersion", "what it makes of frequency and wave number", || {
+        Equation::new(sin(OMEGA * DT / 2).pow(2), S.pow(2) * sin(K * DZ / 2).pow(2))
+    }),
+    statement("courant", "the Courant number; beyond 1 the shortest wave has no real frequency", || {
+        Equation::new(S, C * DT / DZ)
+    }),
+])
+.derivations(&[derivation("from_the_step", "a harmonic wave put into the step", || {
+    dispersion(S.pow(2) * sin(K * DZ / 2).pow(2))
+})
+.slip("the fields a whole cell apart", || dispersion(S.pow(2) * sin(K * DZ).pow(2)))])
+.readout(readout)
+.checks(&[&SPEED, &STABLE, &GROWTH, &GROWTH_IN_THE_PLANE]);
 
 const Z: Symbol = Symbol::scalar("z", Dimension::METRE).real(0.25, 1.25);
 const T: Symbol = Symbol::scalar("t", Dimension::SECOND).real(0.25, 1.25);
@@ -141,22 +128,20 @@ fn run(line: &mut Line, steps: u64) {
     line.run(steps).expect("at least one step");
 }
 
-const SPEED: Check = Check {
-    id: "speed",
-    claim: "a wave on the grid keeps its shape and runs at the speed that the dispersion relation says",
-    rows: &["C2"],
-    route: "the solver, a thousand steps on a ring, against the wave in closed form at every node",
-    bound: Bound::AtMost {
-        limit: 1e-11,
-        unit: "1",
-        why: "two roundings a step of fields that are at most 1, over a thousand steps",
-    },
-    measure: |_| speed(|k, courant| phase_per_step(&[k], courant).re),
-    spoiled: |_| speed(|k, courant| k * courant),
-    slip: "ω = ck, as if there were no grid",
-};
+const SPEED: Check<fn(f64, f64) -> f64> = check(
+    "speed",
+    "a wave on the grid keeps its shape and runs at the speed that the dispersion \
+     relation says",
+)
+.against(
+    "the solver, a thousand steps on a ring, against the wave in closed form at every \
+     node",
+)
+.within(1e-11, "1", "two roundings a step of fields that are at most 1, over a thousand steps")
+.of(speed, |k, courant| phase_per_step(&[k], courant).re)
+.slip("ω = ck, as if there were no grid", |k, courant| k * courant);
 
-fn speed(phase: fn(f64, f64) -> f64) -> Measured {
+fn speed(_: &mut Bench, phase: fn(f64, f64) -> f64) -> Measured {
     const CELLS: usize = 60;
     const STEPS: u64 = 1000;
     let cases = [0.1, 0.5, 0.9, 0.999].into_iter().flat_map(|s| [1, 3, 10, 20].map(|waves| (s, waves)));
@@ -174,16 +159,15 @@ fn speed(phase: fn(f64, f64) -> f64) -> Measured {
     }))
 }
 
-const STABLE: Check = Check {
-    id: "stable",
-    claim: "a hair below the Courant limit the energy on the grid is the same after 100 000 steps",
-    rows: &["C2"],
-    route: "Σ E² + Σ H₋H₊ over all cells, from random fields, every wave length among them",
-    bound: Bound::AtMost { limit: 1e-10, unit: "1", why: "100 000 steps of one rounding each, of either sign" },
-    measure: |bench| drift(bench, 1.0 - 1e-6),
-    spoiled: |bench| drift(bench, 1.0 + 1e-6),
-    slip: "a hair above",
-};
+const STABLE: Check<f64> = check(
+    "stable",
+    "a hair below the Courant limit the energy on the grid is the same after 100 000 \
+     steps",
+)
+.against("Σ E² + Σ H₋H₊ over all cells, from random fields, every wave length among them")
+.within(1e-10, "1", "100 000 steps of one rounding each, of either sign")
+.of(drift, 1.0 - 1e-6)
+.slip("a hair above", 1.0 + 1e-6);
 
 /// Relative change of the energy on a ring.
 fn drift(bench: &mut Bench, courant: f64) -> Measured {
@@ -206,22 +190,22 @@ fn energy(line: &mut Line) -> f64 {
     electric + Z_0 * Z_0 * magnetic
 }
 
-const GROWTH: Check = Check {
-    id: "growth",
-    claim: "beyond the limit the shortest wave grows by 2 arcosh S a step",
-    rows: &["C2"],
-    route: "the solver: how the logarithm of the field rises from step to step",
-    bound: Bound::AtMost {
-        limit: 1e-11,
-        unit: "1",
-        why: "rounding of up to 40 000 steps, against a rate that is three thousandths where it is least",
-    },
-    measure: |_| growth(growth_per_step),
-    spoiled: |_| growth(|excess| 2.0 * (excess - 1.0)),
-    slip: "growth in proportion to the excess, as for the amplitude of one equation of first order",
-};
+const GROWTH: Check<fn(f64) -> f64> = check("growth", "beyond the limit the shortest wave grows by 2 arcosh S a step")
+    .against("the solver: how the logarithm of the field rises from step to step")
+    .within(
+        1e-11,
+        "1",
+        "rounding of up to 40 000 steps, against a rate that is three thousandths where it \
+         is least",
+    )
+    .of(growth, growth_per_step)
+    .slip(
+        "growth in proportion to the excess, as for the amplitude of one equation of first \
+         order",
+        |excess| 2.0 * (excess - 1.0),
+    );
 
-fn growth(theory: fn(f64) -> f64) -> Measured {
+fn growth(_: &mut Bench, theory: fn(f64) -> f64) -> Measured {
     Measured::worst([(1e-6, 20_000), (1e-4, 2000), (1e-2, 400), (0.1, 200), (0.5, 100)].map(|(excess, steps)| {
         let courant = 1.0 + excess;
         let found = grown(courant, steps);
@@ -230,22 +214,20 @@ fn growth(theory: fn(f64) -> f64) -> Measured {
     }))
 }
 
-const GROWTH_IN_THE_PLANE: Check = Check {
-    id: "growth_in_the_plane",
-    claim: "in two dimensions the limit is 1/√2 over sin(kΔ/2), and beyond it the shortest wave of a box grows by 2 arcosh(√2 S sin(kΔ/2)) a step",
-    rows: &["C2"],
-    route: "the two-dimensional solver, E along z and H along z: how the logarithm of the field rises",
-    bound: Bound::AtMost {
-        limit: 1e-9,
-        unit: "1",
-        why: "rounding of up to 4000 steps, against a rate of 0.03 at least",
-    },
-    measure: |_| growth_in_the_plane(|courant| growth_per_step(courant * 2f64.sqrt())),
-    spoiled: |_| growth_in_the_plane(growth_per_step),
-    slip: "the limit of one dimension",
-};
+const GROWTH_IN_THE_PLANE: Check<fn(f64) -> f64> = check(
+    "growth_in_the_plane",
+    "in two dimensions the limit is 1/√2 over sin(kΔ/2), and beyond it the shortest \
+     wave of a box grows by 2 arcosh(√2 S sin(kΔ/2)) a step",
+)
+.against(
+    "the two-dimensional solver, E along z and H along z: how the logarithm of the \
+     field rises",
+)
+.within(1e-9, "1", "rounding of up to 4000 steps, against a rate of 0.03 at least")
+.of(growth_in_the_plane, |courant| growth_per_step(courant * 2f64.sqrt()))
+.slip("the limit of one dimension", growth_per_step);
 
-fn growth_in_the_plane(theory: fn(f64) -> f64) -> Measured {
+fn growth_in_the_plane(_: &mut Bench, theory: fn(f64) -> f64) -> Measured {
     let excesses = [(1e-4, 2000), (1e-2, 400), (0.1, 100)];
     let cases =
         [Polarisation::Tm, Polarisation::Te].into_iter().flat_map(|polarisation| excesses.map(|e| (polarisation, e)));

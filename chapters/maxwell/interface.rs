@@ -6,7 +6,8 @@ use crate::fresnel::fields::{Wave, waves};
 use crate::fresnel::{INTERFACE, interface, sample_inputs};
 use crate::setting::Setting;
 use crate::vocabulary::{
-    Bench, Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress,
+    Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+    stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{cross, dot, vector};
@@ -22,93 +23,68 @@ use light::waves::constants::EPSILON_0;
 use std::f64::consts::TAU;
 use yardstick::precise::{self, Real};
 
-pub(super) const STEP: Step = Step {
-    id: "interface",
-    title: "Where two media meet",
-    says: "Across a bare interface the normal parts of D and B go on, and so do the tangential parts of E and H.",
-    rows: &["E4"],
-    parameters: INTERFACE,
-    statements: &[
-        Statement {
-            id: "b_normal",
-            says: "as much magnetic flux leaves as arrives",
-            rows: &["E4"],
-            equation: || normal_meets(B_1, B_2),
-        },
-        Statement {
-            id: "d_normal",
-            says: "and as much electric flux, where no charge lies between",
-            rows: &["E4"],
-            equation: || normal_meets(D_1, D_2),
-        },
-        Statement {
-            id: "e_tangential",
-            says: "the electric fields along the interface agree",
-            rows: &["E4"],
-            equation: || tangential_meets(E_1, E_2),
-        },
-        Statement {
-            id: "h_tangential",
-            says: "and the magnetic ones, where no current runs between",
-            rows: &["E4"],
-            equation: || tangential_meets(H_1, H_2),
-        },
-    ],
-    derivations: &[
-        Derivation {
-            id: "pill_box",
-            says: "Gauss's theorem on a box of height h whose lids lie on either side: all but the lids comes with an h",
-            rows: &["E4"],
-            chain: || pill_box(step_across_d(D_1 - D_2)),
-            spoiled: || pill_box(step_across_d(D_1 + D_2)),
-            slip: "both lids take n for their way out",
-        },
-        Derivation {
-            id: "flat_pill_box",
-            says: "the same box made flat: no volume is left for charge, no wall for flux",
-            rows: &["E4"],
-            chain: || flat_box().then(normal_meets(B_1, B_2), ["h → 0"]).then(normal_meets(D_1, D_2), ["h → 0"]),
-            spoiled: || flat_box().then(normal_meets(E_1, E_2), ["h → 0"]),
-            slip: "E for D",
-        },
-        Derivation {
-            id: "loop",
-            says: "Stokes's theorem on a loop of height h whose long sides lie on either side, along t = b×n",
-            rows: &["E4"],
-            chain: || around(turn_across(&B_WAY.into(), [E_1, E_2], SHORT_E, THROUGH_E)),
-            spoiled: || around(turn_across(&B_WAY.into(), [E_2, E_1], SHORT_E, THROUGH_E)),
-            slip: "the sides exchanged",
-        },
-        Derivation {
-            id: "narrow_loops",
-            says: "two such loops, one along each direction of the interface, made narrow",
-            rows: &["E4"],
-            chain: || {
-                let loops = narrow_loops().then(tangential_meets(E_1, E_2), ["h → 0"]);
-                loops.then(tangential_meets(H_1, H_2), ["h → 0"])
-            },
-            spoiled: || narrow_loops().then(Equation::new(E_1, E_2), ["h → 0"]),
-            slip: "the normal part is taken to be continuous too",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[NORMAL_PARTS, TANGENTIAL_PARTS],
-    stress: &[Stress {
-        id: "free_charge",
-        claim: "the charge that conduction leaves on an interface keeps its digits from the best insulators to the best conductors",
-        rows: &["E4"],
-        textbook: "the step of the normal D, ε₂E₂ − ε₁E₁, with E₂ from the continuity of the total current",
-        reference: "the same step in 256 bits",
-        cases: |_| charges(),
-    }],
-    races: &[],
-    figures: &[Figure {
-        id: "through_the_interface",
-        says: "p light across the interface: the tangential E runs on, the normal E jumps so that the normal D runs on.",
-        rows: &["E4"],
-        plot: through,
-    }],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "interface",
+    INTERFACE,
+    &[figure(
+        "through_the_interface",
+        "p light across the interface: the tangential E runs on, the normal E jumps so \
+         that the normal D runs on.",
+        through,
+    )],
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Where two media meet",
+    "Across a bare interface the normal parts of D and B go on, and so do the \
+     tangential parts of E and H.",
+)
+.rows(&["E4"])
+.statements(&[
+    statement("b_normal", "as much magnetic flux leaves as arrives", || normal_meets(B_1, B_2)),
+    statement("d_normal", "and as much electric flux, where no charge lies between", || normal_meets(D_1, D_2)),
+    statement("e_tangential", "the electric fields along the interface agree", || tangential_meets(E_1, E_2)),
+    statement("h_tangential", "and the magnetic ones, where no current runs between", || tangential_meets(H_1, H_2)),
+])
+.derivations(&[
+    derivation(
+        "pill_box",
+        "Gauss's theorem on a box of height h whose lids lie on either side: all but the \
+         lids comes with an h",
+        || pill_box(step_across_d(D_1 - D_2)),
+    )
+    .slip("both lids take n for their way out", || pill_box(step_across_d(D_1 + D_2))),
+    derivation("flat_pill_box", "the same box made flat: no volume is left for charge, no wall for flux", || {
+        flat_box().then(normal_meets(B_1, B_2), ["h → 0"]).then(normal_meets(D_1, D_2), ["h → 0"])
+    })
+    .slip("E for D", || flat_box().then(normal_meets(E_1, E_2), ["h → 0"])),
+    derivation(
+        "loop",
+        "Stokes's theorem on a loop of height h whose long sides lie on either side, along \
+         t = b×n",
+        || around(turn_across(&B_WAY.into(), [E_1, E_2], SHORT_E, THROUGH_E)),
+    )
+    .slip("the sides exchanged", || around(turn_across(&B_WAY.into(), [E_2, E_1], SHORT_E, THROUGH_E))),
+    derivation("narrow_loops", "two such loops, one along each direction of the interface, made narrow", || {
+        let loops = narrow_loops().then(tangential_meets(E_1, E_2), ["h → 0"]);
+        loops.then(tangential_meets(H_1, H_2), ["h → 0"])
+    })
+    .slip("the normal part is taken to be continuous too", || narrow_loops().then(Equation::new(E_1, E_2), ["h → 0"])),
+])
+.readout(readout)
+.checks(&[&NORMAL_PARTS, &TANGENTIAL_PARTS])
+.stress(&[stress(
+    "free_charge",
+    "the charge that conduction leaves on an interface keeps its digits from the best \
+     insulators to the best conductors",
+    |_| charges(),
+)
+.textbook(
+    "the step of the normal D, ε₂E₂ − ε₁E₁, with E₂ from the continuity of the total \
+     current",
+)
+.against("the same step in 256 bits")]);
 
 fn normal_meets(near: Symbol, far: Symbol) -> Equation {
     Equation::new(dot(NORMAL, near - far), 0)
@@ -206,7 +182,7 @@ fn solved(input: &Input, polarisation: Polarisation) -> [Wave; 3] {
 
 /// (near, far) values of the tangential E_x, E_y, H_x, H_y and the normal D_z and B_z, E in units of the incident
 /// amplitude, H times Z₀, D over ε₀; and how large each of the fields is.
-fn sides(input: &Input, [incident, reflected, transmitted]: &[Wave; 3]) -> [(Complex64, Complex64, f64); 6] {
+fn sides(input: &Input, [incident, reflected, transmitted]: &[Wave; 3]) -> Sides {
     let near_eps = Complex64::from(input.n_i * input.n_i);
     let far_eps = input.n_t * input.n_t;
     let e = |axis: usize| (incident.e[axis] + reflected.e[axis], transmitted.e[axis]);
@@ -227,12 +203,19 @@ fn sides(input: &Input, [incident, reflected, transmitted]: &[Wave; 3]) -> [(Com
 const NAMES: [&str; 6] = ["E_x", "E_y", "H_x", "H_y", "D_z", "B_z"];
 
 /// Largest step, over the field's size and in ε, of the chosen components across the setting's interface and others.
-fn steps(bench: &mut Bench, chosen: std::ops::Range<usize>, amend: fn(&Input) -> Input) -> Measured {
+/// What stands on both sides of an interface; see [`sides`].
+type Sides = [(Complex64, Complex64, f64); 6];
+
+fn both_sides(input: &Input, polarisation: Polarisation) -> Sides {
+    sides(input, &solved(input, polarisation))
+}
+
+fn steps(bench: &mut Bench, chosen: std::ops::Range<usize>, both_sides: fn(&Input, Polarisation) -> Sides) -> Measured {
     Measured::worst(sample_inputs(bench.setting).iter().flat_map(|input| {
         [Polarisation::S, Polarisation::P].into_iter().flat_map({
             let chosen = chosen.clone();
             move |polarisation| {
-                let sides = sides(&amend(input), &solved(input, polarisation));
+                let sides = both_sides(input, polarisation);
                 let place = format!("{polarisation:?}, {:?}, n {} → {}", input.direction, input.n_i, input.n_t);
                 chosen.clone().map(move |at| {
                     let (near, far, scale) = sides[at];
@@ -243,34 +226,31 @@ fn steps(bench: &mut Bench, chosen: std::ops::Range<usize>, amend: fn(&Input) ->
     }))
 }
 
-const NORMAL_PARTS: Check = Check {
-    id: "normal_parts",
-    claim: "Fresnel's waves, made from the tangential conditions alone, carry D and B straight through as well",
-    rows: &["E4"],
-    route: "field vectors of the three waves of chapter fresnel, clear and absorbing, from the normal to grazing and beyond total reflection",
-    bound: Bound::AtMost { limit: 32.0, unit: "ε", why: "a dozen roundings in the amplitudes and in each product" },
-    measure: |bench| steps(bench, 4..6, |input| *input),
-    spoiled: |bench| steps(bench, 4..6, |input| Input { n_i: 1.0, n_t: 1.0.into(), ..*input }),
-    slip: "E for D: the normal E is taken to be continuous",
-};
+const NORMAL_PARTS: Check<fn(&Input, Polarisation) -> Sides> = check(
+    "normal_parts",
+    "Fresnel's waves, made from the tangential conditions alone, carry D and B \
+     straight through as well",
+)
+.against(
+    "field vectors of the three waves of chapter fresnel, clear and absorbing, from \
+     the normal to grazing and beyond total reflection",
+)
+.within(32.0, "ε", "a dozen roundings in the amplitudes and in each product")
+.of::<fn(&Input, Polarisation) -> Sides>(|bench, both_sides| steps(bench, 4..6, both_sides), both_sides)
+.slip("E for D: the normal E is taken to be continuous", |input, polarisation| {
+    sides(&Input { n_i: 1.0, n_t: 1.0.into(), ..*input }, &solved(input, polarisation))
+});
 
-const TANGENTIAL_PARTS: Check = Check {
-    id: "tangential_parts",
-    claim: "and E and H along the interface, of course",
-    rows: &["E4"],
-    route: "the same vectors, H = n k×E",
-    bound: Bound::AtMost { limit: 32.0, unit: "ε", why: "as for the normal parts" },
-    measure: |bench| steps(bench, 0..4, |input| *input),
-    spoiled: |bench| {
-        Measured::worst(sample_inputs(bench.setting).iter().map(|input| {
-            let [incident, reflected, transmitted] = solved(input, Polarisation::P);
-            // The incident wave alone against the transmitted one.
-            let step = incident.e[0] - transmitted.e[0];
-            (step.norm() / f64::EPSILON, format!("{:?}, reflected {:.2e}", input.direction, reflected.e[0].norm()))
-        }))
-    },
-    slip: "the reflected wave is forgotten",
-};
+const TANGENTIAL_PARTS: Check<fn(&Input, Polarisation) -> Sides> =
+    check("tangential_parts", "and E and H along the interface, of course")
+        .against("the same vectors, H = n k×E")
+        .within(32.0, "ε", "as for the normal parts")
+        .of::<fn(&Input, Polarisation) -> Sides>(|bench, both_sides| steps(bench, 0..4, both_sides), both_sides)
+        .slip("the reflected wave is forgotten", |input, polarisation| {
+            let [incident, _, transmitted] = solved(input, polarisation);
+            let nothing = Wave { e: [Complex64::ZERO; 3], h: [Complex64::ZERO; 3] };
+            sides(input, &[incident, nothing, transmitted])
+        });
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
     let input = interface(setting);

@@ -3,7 +3,9 @@
 use super::throughput::{ROUNDED, THROUGHPUT};
 use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
 use crate::setting::{Kind, Parameter, Setting};
-use crate::vocabulary::{Bench, Bound, Check, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Heat, Lane, Measured, Quantity, Step, check, exhibit, figure, lane, race, statement, step,
+};
 use equation::{Dimension, Equation, Symbol};
 use light::em::line::{Ends, Line, Setup};
 use light::em::{C, Medium, Pulse, Stepping, Z_0};
@@ -17,51 +19,45 @@ const CELLS: Parameter = Parameter {
     kind: Kind::Count { min: 100, max: 1_000_000 },
 };
 
-pub(super) const STEP: Step = Step {
-    id: "left_out",
-    title: "What is not needed",
-    says: "A lossless cell carries no conduction, a closed end no absorber, a line no second dimension: the fields are the same, bit by bit.",
-    rows: &["C2"],
-    parameters: &[CELLS],
-    statements: &[Statement {
-        id: "memory",
-        says: "the time of a step of a grid that does not fit into the cache: what it moves over how fast memory moves it",
-        rows: &["C2"],
-        equation: || Equation::new(STEP_TIME, BYTES / BANDWIDTH),
-    }],
-    derivations: &[],
-    readout: Some(readout),
-    checks: &[SAME],
-    stress: &[],
-    races: &[
-        Race {
-            id: "vacuum",
-            claim: "the same wave on a line that has all machinery and on one that has what vacuum needs",
-            rows: &["C2"],
-            work: "cell-steps",
-            error: "|ΔE| of a plane wave",
-            reference: "the wave at the speed that the grid gives it, at one node",
-            lanes: &[
-                lane("full", "everything in every cell", |_, n| ring(false, n)),
-                lane("pruned", "what is needed", |_, n| ring(true, n)),
-            ],
-        },
-        THROUGHPUT,
-    ],
-    figures: &[Figure {
-        id: "savings",
-        says: "What four scenes left out, per cell and step.",
-        rows: &["C2"],
-        plot: savings,
-    }],
-};
+pub(super) const EXHIBIT: Exhibit =
+    exhibit("left_out", &[CELLS], &[figure("savings", "What four scenes left out, per cell and step.", savings)]);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "What is not needed",
+    "A lossless cell carries no conduction, a closed end no absorber, a line no second \
+     dimension: the fields are the same, bit by bit.",
+)
+.rows(&["C2"])
+.statements(&[statement(
+    "memory",
+    "the time of a step of a grid that does not fit into the cache: what it moves over \
+     how fast memory moves it",
+    || Equation::new(STEP_TIME, BYTES / BANDWIDTH),
+)])
+.readout(readout)
+.checks(&[&SAME])
+.races(&[
+    race(
+        "vacuum",
+        "the same wave on a line that has all machinery and on one that has what vacuum \
+         needs",
+    )
+    .work("cell-steps")
+    .error("|ΔE| of a plane wave", "the wave at the speed that the grid gives it, at one node")
+    .lanes(&[
+        entrant("full", "everything in every cell", |_, n| ring(false, n)),
+        entrant("pruned", "what is needed", |_, n| ring(true, n)),
+    ]),
+    THROUGHPUT,
+]);
 
 const STEP_TIME: Symbol = Symbol::scalar("t", Dimension::SECOND);
 const BYTES: Symbol = Symbol::scalar("M", Dimension::ONE);
 const BANDWIDTH: Symbol = Symbol::scalar("beta", Dimension::HERTZ);
 
-const fn lane(id: &'static str, label: &'static str, prepare: fn(&mut Bench, u64) -> Heat) -> Lane {
-    Lane::once(id, label, &[1_000_000, 4_000_000, 16_000_000], ROUNDED, prepare)
+const fn entrant(id: &'static str, label: &'static str, prepare: fn(&mut Bench, u64) -> Heat) -> Lane {
+    lane(id, label, &[1_000_000, 4_000_000, 16_000_000], prepare).expects(ROUNDED)
 }
 
 fn stepping(pruned: bool) -> Stepping {
@@ -122,23 +118,15 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     quantities
 }
 
-const SAME: Check = Check {
-    id: "same_fields",
-    claim: "what was left out is not missed: both kinds of line give the same fields",
-    rows: &["C2"],
-    route: "the same scenes with every coefficient and current in every cell",
-    bound: Bound::AtMost {
-        limit: 0.0,
-        unit: "ε",
-        why: "the same operations on the same numbers, and others that change nothing",
-    },
-    measure: |_| difference(0.0),
-    spoiled: |_| difference(1e-6),
-    slip: "a faint conduction taken for none",
-};
+const SAME: Check<f64> =
+    check("same_fields", "what was left out is not missed: both kinds of line give the same fields")
+        .against("the same scenes with every coefficient and current in every cell")
+        .within(0.0, "ε", "the same operations on the same numbers, and others that change nothing")
+        .of(difference, 0.0)
+        .slip("a faint conduction taken for none", 1e-6);
 
 /// Largest difference of fields [ε V/m] between pruned and full lines, the full one with vacuum that conducts by `sigma`.
-fn difference(sigma: f64) -> Measured {
+fn difference(_: &mut Bench, sigma: f64) -> Measured {
     Measured::worst(SCENES.into_iter().flat_map(|(key, name)| {
         let mut lines = [true, false].map(|pruned| {
             let line = scene(key, 400, pruned);

@@ -3,7 +3,9 @@
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::symbols::{B, D, E, EPSILON, H, J, MU, SIGMA};
-use crate::vocabulary::{Bench, Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+};
 use equation::derivation::Chain;
 use equation::expr::vector;
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -22,52 +24,34 @@ const ORDINARY: Parameter = Parameter {
 const EXTRAORDINARY: Parameter =
     Parameter { name: "n_e", symbol: "n_e", says: "index along the crystal's axis", default: "1.4864", ..ORDINARY };
 
-pub(super) const STEP: Step = Step {
-    id: "media",
-    title: "What matter adds",
-    says: "Three numbers, ε, μ and σ, tie the fields together; they are tensors that symmetry makes numbers.",
-    rows: &["E3"],
-    parameters: &[ORDINARY, EXTRAORDINARY],
-    statements: &[
-        Statement {
-            id: "electric",
-            says: "charges held in place give way to the field",
-            rows: &["E3"],
-            equation: || Equation::new(D, EPSILON * E),
-        },
-        Statement {
-            id: "magnetic",
-            says: "so do the little currents in the atoms",
-            rows: &["E3"],
-            equation: || Equation::new(B, MU * H),
-        },
-        Statement { id: "ohm", says: "free charges drift", rows: &["E3"], equation: || Equation::new(J, SIGMA * E) },
-        Statement {
-            id: "tensor",
-            says: "where directions differ, the first of the three in full",
-            rows: &["E3"],
-            equation: || Equation::new(D, of([E_X, E_Y, E_Z].map(Expr::from))),
-        },
-    ],
-    derivations: &[Derivation {
-        id: "isotropy",
-        says: "a medium that looks the same after quarter turns about two axes has one number for a tensor",
-        rows: &["E3"],
-        chain: || isotropy((&ENTRIES[0]).into()),
-        spoiled: || isotropy(&ENTRIES[0] + &ENTRIES[4] + &ENTRIES[8]),
-        slip: "the trace for a third of it",
-    }],
-    readout: Some(readout),
-    checks: &[POWDER, HALL],
-    stress: &[],
-    races: &[],
-    figures: &[Figure {
-        id: "walk_off",
-        says: "In a crystal D leans away from E, except along its axes.",
-        rows: &["E3"],
-        plot: walk_off,
-    }],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "media",
+    &[ORDINARY, EXTRAORDINARY],
+    &[figure("walk_off", "In a crystal D leans away from E, except along its axes.", walk_off)],
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "What matter adds",
+    "Three numbers, ε, μ and σ, tie the fields together; they are tensors that symmetry makes numbers.",
+)
+.rows(&["E3"])
+.statements(&[
+    statement("electric", "charges held in place give way to the field", || Equation::new(D, EPSILON * E)),
+    statement("magnetic", "so do the little currents in the atoms", || Equation::new(B, MU * H)),
+    statement("ohm", "free charges drift", || Equation::new(J, SIGMA * E)),
+    statement("tensor", "where directions differ, the first of the three in full", || {
+        Equation::new(D, of([E_X, E_Y, E_Z].map(Expr::from)))
+    }),
+])
+.derivations(&[derivation(
+    "isotropy",
+    "a medium that looks the same after quarter turns about two axes has one number for a tensor",
+    || isotropy((&ENTRIES[0]).into()),
+)
+.slip("the trace for a third of it", || isotropy(&ENTRIES[0] + &ENTRIES[4] + &ENTRIES[8]))])
+.readout(readout)
+.checks(&[&POWDER, &HALL]);
 
 const fn entry(name: &'static str) -> Symbol {
     Symbol::scalar(name, Dimension::FARAD_PER_METRE)
@@ -149,38 +133,30 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     ]
 }
 
-const POWDER: Check = Check {
-    id: "powder",
-    claim: "the mean of a tensor over the turns of a cube is a third of its trace, the same in all directions",
-    rows: &["E3"],
-    route: "random tensors turned by all 24 rotations that map a cube to itself, added up",
-    bound: Bound::AtMost {
-        limit: 16.0,
-        unit: "ε",
-        why: "products with 0 and ±1 are exact; what rounds are the 24 additions",
-    },
-    measure: |bench| powder(bench, &turns_of_a_cube()),
-    spoiled: |bench| {
-        let keeps_z = |turn: &Tensor| turn.0[2] == [0.0, 0.0, 1.0];
-        powder(bench, &turns_of_a_cube().into_iter().filter(keeps_z).collect::<Vec<_>>())
-    },
-    slip: "turns about one axis only",
-};
+const POWDER: Check<fn() -> Vec<Tensor>> = check(
+    "powder",
+    "the mean of a tensor over the turns of a cube is a third of its trace, the same in all directions",
+)
+.against("random tensors turned by all 24 rotations that map a cube to itself, added up")
+.within(16.0, "ε", "products with 0 and ±1 are exact; what rounds are the 24 additions")
+.of(powder, turns_of_a_cube)
+.slip("turns about one axis only", || {
+    let keeps_z = |turn: &Tensor| turn.0[2] == [0.0, 0.0, 1.0];
+    turns_of_a_cube().into_iter().filter(keeps_z).collect()
+});
 
-const HALL: Check = Check {
-    id: "drifting_electrons",
-    claim: "the conductivity tensor in a magnetic field, and J = σE without one, are where driven electrons settle",
-    rows: &["E3"],
-    route: "Newton's law with friction for one electron, stepped by Runge and Kutta's method until it drifts steadily",
-    bound: Bound::AtMost {
-        limit: 1e-12,
-        unit: "1",
-        why: "a fixed point of the equations is one of the steps too: what remains is e^(−40) of the start, and rounding",
-    },
-    measure: |bench| drift(bench, 1.0),
-    spoiled: |bench| drift(bench, -1.0),
-    slip: "the electron turns the wrong way round the magnetic field",
-};
+const HALL: Check<f64> = check(
+    "drifting_electrons",
+    "the conductivity tensor in a magnetic field, and J = σE without one, are where driven electrons settle",
+)
+.against("Newton's law with friction for one electron, stepped by Runge and Kutta's method until it drifts steadily")
+.within(
+    1e-12,
+    "1",
+    "a fixed point of the equations is one of the steps too: what remains is e^(−40) of the start, and rounding",
+)
+.of(drift, 1.0)
+.slip("the electron turns the wrong way round the magnetic field", -1.0);
 
 /// The drift of u′ = e − u + `sense` u×b (time in units of τ, velocity so that J = σ₀u) against the tensor.
 fn drift(bench: &mut Bench, sense: f64) -> Measured {
@@ -219,11 +195,12 @@ fn turns_of_a_cube() -> Vec<Tensor> {
 }
 
 /// Largest entry, over the tensor's largest, of mean − `isotropic_part`.
-fn powder(bench: &mut Bench, turns: &[Tensor]) -> Measured {
+fn powder(bench: &mut Bench, turns: fn() -> Vec<Tensor>) -> Measured {
+    let turns = turns();
     Measured::worst((0..20).map(|case| {
         let tensor = Tensor([[0; 3]; 3].map(|row| row.map(|_| uniform(&mut bench.stream, -1.0, 1.0))));
         let mut mean = [[0.0; 3]; 3];
-        for turn in turns {
+        for turn in &turns {
             let turned = tensor.turned(turn);
             for (sum, entry) in mean.iter_mut().flatten().zip(turned.0.iter().flatten()) {
                 *sum += entry / turns.len() as f64;

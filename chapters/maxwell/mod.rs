@@ -14,7 +14,7 @@ mod surface_current;
 mod symbols;
 mod throughput;
 
-use crate::vocabulary::Chapter;
+use crate::vocabulary::{Chapter, Exhibit};
 
 /// The chapter.
 pub const CHAPTER: Chapter = Chapter {
@@ -34,5 +34,19 @@ pub const CHAPTER: Chapter = Chapter {
         conduction::STEP,
         left_out::STEP,
     ],
+    figures: FIGURES,
     functions: functions::FUNCTIONS,
 };
+
+/// What its steps show, apart from the evidence.
+pub const FIGURES: &[Exhibit] = &[
+    equations::EXHIBIT,
+    continuity::EXHIBIT,
+    media::EXHIBIT,
+    interface::EXHIBIT,
+    surface_current::EXHIBIT,
+    grid::EXHIBIT,
+    agreement::EXHIBIT,
+    conduction::EXHIBIT,
+    left_out::EXHIBIT,
+];

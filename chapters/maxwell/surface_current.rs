@@ -4,7 +4,9 @@ use super::interface::{HEIGHT, turn_across};
 use super::symbols::{D_1, D_2, H_1, H_2, K_S, NORMAL, RHO_S, Z_0};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Kind, Parameter, Setting};
-use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step, fitted_order};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, fitted_order, statement, step,
+};
 use equation::derivation::Chain;
 use equation::expr::{cross, dot, vector};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -23,61 +25,50 @@ const SHEET: Parameter = Parameter {
     kind: Kind::Number { min: 1e-6, max: 1e12, unit: "Ω" },
 };
 
-pub(super) const STEP: Step = Step {
-    id: "surface_current",
-    title: "Charge and current between",
-    says: "Where the interface itself holds charge or carries current, the normal D and the tangential H jump by just that much.",
-    rows: &["C1"],
-    parameters: &[SHEET],
-    statements: &[
-        Statement {
-            id: "charged",
-            says: "charge on the interface is where electric flux begins",
-            rows: &["C1"],
-            equation: || Equation::new(dot(NORMAL, D_2 - D_1), RHO_S),
-        },
-        Statement {
-            id: "carrying",
-            says: "current in the interface turns the magnetic field",
-            rows: &["C1"],
-            equation: || Equation::new(cross(NORMAL, H_2 - H_1), K_S),
-        },
-        Statement {
-            id: "reflection",
-            says: "what a sheet with K = GE throws back at normal incidence",
-            rows: &["C1"],
-            equation: || Equation::new(R, reflected(1)),
-        },
-    ],
-    derivations: &[
-        Derivation {
-            id: "loops_with_current",
-            says: "the loops of E4 made narrow around a current that stays in them, however narrow they are",
-            rows: &["C1"],
-            chain: || loops().then(Equation::new(cross(NORMAL, H_2 - H_1), K_S), ["h → 0"]),
-            spoiled: || loops().then(Equation::new(cross(NORMAL, H_2 - H_1), 0), ["h → 0"]),
-            slip: "E4 as written: no current",
-        },
-        Derivation {
-            id: "sheet_from_jump",
-            says: "E runs on, H jumps by the current GE: two equations for two waves",
-            rows: &["C1"],
-            chain: || sheet(reflected(1)),
-            spoiled: || sheet(reflected(-1)),
-            slip: "the current gives energy instead of taking it",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[THIN_FILM, JUMP],
-    stress: &[],
-    races: &[],
-    figures: &[Figure {
-        id: "sheet",
-        says: "A sheet takes most, one half, where its resistance is half that of the vacuum; graphene takes πα.",
-        rows: &["C1"],
-        plot: powers,
-    }],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "surface_current",
+    &[SHEET],
+    &[figure(
+        "sheet",
+        "A sheet takes most, one half, where its resistance is half that of the vacuum; \
+         graphene takes πα.",
+        powers,
+    )],
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Charge and current between",
+    "Where the interface itself holds charge or carries current, the normal D and the \
+     tangential H jump by just that much.",
+)
+.rows(&["C1"])
+.statements(&[
+    statement("charged", "charge on the interface is where electric flux begins", || {
+        Equation::new(dot(NORMAL, D_2 - D_1), RHO_S)
+    }),
+    statement("carrying", "current in the interface turns the magnetic field", || {
+        Equation::new(cross(NORMAL, H_2 - H_1), K_S)
+    }),
+    statement("reflection", "what a sheet with K = GE throws back at normal incidence", || {
+        Equation::new(R, reflected(1))
+    }),
+])
+.derivations(&[
+    derivation(
+        "loops_with_current",
+        "the loops of E4 made narrow around a current that stays in them, however narrow \
+         they are",
+        || loops().then(Equation::new(cross(NORMAL, H_2 - H_1), K_S), ["h → 0"]),
+    )
+    .slip("E4 as written: no current", || loops().then(Equation::new(cross(NORMAL, H_2 - H_1), 0), ["h → 0"])),
+    derivation("sheet_from_jump", "E runs on, H jumps by the current GE: two equations for two waves", || {
+        sheet(reflected(1))
+    })
+    .slip("the current gives energy instead of taking it", || sheet(reflected(-1))),
+])
+.readout(readout)
+.checks(&[&THIN_FILM, &JUMP]);
 
 const SHORT_H: Symbol = Symbol::scalar("H_s", Dimension::AMPERE_PER_METRE);
 const THROUGH: Symbol = Symbol::scalar("j", Dimension::AMPERE_PER_SQUARE_METRE);
@@ -138,23 +129,21 @@ fn film(thickness: f64, conductance: f64, wavelength: f64) -> Layer {
     Layer { index: Complex64::new(1.0, loss).sqrt(), thickness }
 }
 
-const THIN_FILM: Check = Check {
-    id: "thin_film",
-    claim: "a film with E4 at both faces becomes a sheet with current as it gets thinner at the same conductance, with the first power of its thickness",
-    rows: &["C1"],
-    route: "the film solver of chapter fresnel, whose interfaces are bare, s and p at 0.6 rad between air and glass",
-    bound: Bound::Order {
-        order: 1.0,
-        tolerance: 0.05,
-        why: "what a film adds to its current is in proportion to its thickness",
-    },
-    measure: |_| thinner(1.0),
-    spoiled: |_| thinner(0.98),
-    slip: "a sheet of 2 % less conductance",
-};
+const THIN_FILM: Check<f64> = check(
+    "thin_film",
+    "a film with E4 at both faces becomes a sheet with current as it gets thinner at \
+     the same conductance, with the first power of its thickness",
+)
+.against(
+    "the film solver of chapter fresnel, whose interfaces are bare, s and p at 0.6 rad \
+     between air and glass",
+)
+.order(1.0, 0.05, "what a film adds to its current is in proportion to its thickness")
+.of(thinner, 1.0)
+.slip("a sheet of 2 % less conductance", 0.98);
 
 /// The order in the thickness with which a film approaches the sheet of `share` times its conductance, the worst case.
-fn thinner(share: f64) -> Measured {
+fn thinner(_: &mut Bench, share: f64) -> Measured {
     let (incidence, n_t, wavelength) = (Incidence::from_angle(0.6), Complex64::new(1.5, 0.0), 1e-2);
     let cases = [Polarisation::S, Polarisation::P].into_iter().flat_map(|p| [1e-4, 2e-3, 2e-2].map(|g| (p, g)));
     let orders: Vec<(f64, String)> = cases
@@ -178,19 +167,15 @@ fn thinner(share: f64) -> Measured {
     Measured { value: worst.0, at: worst.1.clone(), cases }
 }
 
-const JUMP: Check = Check {
-    id: "jump",
-    claim: "the step of H is the current, and what the current takes is what R and T leave",
-    rows: &["C1"],
-    route: "fields on both sides from r alone; energy from ½ Re(K E*)",
-    bound: Bound::AtMost { limit: 16.0, unit: "ε", why: "a handful of roundings, relative to the largest field" },
-    measure: |_| jump(1.0),
-    spoiled: |_| jump(0.0),
-    slip: "E4 as written: H runs on",
-};
+const JUMP: Check<f64> =
+    check("jump", "the step of H is the current, and what the current takes is what R and T leave")
+        .against("fields on both sides from r alone; energy from ½ Re(K E*)")
+        .within(16.0, "ε", "a handful of roundings, relative to the largest field")
+        .of(jump, 1.0)
+        .slip("E4 as written: H runs on", 0.0);
 
 /// In ε: |H₁ − H₂ − share·K| over the largest of them, and R + T + A − 1, at normal incidence.
-fn jump(share: f64) -> Measured {
+fn jump(_: &mut Bench, share: f64) -> Measured {
     let media = [(1.0, Complex64::new(1.0, 0.0)), (1.0, Complex64::new(1.5, 0.0)), (1.5, Complex64::new(0.2, 3.4))];
     let cases = media.into_iter().flat_map(|media| [1e-6, 6e-5, 2.65e-3, 1.0, 1e4].map(|g| (media, g)));
     Measured::worst(cases.flat_map(|((n_i, n_t), conductance)| {

@@ -1,43 +1,41 @@
 //! C2: how many cells the grid steps in a second.
 
-use crate::vocabulary::{Expects, Heat, Lane, Race, rms};
+use crate::vocabulary::{Expects, Heat, Race, lane, race, rms};
 use light::em::line::{Ends, Line, Setup as LineSetup};
 use light::em::plane::{self, Plane, Region};
 use light::em::{Medium, Pulse, Refusal, Stepping, Wall};
 use std::f64::consts::{PI, TAU};
 
-pub(super) const THROUGHPUT: Race = Race {
-    id: "throughput",
-    claim: "steps of the grid on one core, and on all: 1 ns is 1000 million cell-steps a second",
-    rows: &["C2"],
-    work: "cell-steps",
-    error: "|ΔE| of a standing wave",
-    reference: "the wave at the speed that the grid gives it, at one node; with glass and metal: everything in every cell, one step at a time",
-    lanes: &[
-        Lane::once("line_small", "line of 10⁴ cells", &[10_000_000, 100_000_000], ROUNDED, |_, n| on_line(10_000, n)),
-        Lane::once("line_large", "line of 10⁶ cells", &[64_000_000, 128_000_000], ROUNDED, |_, n| {
-            on_line(1_000_000, n)
-        }),
-        Lane::once("plane_small", "plane of 300²", &[9_000_000, 90_000_000], ROUNDED, |_, n| {
-            on_plane(300, Plane::run_serial, n)
-        }),
-        Lane::once("plane_middle", "plane of 1000²", &[16_000_000, 64_000_000], ROUNDED, |_, n| {
-            on_plane(1000, Plane::run_serial, n)
-        }),
-        Lane::once("plane_large", "plane of 3000²", &[36_000_000, 144_000_000], ROUNDED, |_, n| {
-            on_plane(3000, Plane::run_serial, n)
-        }),
-        Lane::once("plane_unblocked", "the same, one step at a time", &[36_000_000, 144_000_000], ROUNDED, |_, n| {
-            on_plane(3000, step_by_step, n)
-        }),
-        Lane::once("plane_full", "1000² with glass, metal, absorbers", &[16_000_000, 64_000_000], SAME, |_, n| {
-            in_full(n)
-        }),
-        Lane::once("plane_parallel", "3000² on all cores", &[36_000_000, 144_000_000], ROUNDED, |_, n| {
-            on_plane(3000, Plane::run, n)
-        }),
-    ],
-};
+pub(super) const THROUGHPUT: Race = race(
+    "throughput",
+    "steps of the grid on one core, and on all: 1 ns is 1000 million cell-steps a \
+     second",
+)
+.rows(&["C2"])
+.work("cell-steps")
+.error(
+    "|ΔE| of a standing wave",
+    "the wave at the speed that the grid gives it, at one node; with glass and metal: \
+     everything in every cell, one step at a time",
+)
+.lanes(&[
+    lane("line_small", "line of 10⁴ cells", &[10_000_000, 100_000_000], |_, n| on_line(10_000, n)).expects(ROUNDED),
+    lane("line_large", "line of 10⁶ cells", &[64_000_000, 128_000_000], |_, n| on_line(1_000_000, n)).expects(ROUNDED),
+    lane("plane_small", "plane of 300²", &[9_000_000, 90_000_000], |_, n| on_plane(300, Plane::run_serial, n))
+        .expects(ROUNDED),
+    lane("plane_middle", "plane of 1000²", &[16_000_000, 64_000_000], |_, n| on_plane(1000, Plane::run_serial, n))
+        .expects(ROUNDED),
+    lane("plane_large", "plane of 3000²", &[36_000_000, 144_000_000], |_, n| on_plane(3000, Plane::run_serial, n))
+        .expects(ROUNDED),
+    lane("plane_unblocked", "the same, one step at a time", &[36_000_000, 144_000_000], |_, n| {
+        on_plane(3000, step_by_step, n)
+    })
+    .expects(ROUNDED),
+    lane("plane_full", "1000² with glass, metal, absorbers", &[16_000_000, 64_000_000], |_, n| in_full(n))
+        .expects(SAME),
+    lane("plane_parallel", "3000² on all cores", &[36_000_000, 144_000_000], |_, n| on_plane(3000, Plane::run, n))
+        .expects(ROUNDED),
+]);
 
 const SAME: Expects = Expects::Within { limit: 0.0, why: "the same operations on the same numbers" };
 pub(super) const ROUNDED: Expects = Expects::Within { limit: 1e-11, why: "two roundings a step" };

@@ -7,7 +7,10 @@ use super::{described, quantity, wave};
 use crate::figure::{Axis, Chart, Dash, Hue, Mark, Plot};
 use crate::setting::{Conductor, FREQUENCY, MEDIUM, Setting};
 use crate::symbols::{AMPLITUDE, B, DELTA, E, EPSILON, H, J, K, K_VECTOR, MU, OMEGA, SIGMA, T, Z, Z_C};
-use crate::vocabulary::{Bound, Check, Derivation, Extreme, Figure, Measured, Quantity, Statement, Step, Stress};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+    stress,
+};
 use equation::derivation::Chain;
 use equation::expr::{curl, divergence, dot, exp, i, laplacian, partial, pi, ratio, sqrt, tan, vector};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -25,126 +28,85 @@ const PHI: Symbol = Symbol::scalar("phi", Dimension::ONE).real(0.1, 0.7);
 /// A wave number that may be complex.
 const K_C: Symbol = Symbol::scalar("k", Dimension::RADIAN_PER_METRE).within(0.5, 2.0);
 
-pub(super) const STEP: Step = Step {
-    id: "conductor",
-    title: "Where there is a current",
-    says: "A current makes k and Z complex: the wave decays as it runs, and H lags E, by up to an eighth of a period where ε > 0 and σ are real (metals in light are not such).",
-    rows: &["E18"],
-    parameters: &[MEDIUM, FREQUENCY],
-    statements: &[
-        Statement {
-            id: "wave_number",
-            says: "the square of the complex wave number",
-            rows: &["E18"],
-            equation: || Equation::new(K.pow(2), EPSILON * MU * OMEGA.pow(2) + i() * MU * SIGMA * OMEGA),
-        },
-        Statement {
-            id: "impedance",
-            says: "the complex impedance, E over H",
-            rows: &["E18"],
-            equation: || Equation::new(Z_C, OMEGA * MU / K),
-        },
-        Statement {
-            id: "lag",
-            says: "twice the angle by which H lags E",
-            rows: &["E18"],
-            equation: || Equation::new(tan(2 * PHI), SIGMA / (OMEGA * EPSILON)),
-        },
-        Statement {
-            id: "skin_depth",
-            says: "the depth at which the field has fallen to 1/e, in a good conductor",
-            rows: &["E18"],
-            equation: || Equation::approximate(DELTA, sqrt(2 / (OMEGA * MU * SIGMA))),
-        },
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "conductor",
+    &[MEDIUM, FREQUENCY],
+    &[
+        figure("perspective", "E and B of a wave that decays, in perspective: B trails behind E.", perspective),
+        figure(
+            "decay",
+            "E and H against depth at one instant, between their envelopes, and S, whose \
+             envelope falls twice as fast.",
+            decay,
+        ),
+        figure(
+            "skin_depths",
+            "Skin depth against frequency over fifteen decades, as far as each medium was \
+             measured; metals appear again as light meets them.",
+            skin_depths,
+        ),
+        figure(
+            "lags",
+            "By how much H lags E, and how much of the field is lost over a wavelength, \
+             against σ/(ωε).",
+            lags,
+        ),
     ],
-    derivations: &[
-        Derivation {
-            id: "telegraph",
-            says: "Ampère's law with J = σE, and the curl of Faraday's",
-            rows: &["E18"],
-            chain: || telegraph(MU * SIGMA * partial(E, T)),
-            spoiled: || telegraph(-(MU * SIGMA * partial(E, T))),
-            slip: "the current that the field drives is taken for one that drives the field",
-        },
-        Derivation {
-            id: "dispersion",
-            says: "a wave e^{i(k·r − ωt)} in that equation",
-            rows: &["E18"],
-            chain: || dispersion(i() * MU * SIGMA * OMEGA),
-            spoiled: || dispersion(-(i() * MU * SIGMA * OMEGA)),
-            slip: "the sign that belongs to e^{+iωt}: the wave would grow",
-        },
-        Derivation {
-            id: "all_four",
-            says: "with that k the wave obeys all four equations, whatever the direction",
-            rows: &["E18"],
-            chain: || solves_maxwell(Some(SIGMA), EPSILON * MU * partial(E, T)),
-            spoiled: || solves_maxwell(Some(SIGMA), -(EPSILON * MU * partial(E, T))),
-            slip: "the displacement current runs backwards",
-        },
-        Derivation {
-            id: "ohms",
-            says: "Faraday's law ties H to E",
-            rows: &["E18"],
-            chain: || ohms(OMEGA * MU / K_C),
-            spoiled: || ohms(-(OMEGA * MU / K_C)),
-            slip: "H on the other side of E: that wave runs back",
-        },
-        Derivation {
-            id: "good_conductor",
-            says: "k = (1 + i)/δ where the displacement current is nothing beside σE",
-            rows: &["E18"],
-            chain: || good_conductor(sqrt(2 / (OMEGA * MU * SIGMA))),
-            spoiled: || good_conductor(sqrt(1 / (OMEGA * MU * SIGMA))),
-            slip: "the two under the root is lost",
-        },
-        Derivation {
-            id: "eighth_of_a_period",
-            says: "and there H lags E by 45°",
-            rows: &["E18"],
-            chain: || eighth_of_a_period(ratio(1, 4)),
-            spoiled: || eighth_of_a_period(ratio(1, 2)),
-            slip: "a quarter of a period, as in a coil",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[HANDBOOK, INTEGRATED],
-    stress: &[Stress {
-        id: "any_medium",
-        claim: "from the best insulator to the best conductor, 1 mHz to 1e16 Hz, every output stays within 16 ε(1+κ)",
-        rows: &["E18"],
-        textbook: "√(√(1 + τ²) ∓ 1)",
-        reference: "k = √(ω²εμ + iωμσ) in 256 bits; κ from difference quotients with a relative step of 1e−30",
-        cases: |_| families().iter().flat_map(|(name, inputs)| worst_cases(name, inputs)).collect(),
-    }],
-    races: &[],
-    figures: &[
-        Figure {
-            id: "perspective",
-            says: "E and B of a wave that decays, in perspective: B trails behind E.",
-            rows: &["E18"],
-            plot: perspective,
-        },
-        Figure {
-            id: "decay",
-            says: "E and H against depth at one instant, between their envelopes, and S, whose envelope falls twice as fast.",
-            rows: &["E18"],
-            plot: decay,
-        },
-        Figure {
-            id: "skin_depths",
-            says: "Skin depth against frequency over fifteen decades, as far as each medium was measured; metals appear again as light meets them.",
-            rows: &["E18"],
-            plot: skin_depths,
-        },
-        Figure {
-            id: "lags",
-            says: "By how much H lags E, and how much of the field is lost over a wavelength, against σ/(ωε).",
-            rows: &["E18"],
-            plot: lags,
-        },
-    ],
-};
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Where there is a current",
+    "A current makes k and Z complex: the wave decays as it runs, and H lags E, by up \
+     to an eighth of a period where ε > 0 and σ are real (metals in light are not \
+     such).",
+)
+.rows(&["E18"])
+.statements(&[
+    statement("wave_number", "the square of the complex wave number", || {
+        Equation::new(K.pow(2), EPSILON * MU * OMEGA.pow(2) + i() * MU * SIGMA * OMEGA)
+    }),
+    statement("impedance", "the complex impedance, E over H", || Equation::new(Z_C, OMEGA * MU / K)),
+    statement("lag", "twice the angle by which H lags E", || Equation::new(tan(2 * PHI), SIGMA / (OMEGA * EPSILON))),
+    statement("skin_depth", "the depth at which the field has fallen to 1/e, in a good conductor", || {
+        Equation::approximate(DELTA, sqrt(2 / (OMEGA * MU * SIGMA)))
+    }),
+])
+.derivations(&[
+    derivation("telegraph", "Ampère's law with J = σE, and the curl of Faraday's", || {
+        telegraph(MU * SIGMA * partial(E, T))
+    })
+    .slip("the current that the field drives is taken for one that drives the field", || {
+        telegraph(-(MU * SIGMA * partial(E, T)))
+    }),
+    derivation("dispersion", "a wave e^{i(k·r − ωt)} in that equation", || dispersion(i() * MU * SIGMA * OMEGA))
+        .slip("the sign that belongs to e^{+iωt}: the wave would grow", || dispersion(-(i() * MU * SIGMA * OMEGA))),
+    derivation("all_four", "with that k the wave obeys all four equations, whatever the direction", || {
+        solves_maxwell(Some(SIGMA), EPSILON * MU * partial(E, T))
+    })
+    .slip("the displacement current runs backwards", || solves_maxwell(Some(SIGMA), -(EPSILON * MU * partial(E, T)))),
+    derivation("ohms", "Faraday's law ties H to E", || ohms(OMEGA * MU / K_C))
+        .slip("H on the other side of E: that wave runs back", || ohms(-(OMEGA * MU / K_C))),
+    derivation("good_conductor", "k = (1 + i)/δ where the displacement current is nothing beside σE", || {
+        good_conductor(sqrt(2 / (OMEGA * MU * SIGMA)))
+    })
+    .slip("the two under the root is lost", || good_conductor(sqrt(1 / (OMEGA * MU * SIGMA)))),
+    derivation("eighth_of_a_period", "and there H lags E by 45°", || eighth_of_a_period(ratio(1, 4)))
+        .slip("a quarter of a period, as in a coil", || eighth_of_a_period(ratio(1, 2))),
+])
+.readout(readout)
+.checks(&[&HANDBOOK, &INTEGRATED])
+.stress(&[stress(
+    "any_medium",
+    "from the best insulator to the best conductor, 1 mHz to 1e16 Hz, every output \
+     stays within 16 ε(1+κ)",
+    |_| families().iter().flat_map(|(name, inputs)| worst_cases(name, inputs)).collect(),
+)
+.textbook("√(√(1 + τ²) ∓ 1)")
+.against(
+    "k = √(ω²εμ + iωμσ) in 256 bits; κ from difference quotients with a relative step \
+     of 1e−30",
+)]);
 
 /// Maxwell's equations with J = σE and no charges.
 fn telegraph(conduction: Expr) -> Chain {
@@ -218,18 +180,13 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     tangent.into_iter().chain(Some(depth).filter(|depth| depth.value.is_finite())).chain(rest).collect()
 }
 
-const HANDBOOK: Check = Check {
-    id: "handbook",
-    claim: "the skin depths of four metals at 10 GHz are those of the handbooks",
-    rows: &["E18"],
-    route: "Pozar, Microwave Engineering (4th ed.), example 1.2",
-    bound: Bound::AtMost { limit: 1.5e-3, unit: "1", why: "printed to three digits, from a constant that has three" },
-    measure: |_| handbook(TAU),
-    spoiled: |_| handbook(1.0),
-    slip: "f taken for ω",
-};
+const HANDBOOK: Check<f64> = check("handbook", "the skin depths of four metals at 10 GHz are those of the handbooks")
+    .against("Pozar, Microwave Engineering (4th ed.), example 1.2")
+    .within(1.5e-3, "1", "printed to three digits, from a constant that has three")
+    .of(handbook, TAU)
+    .slip("f taken for ω", 1.0);
 
-fn handbook(radians: f64) -> Measured {
+fn handbook(_: &mut Bench, radians: f64) -> Measured {
     let printed = [
         ("aluminium", 3.816e7, 8.14e-7),
         ("copper", 5.813e7, 6.60e-7),
@@ -244,22 +201,25 @@ fn handbook(radians: f64) -> Measured {
 }
 
 /// Whatever a wave is like deep inside, on the way to the surface the part that decays inwards outgrows the other.
-const INTEGRATED: Check = Check {
-    id: "integrated",
-    claim: "k and Z are those of the two curl equations, integrated from deep inside to the surface",
-    rows: &["E18"],
-    route: "dE/dz = iωμH and dH/dz = (iωε − σ)E by Runge and Kutta's fourth-order rule, from a wall at E = H",
-    bound: Bound::AtMost {
-        limit: 1e-9,
-        unit: "1",
-        why: "steps of a few thousandths of 1/|k|, over which the rule errs by |kh|⁵/120; what runs back is e^(−50)",
-    },
-    measure: |_| integrated(1.0),
-    spoiled: |_| integrated(-1.0),
-    slip: "the displacement current runs backwards",
-};
+const INTEGRATED: Check<f64> = check(
+    "integrated",
+    "k and Z are those of the two curl equations, integrated from deep inside to the \
+     surface",
+)
+.against(
+    "dE/dz = iωμH and dH/dz = (iωε − σ)E by Runge and Kutta's fourth-order rule, from \
+     a wall at E = H",
+)
+.within(
+    1e-9,
+    "1",
+    "steps of a few thousandths of 1/|k|, over which the rule errs by |kh|⁵/120; what \
+     runs back is e^(−50)",
+)
+.of(integrated, 1.0)
+.slip("the displacement current runs backwards", -1.0);
 
-fn integrated(displacement: f64) -> Measured {
+fn integrated(_: &mut Bench, displacement: f64) -> Measured {
     let tangents = [0.3, 1.0, 5.0, 100.0, 1e6, 1e12];
     Measured::worst(tangents.map(|tangent| {
         let omega = 1e9;

@@ -7,7 +7,9 @@ use super::{GREEN, VACUUM, described, quantity, wave};
 use crate::figure::Plot;
 use crate::setting::Setting;
 use crate::symbols::{AMPLITUDE, AMPLITUDE_B, E, EPSILON, K, K_VECTOR, LAMBDA, MU, OMEGA, T, V, WAVE, Z};
-use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Quantity, Statement, Step};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+};
 use equation::derivation::Chain;
 use equation::expr::{cos, dot, laplacian, pi, sqrt};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -20,75 +22,59 @@ use std::f64::consts::{PI, TAU};
 
 const WAVE_B: Symbol = Symbol::scalar("B_y", Dimension::TESLA);
 
-pub(super) const STEP: Step = Step {
-    id: "cosine",
-    title: "One frequency",
-    says: "The simplest shape is a cosine: it repeats after λ in space and after 1/f in time, and k counts radians per metre.",
-    rows: &["E14", "E19"],
-    parameters: &[VACUUM, GREEN],
-    statements: &[
-        Statement {
-            id: "electric",
-            says: "the electric field of a harmonic wave",
-            rows: &["E14"],
-            equation: || Equation::new(WAVE.at([Z.into(), T.into()]), AMPLITUDE * cos(by_wavelength())),
-        },
-        Statement {
-            id: "magnetic",
-            says: "and its magnetic field, with an amplitude of its own",
-            rows: &["E14"],
-            equation: || Equation::new(WAVE_B.at([Z.into(), T.into()]), AMPLITUDE_B * cos(by_wavelength())),
-        },
-        Statement {
-            id: "wave_number",
-            says: "the wave number",
-            rows: &["E19"],
-            equation: || Equation::new(K, OMEGA / V),
-        },
-        Statement {
-            id: "phase",
-            says: "the wave by its wave number and its frequency",
-            rows: &["E19"],
-            equation: || Equation::new(WAVE.at([Z.into(), T.into()]), AMPLITUDE * cos(K * Z - OMEGA * T)),
-        },
-    ],
-    derivations: &[
-        Derivation {
-            id: "is_a_wave",
-            says: "a cosine of z − vt is one of d'Alembert's shapes",
-            rows: &["E14"],
-            chain: || is_a_wave(1 / sqrt(EPSILON * MU)),
-            spoiled: || is_a_wave(1 / (2 * sqrt(EPSILON * MU))),
-            slip: "a speed that is not the medium's",
-        },
-        Derivation {
-            id: "radians",
-            says: "a whole turn over a wavelength, and ω/v radians per metre",
-            rows: &["E19"],
-            chain: || radians(2 * pi() * V / OMEGA),
-            spoiled: || radians(V / OMEGA),
-            slip: "ω taken for f: λ = v/ω",
-        },
-        Derivation {
-            id: "any_direction",
-            says: "a wave e^{i(k·r − ωt)} in any direction obeys the wave equation if k² = εμω²",
-            rows: &["E19"],
-            chain: || any_direction(dot(K_VECTOR, K_VECTOR)),
-            spoiled: || any_direction(-dot(K_VECTOR, K_VECTOR)),
-            slip: "∂²/∂z² taken for k², not −k²",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[NUMEROV, FRINGES],
-    stress: &[],
-    races: &[],
-    figures: &[Figure {
-        id: "perspective",
-        says: "E and B of a travelling wave in perspective, at four instants a sixth of a period apart.",
-        rows: &["E14"],
-        plot: perspective,
-    }],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "cosine",
+    &[VACUUM, GREEN],
+    &[figure(
+        "perspective",
+        "E and B of a travelling wave in perspective, at four instants a sixth of a period \
+         apart.",
+        perspective,
+    )
+    .rows(&["E14"])],
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "One frequency",
+    "The simplest shape is a cosine: it repeats after λ in space and after 1/f in \
+     time, and k counts radians per metre.",
+)
+.rows(&["E14", "E19"])
+.statements(&[
+    statement("electric", "the electric field of a harmonic wave", || {
+        Equation::new(WAVE.at([Z.into(), T.into()]), AMPLITUDE * cos(by_wavelength()))
+    })
+    .rows(&["E14"]),
+    statement("magnetic", "and its magnetic field, with an amplitude of its own", || {
+        Equation::new(WAVE_B.at([Z.into(), T.into()]), AMPLITUDE_B * cos(by_wavelength()))
+    })
+    .rows(&["E14"]),
+    statement("wave_number", "the wave number", || Equation::new(K, OMEGA / V)).rows(&["E19"]),
+    statement("phase", "the wave by its wave number and its frequency", || {
+        Equation::new(WAVE.at([Z.into(), T.into()]), AMPLITUDE * cos(K * Z - OMEGA * T))
+    })
+    .rows(&["E19"]),
+])
+.derivations(&[
+    derivation("is_a_wave", "a cosine of z − vt is one of d'Alembert's shapes", || is_a_wave(1 / sqrt(EPSILON * MU)))
+        .rows(&["E14"])
+        .slip("a speed that is not the medium's", || is_a_wave(1 / (2 * sqrt(EPSILON * MU)))),
+    derivation("radians", "a whole turn over a wavelength, and ω/v radians per metre", || {
+        radians(2 * pi() * V / OMEGA)
+    })
+    .rows(&["E19"])
+    .slip("ω taken for f: λ = v/ω", || radians(V / OMEGA)),
+    derivation(
+        "any_direction",
+        "a wave e^{i(k·r − ωt)} in any direction obeys the wave equation if k² = εμω²",
+        || any_direction(dot(K_VECTOR, K_VECTOR)),
+    )
+    .rows(&["E19"])
+    .slip("∂²/∂z² taken for k², not −k²", || any_direction(-dot(K_VECTOR, K_VECTOR))),
+])
+.readout(readout)
+.checks(&[&NUMEROV, &FRINGES]);
 
 fn by_wavelength() -> Expr {
     2 * pi() / LAMBDA * (Z - V * T)
@@ -129,22 +115,19 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
 }
 
 /// The distance of two zeros is half a wavelength, and zeros can be found without knowing what a cosine is.
-const NUMEROV: Check = Check {
-    id: "zeros",
-    claim: "the field passes through zero every half wavelength",
-    rows: &["E14"],
-    route: "d²E/dz² = −ω²εμE integrated by Numerov's method; its zeros by interpolation",
-    bound: Bound::AtMost {
-        limit: 1e-10,
-        unit: "1",
-        why: "Numerov's phase error, (kh)⁴/480, at 1000 steps a wavelength is 3e−12; the zeros are interpolated by cubics",
-    },
-    measure: |_| zeros(|wave| wave.wavelength),
-    spoiled: |_| zeros(|wave| C / wave.frequency()),
-    slip: "the wavelength in the vacuum",
-};
+const NUMEROV: Check<fn(&Wave) -> f64> = check("zeros", "the field passes through zero every half wavelength")
+    .rows(&["E14"])
+    .against("d²E/dz² = −ω²εμE integrated by Numerov's method; its zeros by interpolation")
+    .within(
+        1e-10,
+        "1",
+        "Numerov's phase error, (kh)⁴/480, at 1000 steps a wavelength is 3e−12; the zeros \
+         are interpolated by cubics",
+    )
+    .of(zeros, |wave| wave.wavelength)
+    .slip("the wavelength in the vacuum", |wave| C / wave.frequency());
 
-fn zeros(wavelength: fn(&Wave) -> f64) -> Measured {
+fn zeros(_: &mut Bench, wavelength: fn(&Wave) -> f64) -> Measured {
     let cases = [(1.0, 1.0, 1e9), (2.25, 1.0, TAU * 545e12), (80.0, 1.0, TAU * 50.0), (1.0, 100.0, 1e-3)];
     Measured::worst(cases.map(|(epsilon_r, mu_r, omega)| {
         let medium = Medium::relative(epsilon_r, mu_r, 0.0).expect("a clear medium");
@@ -180,18 +163,15 @@ fn numerov_zeros(q: f64, count: usize) -> Vec<f64> {
     zeros
 }
 
-const FRINGES: Check = Check {
-    id: "half_wave",
-    claim: "a film grown by π/k reflects as if nothing had been added",
-    rows: &["E19"],
-    route: "the film formulas of the chapter `fresnel`, which count in vacuum wavelengths",
-    bound: Bound::AtMost { limit: 1e-13, unit: "1", why: "a phase of up to 10π, rounded, and a reflectance below ½" },
-    measure: |_| fringes(|wave| wave.k.re),
-    spoiled: |_| fringes(|wave| wave.omega / C),
-    slip: "the wave number of the vacuum",
-};
+const FRINGES: Check<fn(&Wave) -> f64> =
+    check("half_wave", "a film grown by π/k reflects as if nothing had been added")
+        .rows(&["E19"])
+        .against("the film formulas of the chapter `fresnel`, which count in vacuum wavelengths")
+        .within(1e-13, "1", "a phase of up to 10π, rounded, and a reflectance below ½")
+        .of(fringes, |wave| wave.k.re)
+        .slip("the wave number of the vacuum", |wave| wave.omega / C);
 
-fn fringes(wave_number: fn(&Wave) -> f64) -> Measured {
+fn fringes(_: &mut Bench, wave_number: fn(&Wave) -> f64) -> Measured {
     let indices = [1.2, 1.38, 2.4, 4.0];
     Measured::worst(indices.into_iter().flat_map(|n: f64| {
         let lambda = 550e-9;

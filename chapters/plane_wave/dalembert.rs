@@ -5,7 +5,9 @@ use super::wave_equation::twice;
 use crate::figure::{Axis, Chart, Hue, Map, Plot, Ramp};
 use crate::setting::Setting;
 use crate::symbols::{E, EPSILON, F_1, F_2, MU, T, WAVE, Z};
-use crate::vocabulary::{Bound, Check, Derivation, Figure, Measured, Statement, Step, fitted_order};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Measured, Step, check, derivation, exhibit, figure, fitted_order, statement, step,
+};
 use equation::derivation::Chain;
 use equation::expr::{laplacian, sqrt, vector};
 use equation::{Equation, Expr};
@@ -13,58 +15,51 @@ use light::em::line::{Ends, Line, Setup};
 use light::em::wave::{Problem, Scheme};
 use light::em::{Stepping, Z_0};
 
-pub(super) const STEP: Step = Step {
-    id: "dalembert",
-    title: "Two shapes, running apart",
-    says: "In one dimension every solution is one shape that runs to the right and one that runs to the left.",
-    rows: &["E9", "E10"],
-    parameters: &[],
-    statements: &[
-        Statement {
-            id: "one_dimension",
-            says: "the wave equation of a field that depends on z and t alone",
-            rows: &["E9"],
-            equation: || Equation::new(operator(&WAVE.at([Z.into(), T.into()]), EPSILON * MU), 0),
-        },
-        Statement {
-            id: "solution",
-            says: "d'Alembert's solution, for any two shapes that have two derivatives",
-            rows: &["E10"],
-            equation: || Equation::new(WAVE.at([Z.into(), T.into()]), running_apart()),
-        },
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "dalembert",
+    &[],
+    &[
+        figure(
+            "space_time",
+            "Two pulses in space and time: each keeps its shape and its slope, and where they meet they add.",
+            space_time,
+        )
+        .rows(&["E10"]),
+        figure("strip", "The same two pulses at six instants.", strip).rows(&["E10"]),
     ],
-    derivations: &[
-        Derivation {
-            id: "reduction",
-            says: "the wave equation of a field along x that is the same for all x and y",
-            rows: &["E9"],
-            chain: || reduction(EPSILON * MU),
-            spoiled: || reduction(-(EPSILON * MU)),
-            slip: "the sign of Laplace's equation",
-        },
-        Derivation {
-            id: "chain_rule",
-            says: "each shape brings the same factor twice: (±1/√(εμ))²",
-            rows: &["E10"],
-            chain: || chain_rule(running_apart()),
-            spoiled: || chain_rule(F_1.at([Z - T / sqrt(EPSILON * MU)]) + F_2.at([Z + 2 * T / sqrt(EPSILON * MU)])),
-            slip: "the second shape runs at twice the speed",
-        },
-    ],
-    readout: None,
-    checks: &[DIFFERENCES, ONE_CELL_A_STEP],
-    stress: &[],
-    races: &[],
-    figures: &[
-        Figure {
-            id: "space_time",
-            says: "Two pulses in space and time: each keeps its shape and its slope, and where they meet they add.",
-            rows: &["E10"],
-            plot: space_time,
-        },
-        Figure { id: "strip", says: "The same two pulses at six instants.", rows: &["E10"], plot: strip },
-    ],
-};
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Two shapes, running apart",
+    "In one dimension every solution is one shape that runs to the right and one that runs to the left.",
+)
+.rows(&["E9", "E10"])
+.statements(&[
+    statement("one_dimension", "the wave equation of a field that depends on z and t alone", || {
+        Equation::new(operator(&WAVE.at([Z.into(), T.into()]), EPSILON * MU), 0)
+    })
+    .rows(&["E9"]),
+    statement("solution", "d'Alembert's solution, for any two shapes that have two derivatives", || {
+        Equation::new(WAVE.at([Z.into(), T.into()]), running_apart())
+    })
+    .rows(&["E10"]),
+])
+.derivations(&[
+    derivation("reduction", "the wave equation of a field along x that is the same for all x and y", || {
+        reduction(EPSILON * MU)
+    })
+    .rows(&["E9"])
+    .slip("the sign of Laplace's equation", || reduction(-(EPSILON * MU))),
+    derivation("chain_rule", "each shape brings the same factor twice: (±1/√(εμ))²", || {
+        chain_rule(running_apart())
+    })
+    .rows(&["E10"])
+    .slip("the second shape runs at twice the speed", || {
+        chain_rule(F_1.at([Z - T / sqrt(EPSILON * MU)]) + F_2.at([Z + 2 * T / sqrt(EPSILON * MU)]))
+    }),
+])
+.checks(&[&DIFFERENCES, &ONE_CELL_A_STEP]);
 
 /// (∂²/∂z² − `slowness` ∂²/∂t²) f
 fn operator(f: &Expr, slowness: Expr) -> Expr {
@@ -101,22 +96,19 @@ fn square(z: f64) -> f64 {
     if (0.65..0.85).contains(&z.rem_euclid(1.0)) { 1.0 } else { 0.0 }
 }
 
-const DIFFERENCES: Check = Check {
-    id: "differences",
-    claim: "the one-dimensional equation, solved in small steps, gives d'Alembert's pulse",
-    rows: &["E9"],
-    route: "the solver of chapter maxwell at half a cell a step, on finer and finer grids",
-    bound: Bound::Order {
-        order: 2.0,
-        tolerance: 0.1,
-        why: "its differences err by the square of their step; the next order still shows on the coarsest of the grids",
-    },
-    measure: |_| convergence(1.0),
-    spoiled: |_| convergence(0.99),
-    slip: "a shape that runs one per cent too slowly",
-};
+const DIFFERENCES: Check<f64> =
+    check("differences", "the one-dimensional equation, solved in small steps, gives d'Alembert's pulse")
+        .rows(&["E9"])
+        .against("the solver of chapter maxwell at half a cell a step, on finer and finer grids")
+        .order(
+            2.0,
+            0.1,
+            "its differences err by the square of their step; the next order still shows on the coarsest of the grids",
+        )
+        .of(convergence, 1.0)
+        .slip("a shape that runs one per cent too slowly", 0.99);
 
-fn convergence(speed: f64) -> Measured {
+fn convergence(_: &mut Bench, speed: f64) -> Measured {
     let cells = [320, 640, 1280];
     let problem = |distance| Problem { profile: &smooth, length: 1.0, distance };
     let points = cells.map(|cells| {
@@ -127,19 +119,16 @@ fn convergence(speed: f64) -> Measured {
     Measured { value, at: format!("{} … {} cells", cells[0], cells[2]), cases: cells.len() }
 }
 
-const ONE_CELL_A_STEP: Check = Check {
-    id: "one_cell_a_step",
-    claim: "two different shapes run through each other and come out unchanged",
-    rows: &["E10"],
-    route: "the solver of chapter maxwell at one cell a step, where its errors in z and t cancel exactly",
-    bound: Bound::AtMost { limit: 1e-12, unit: "1", why: "a thousand steps, each adding a few roundings" },
-    measure: |_| one_cell_a_step(1.0),
-    spoiled: |_| one_cell_a_step(-1.0),
-    slip: "both shapes run to the right",
-};
+const ONE_CELL_A_STEP: Check<f64> =
+    check("one_cell_a_step", "two different shapes run through each other and come out unchanged")
+        .rows(&["E10"])
+        .against("the solver of chapter maxwell at one cell a step, where its errors in z and t cancel exactly")
+        .within(1e-12, "1", "a thousand steps, each adding a few roundings")
+        .of(one_cell_a_step, 1.0)
+        .slip("both shapes run to the right", -1.0);
 
 /// Largest difference of the solver from both shapes, the second of which is expected to run `backwards`.
-fn one_cell_a_step(backwards: f64) -> Measured {
+fn one_cell_a_step(_: &mut Bench, backwards: f64) -> Measured {
     const CELLS: usize = 1000;
     let shapes = |z: f64, on: f64, back: f64| (smooth((z - on) / CELLS as f64), square((z + back) / CELLS as f64));
     let mut line = Line::new(Setup::vacuum(CELLS, 1.0, Ends::Periodic, Stepping::at(1.0))).expect("a stable step");

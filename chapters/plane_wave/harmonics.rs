@@ -5,7 +5,10 @@ use crate::figure::Mark;
 use crate::figure::{Axis, Chart, Hue, Plot, Shape};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::symbols::{K, OMEGA, T, WAVE, Z};
-use crate::vocabulary::{Bench, Bound, Check, Expects, Figure, Heat, Lane, Measured, Quantity, Race, Statement, Step};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Expects, Heat, Measured, Quantity, Race, Step, check, exhibit, figure, lane, race,
+    statement, step,
+};
 use equation::expr::{Range, exp, i, integral};
 use equation::{Dimension, Equation, Symbol};
 use light::waves::harmonics::Spectrum;
@@ -15,47 +18,38 @@ use yardstick::quadrature::gauss_legendre;
 /// What a wave holds of each frequency.
 const SPECTRUM: Symbol = Symbol::scalar("a", Dimension::VOLT_PER_METRE.times(Dimension::SECOND));
 
-pub(super) const STEP: Step = Step {
-    id: "harmonics",
-    title: "One frequency suffices",
-    says: "Any pulse of finite energy is a sum of cosines, each of which can be followed by itself.",
-    rows: &["E13"],
-    parameters: &[Parameter {
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "harmonics",
+    &[Parameter {
         name: "harmonics",
         symbol: "M",
         says: "how many harmonics are kept",
         default: "15",
         kind: Kind::Count { min: 1, max: 2000 },
     }],
-    statements: &[Statement {
-        id: "sum",
-        says: "the wave as a sum over frequencies, each with its own k",
-        rows: &["E13"],
-        equation: || {
-            let each = SPECTRUM.at([OMEGA.into()]) * exp(i() * (K * Z - OMEGA * T));
-            Equation::new(WAVE.at([Z.into(), T.into()]), integral(each, [OMEGA.into()], Range::Whole))
-        },
-    }],
-    derivations: &[],
-    readout: Some(readout),
-    checks: &[THROUGH_THE_SPECTRUM, PARSEVAL, GIBBS],
-    stress: &[],
-    races: &[TRUNCATED],
-    figures: &[
-        Figure {
-            id: "partial_sums",
-            says: "Partial sums of a square pulse: the horns at the edges get narrower with more harmonics, but not lower.",
-            rows: &["E13"],
-            plot: gibbs,
-        },
-        Figure {
-            id: "spectra",
-            says: "How much of each harmonic a smooth and a square pulse hold.",
-            rows: &["E13"],
-            plot: spectra,
-        },
+    &[
+        figure(
+            "partial_sums",
+            "Partial sums of a square pulse: the horns at the edges get narrower with more harmonics, but not lower.",
+            gibbs,
+        ),
+        figure("spectra", "How much of each harmonic a smooth and a square pulse hold.", spectra),
     ],
-};
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "One frequency suffices",
+    "Any pulse of finite energy is a sum of cosines, each of which can be followed by itself.",
+)
+.rows(&["E13"])
+.statements(&[statement("sum", "the wave as a sum over frequencies, each with its own k", || {
+    let each = SPECTRUM.at([OMEGA.into()]) * exp(i() * (K * Z - OMEGA * T));
+    Equation::new(WAVE.at([Z.into(), T.into()]), integral(each, [OMEGA.into()], Range::Whole))
+})])
+.readout(readout)
+.checks(&[&THROUGH_THE_SPECTRUM, &PARSEVAL, &GIBBS])
+.races(&[TRUNCATED]);
 
 /// The period [m] that holds a pulse; its harmonics are those of a string of that length.
 const PERIOD: f64 = 1.0;
@@ -98,22 +92,14 @@ fn smooth_series(harmonics: usize) -> Spectrum {
     Spectrum::of_gaussian(SMOOTH, PERIOD, harmonics).expect("a width within the period")
 }
 
-const THROUGH_THE_SPECTRUM: Check = Check {
-    id: "through_the_spectrum",
-    claim: "a pulse taken apart into harmonics, moved and put together again is d'Alembert's",
-    rows: &["E13"],
-    route: "d'Alembert: the shape evaluated at z − vt",
-    bound: Bound::AtMost {
-        limit: 1e-13,
-        unit: "1",
-        why: "two transforms of 256 samples, each right to a few ε times the logarithm of their number",
-    },
-    measure: |_| through_the_spectrum(1.0),
-    spoiled: |_| through_the_spectrum(-1.0),
-    slip: "e^{+ik vt} for e^{−ik vt}: the pulse runs the other way",
-};
+const THROUGH_THE_SPECTRUM: Check<f64> =
+    check("through_the_spectrum", "a pulse taken apart into harmonics, moved and put together again is d'Alembert's")
+        .against("d'Alembert: the shape evaluated at z − vt")
+        .within(1e-13, "1", "two transforms of 256 samples, each right to a few ε times the logarithm of their number")
+        .of(through_the_spectrum, 1.0)
+        .slip("e^{+ik vt} for e^{−ik vt}: the pulse runs the other way", -1.0);
 
-fn through_the_spectrum(sense: f64) -> Measured {
+fn through_the_spectrum(_: &mut Bench, sense: f64) -> Measured {
     let places = 256;
     let spectrum = Spectrum::of(smooth, PERIOD, places).expect("finite samples");
     let ways = [0.0, 1e-3, 0.123, 0.5, 0.77, 3.3, 1000.25];
@@ -125,20 +111,11 @@ fn through_the_spectrum(sense: f64) -> Measured {
     }))
 }
 
-const PARSEVAL: Check = Check {
-    id: "parseval",
-    claim: "the harmonics hold the energy of the pulse, no more and no less",
-    rows: &["E13"],
-    route: "the mean of E² over the samples, without any transform",
-    bound: Bound::AtMost {
-        limit: 32.0,
-        unit: "ε",
-        why: "sums of up to 1025 squares, and transforms whose errors average out",
-    },
-    measure: |bench| parseval(bench, 1.0),
-    spoiled: |bench| parseval(bench, 0.5),
-    slip: "the harmonics of negative frequency forgotten",
-};
+const PARSEVAL: Check<f64> = check("parseval", "the harmonics hold the energy of the pulse, no more and no less")
+    .against("the mean of E² over the samples, without any transform")
+    .within(32.0, "ε", "sums of up to 1025 squares, and transforms whose errors average out")
+    .of(parseval, 1.0)
+    .slip("the harmonics of negative frequency forgotten", 0.5);
 
 fn parseval(bench: &mut Bench, share: f64) -> Measured {
     let counts = [3, 65, 257, 1025];
@@ -160,18 +137,14 @@ fn parseval(bench: &mut Bench, share: f64) -> Measured {
     }))
 }
 
-const GIBBS: Check = Check {
-    id: "gibbs",
-    claim: "however many harmonics there are, they overshoot an edge by 8.95 % of its height",
-    rows: &["E13"],
-    route: "Wilbraham's integral Si(π)/π − ½ by Gauss's rule; the program sums the series",
-    bound: Bound::AtMost { limit: 2e-4, unit: "1", why: "the first correction falls as 1/M², and the least M is 127" },
-    measure: |_| overshoot(PI),
-    spoiled: |_| overshoot(PI / 2.0),
-    slip: "a horn half as wide",
-};
+const GIBBS: Check<f64> =
+    check("gibbs", "however many harmonics there are, they overshoot an edge by 8.95 % of its height")
+        .against("Wilbraham's integral Si(π)/π − ½ by Gauss's rule; the program sums the series")
+        .within(2e-4, "1", "the first correction falls as 1/M², and the least M is 127")
+        .of(overshoot, PI)
+        .slip("a horn half as wide", PI / 2.0);
 
-fn overshoot(upper: f64) -> Measured {
+fn overshoot(_: &mut Bench, upper: f64) -> Measured {
     let sinc: f64 = gauss_legendre(24).iter().map(|(u, weight)| weight * upper * (upper * u).sin() / (upper * u)).sum();
     let wilbraham = sinc / PI - 0.5;
     Measured::worst([127, 511, 2047].map(|harmonics| {
@@ -186,35 +159,34 @@ const PLACES: usize = 16;
 /// How far the pulses have run [m].
 const WAY: f64 = 0.37;
 
-const TRUNCATED: Race = Race {
-    id: "truncated",
-    claim: "a smooth pulse needs few harmonics and a square one never has enough; the fast transform sums them all at once",
-    rows: &["E13"],
-    work: "harmonics",
-    error: "rms error of E",
-    reference: "root mean square over sixteen places a harmonic, against d'Alembert",
-    lanes: &[
-        Lane::once("square_one_by_one", "square pulse, one by one", &[16, 32, 64, 128], HALF, |_, work| {
-            raced(square, square_series(work as usize), one_by_one)
-        }),
-        Lane::once(
-            "square_transformed",
-            "square pulse, fast transform",
-            &[16, 32, 64, 128, 256, 512],
-            HALF,
-            |_, work| raced(square, square_series(work as usize), transformed),
-        ),
-        Lane::once("smooth_one_by_one", "smooth pulse, one by one", FEW, TAIL, |_, work| {
-            raced(smooth, smooth_series(work as usize), one_by_one)
-        }),
-        Lane::once("smooth_transformed", "smooth pulse, fast transform", FEW, TAIL, |_, work| {
-            raced(smooth, smooth_series(work as usize), transformed)
-        }),
-        Lane::once("smooth_all", "smooth pulse, all that count", &[40, 80, 160, 320], ALL, |_, work| {
-            raced(smooth, smooth_series(work as usize), transformed)
-        }),
-    ],
-};
+const TRUNCATED: Race = race(
+    "truncated",
+    "a smooth pulse needs few harmonics and a square one never has enough; the fast transform sums them all at once",
+)
+.work("harmonics")
+.error("rms error of E", "root mean square over sixteen places a harmonic, against d'Alembert")
+.lanes(&[
+    lane("square_one_by_one", "square pulse, one by one", &[16, 32, 64, 128], |_, work| {
+        raced(square, square_series(work as usize), one_by_one)
+    })
+    .expects(HALF),
+    lane("square_transformed", "square pulse, fast transform", &[16, 32, 64, 128, 256, 512], |_, work| {
+        raced(square, square_series(work as usize), transformed)
+    })
+    .expects(HALF),
+    lane("smooth_one_by_one", "smooth pulse, one by one", FEW, |_, work| {
+        raced(smooth, smooth_series(work as usize), one_by_one)
+    })
+    .expects(TAIL),
+    lane("smooth_transformed", "smooth pulse, fast transform", FEW, |_, work| {
+        raced(smooth, smooth_series(work as usize), transformed)
+    })
+    .expects(TAIL),
+    lane("smooth_all", "smooth pulse, all that count", &[40, 80, 160, 320], |_, work| {
+        raced(smooth, smooth_series(work as usize), transformed)
+    })
+    .expects(ALL),
+]);
 
 /// By Parseval the error is what the harmonics left out hold together: 1/m each, 1/√M in sum.
 const HALF: Expects = Expects::Order { order: 0.5, tolerance: 0.1 };

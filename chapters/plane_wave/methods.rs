@@ -4,7 +4,9 @@ use super::rms_difference;
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::{Kind, Parameter, Setting};
 use crate::symbols::{C, T, WAVE, Z};
-use crate::vocabulary::{Bench, Expects, Figure, Heat, Lane, Quantity, Race, Statement, Step};
+use crate::vocabulary::{
+    Bench, Exhibit, Expects, Heat, Lane, Quantity, Race, Step, exhibit, figure, lane, race, statement, step,
+};
 use equation::Equation;
 use equation::expr::partial;
 use light::em::wave::{Problem, Scheme};
@@ -20,46 +22,43 @@ const CELLS: Parameter = Parameter {
     kind: Kind::Count { min: 8, max: 1024 },
 };
 
-pub(super) const STEP: Step = Step {
-    id: "methods",
-    title: "What accuracy costs",
-    says: "For a smooth wave higher order and the spectrum buy digits cheaply; for a wave with edges nothing does but the exact solution.",
-    rows: &["E10"],
-    parameters: &[CELLS],
-    statements: &[Statement {
-        id: "wave_equation",
-        says: "what all of them solve, with one number for the medium",
-        rows: &["E10"],
-        equation: || {
-            let field = || WAVE.at([Z.into(), T.into()]);
-            Equation::new(partial(partial(field(), T), T), C.pow(2) * partial(partial(field(), Z), Z))
-        },
-    }],
-    derivations: &[],
-    readout: Some(readout),
-    checks: &[],
-    stress: &[],
-    races: &[
-        Race {
-            id: "smooth_pulse",
-            claim: "a smooth pulse: fourth order overtakes second at once, and the whole spectrum needs a single step",
-            lanes: &SMOOTH,
-            ..RACE
-        },
-        Race {
-            id: "square_pulse",
-            claim: "a square pulse: every method that resolves edges by waves is slow, whatever its order",
-            lanes: &SQUARE,
-            ..RACE
-        },
-    ],
-    figures: &[Figure {
-        id: "after_a_while",
-        says: "Once round the line and a third: what four methods get wrong of the smooth pulse, and what the second-order one and the spectrum make of the square one.",
-        rows: &["E10"],
-        plot: after_a_while,
-    }],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "methods",
+    &[CELLS],
+    &[figure(
+        "after_a_while",
+        "Once round the line and a third: what four methods get wrong of the smooth pulse, \
+         and what the second-order one and the spectrum make of the square one.",
+        after_a_while,
+    )],
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "What accuracy costs",
+    "For a smooth wave higher order and the spectrum buy digits cheaply; for a wave \
+     with edges nothing does but the exact solution.",
+)
+.rows(&["E10"])
+.statements(&[statement("wave_equation", "what all of them solve, with one number for the medium", || {
+    let field = || WAVE.at([Z.into(), T.into()]);
+    Equation::new(partial(partial(field(), T), T), C.pow(2) * partial(partial(field(), Z), Z))
+})])
+.readout(readout)
+.races(&[
+    RACE.named(
+        "smooth_pulse",
+        "a smooth pulse: fourth order overtakes second at once, and the whole spectrum \
+         needs a single step",
+    )
+    .lanes(&SMOOTH),
+    RACE.named(
+        "square_pulse",
+        "a square pulse: every method that resolves edges by waves is slow, whatever its \
+         order",
+    )
+    .lanes(&SQUARE),
+]);
 
 /// How far the pulses run round a line of 1 m. On a power of two of cells the last cell is left at a third or two
 /// thirds, which are alike to a method that knows no left and right: no grid of a race is luckier than another.
@@ -97,15 +96,14 @@ fn square_at_the_end(cells: usize, parts: i64) -> Vec<f64> {
     (0..cells as i64).map(|node| if away(node).abs() < line / 5 { 1.0 } else { 0.0 }).collect()
 }
 
-const RACE: Race = Race {
-    id: "",
-    claim: "",
-    rows: &["E10"],
-    work: "cells; the steps of those that step grow with them",
-    error: "RMS error of E over the peak",
-    reference: "f(z − ct) at every node, the smooth pulse in 256 bits, the square one in whole numbers",
-    lanes: &[],
-};
+const RACE: Race = race("", "")
+    .work("cells; the steps of those that step grow with them")
+    .error(
+        "RMS error of E over the peak",
+        "f(z − ct) at every node, the smooth pulse in 256 bits, the square one in whole \
+         numbers",
+    )
+    .lanes(&[]);
 
 const COUNTS: &[u64] = &[32, 64, 128, 256, 512];
 /// The smooth pulse is resolved from 64 cells on.
@@ -118,13 +116,12 @@ const fn order(order: f64, tolerance: f64) -> Expects {
 const EXACT: Expects = Expects::Within { limit: 1e-13, why: "nothing but rounding, of the transform or of f itself" };
 
 const SMOOTH: [Lane; 5] = [
-    Lane::once("yee", "Yee: second order", RESOLVED, order(2.0, 0.2), |_, n| of_smooth(Scheme::Yee, n)),
-    Lane::once("fourth_order", "fourth order", RESOLVED, order(4.0, 0.4), |_, n| of_smooth(Scheme::FourthOrder, n)),
-    Lane::once("pseudo_spectral", "pseudo-spectral", RESOLVED, order(4.0, 0.4), |_, n| {
-        of_smooth(Scheme::PseudoSpectral, n)
-    }),
-    Lane::once("spectral", "every harmonic by itself", RESOLVED, EXACT, |_, n| of_smooth(Scheme::Spectral, n)),
-    Lane::once("dalembert", "d'Alembert", RESOLVED, EXACT, |_, n| of_smooth(Scheme::DAlembert, n)),
+    lane("yee", "Yee: second order", RESOLVED, |_, n| of_smooth(Scheme::Yee, n)).expects(order(2.0, 0.2)),
+    lane("fourth_order", "fourth order", RESOLVED, |_, n| of_smooth(Scheme::FourthOrder, n)).expects(order(4.0, 0.4)),
+    lane("pseudo_spectral", "pseudo-spectral", RESOLVED, |_, n| of_smooth(Scheme::PseudoSpectral, n))
+        .expects(order(4.0, 0.4)),
+    lane("spectral", "every harmonic by itself", RESOLVED, |_, n| of_smooth(Scheme::Spectral, n)).expects(EXACT),
+    lane("dalembert", "d'Alembert", RESOLVED, |_, n| of_smooth(Scheme::DAlembert, n)).expects(EXACT),
 ];
 
 /// A jump has half a derivative in the mean square, of which a method of order p makes the order p/(2(p + 1)) (Brenner,
@@ -147,7 +144,7 @@ const fn of_square(
     expects: Expects,
     prepare: fn(&mut Bench, u64) -> Heat,
 ) -> Lane {
-    Lane { id, label, works: COUNTS, expects, repeats: 16, prepare }
+    lane(id, label, COUNTS, prepare).repeated(16).expects(expects)
 }
 
 /// 80 % of what is stable, 0.5 for Yee's, which is exact at its limit and would tell nothing.

@@ -15,7 +15,7 @@ pub(crate) mod transverse;
 mod wave_equation;
 
 use crate::setting::{FREQUENCY, MEDIUM, Parameter, Setting};
-use crate::vocabulary::{Chapter, Quantity, rms};
+use crate::vocabulary::{Chapter, Exhibit, Quantity, rms};
 use light::waves::Wave;
 
 /// The chapter.
@@ -37,8 +37,23 @@ pub const CHAPTER: Chapter = Chapter {
         transverse::STEP,
         conductor::STEP,
     ],
+    figures: FIGURES,
     functions: functions::FUNCTIONS,
 };
+
+/// What its steps show, apart from the evidence.
+pub const FIGURES: &[Exhibit] = &[
+    source_free::EXHIBIT,
+    wave_equation::EXHIBIT,
+    dalembert::EXHIBIT,
+    methods::EXHIBIT,
+    speed::EXHIBIT,
+    one_way::EXHIBIT,
+    harmonics::EXHIBIT,
+    cosine::EXHIBIT,
+    transverse::EXHIBIT,
+    conductor::EXHIBIT,
+];
 
 /// The medium of the steps where nothing is lost.
 pub(crate) const VACUUM: Parameter = Parameter { default: "vacuum", ..MEDIUM };

@@ -1,47 +1,34 @@
 //! E12: a wave that runs one way, in both fields.
 
 use crate::symbols::{B, E, EPSILON, F_B, F_E, MU, T, V, Z};
-use crate::vocabulary::{Bound, Check, Derivation, Measured, Statement, Step};
+use crate::vocabulary::{Bench, Check, Exhibit, Measured, Step, check, derivation, exhibit, statement, step};
 use equation::derivation::Chain;
 use equation::expr::{curl, divergence, partial, vector};
 use equation::{Equation, Expr};
 use light::em::line::{Ends, Line, Setup};
 use light::em::{Medium, Stepping, Wall, Z_0};
 
-pub(super) const STEP: Step = Step {
-    id: "one_way",
-    title: "One way only",
-    says: "A wave that runs one way carries E and B of the same shape, bound to each other at every point.",
-    rows: &["E12"],
-    parameters: &[],
-    statements: &[
-        Statement {
-            id: "electric",
-            says: "the electric field of a wave that runs along z",
-            rows: &["E12"],
-            equation: || Equation::new(E, vector(F_E.at([Z - V * T]), 0, 0)),
-        },
-        Statement {
-            id: "magnetic",
-            says: "and its magnetic field",
-            rows: &["E12"],
-            equation: || Equation::new(B, vector(0, F_B.at([Z - V * T]), 0)),
-        },
-    ],
-    derivations: &[Derivation {
-        id: "solves_e5",
-        says: "E = f(z − vt) along x and B = f(z − vt)/v along y solve all four equations",
-        rows: &["E12"],
-        chain: || solves(F_E.at([Z - V * T]) / V),
-        spoiled: || solves(-(F_E.at([Z - V * T]) / V)),
-        slip: "B on the other side: that wave runs the other way",
-    }],
-    readout: None,
-    checks: &[NOTHING_TURNS_BACK],
-    stress: &[],
-    races: &[],
-    figures: &[],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit("one_way", &[], &[]);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "One way only",
+    "A wave that runs one way carries E and B of the same shape, bound to each other at every point.",
+)
+.rows(&["E12"])
+.statements(&[
+    statement("electric", "the electric field of a wave that runs along z", || {
+        Equation::new(E, vector(F_E.at([Z - V * T]), 0, 0))
+    }),
+    statement("magnetic", "and its magnetic field", || Equation::new(B, vector(0, F_B.at([Z - V * T]), 0))),
+])
+.derivations(&[derivation(
+    "solves_e5",
+    "E = f(z − vt) along x and B = f(z − vt)/v along y solve all four equations",
+    || solves(F_E.at([Z - V * T]) / V),
+)
+.slip("B on the other side: that wave runs the other way", || solves(-(F_E.at([Z - V * T]) / V)))])
+.checks(&[&NOTHING_TURNS_BACK]);
 
 fn solves(b: Expr) -> Chain {
     Chain::new(Equation::new(divergence(E), 0))
@@ -53,22 +40,14 @@ fn solves(b: Expr) -> Chain {
         .then(Equation::new(curl(E), -partial(B, T)), ["chain rule"])
 }
 
-const NOTHING_TURNS_BACK: Check = Check {
-    id: "nothing_turns_back",
-    claim: "started with B = E/v, a pulse leaves as one and sends nothing back",
-    rows: &["E12"],
-    route: "the solver of chapter maxwell at one cell a step; what runs back is ½(E − Z H)",
-    bound: Bound::AtMost {
-        limit: 1e-13,
-        unit: "1",
-        why: "three hundred steps of a few roundings each, of fields near 1",
-    },
-    measure: |_| turned_back(1.0),
-    spoiled: |_| turned_back(0.99),
-    slip: "B one per cent too small",
-};
+const NOTHING_TURNS_BACK: Check<f64> =
+    check("nothing_turns_back", "started with B = E/v, a pulse leaves as one and sends nothing back")
+        .against("the solver of chapter maxwell at one cell a step; what runs back is ½(E − Z H)")
+        .within(1e-13, "1", "three hundred steps of a few roundings each, of fields near 1")
+        .of(turned_back, 1.0)
+        .slip("B one per cent too small", 0.99);
 
-fn turned_back(share: f64) -> Measured {
+fn turned_back(_: &mut Bench, share: f64) -> Measured {
     let media = [(1.0, 1.0), (2.25, 1.0), (1.0, 4.0), (1e-6, 1e-6), (80.0, 1e3)];
     Measured::worst(media.map(|(eps_r, mu_r): (f64, f64)| {
         const CELLS: usize = 600;

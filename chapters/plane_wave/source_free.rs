@@ -2,7 +2,7 @@
 
 use super::fields::{Patch, Plane, crowd, outflows, over_time};
 use crate::symbols::{B, D, E, EPSILON, H, J, MU, RHO, T};
-use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Statement, Step};
+use crate::vocabulary::{Bench, Check, Exhibit, Measured, Step, check, derivation, exhibit, statement, step};
 use equation::derivation::Chain;
 use equation::expr::{curl, divergence, partial};
 use equation::{Equation, Expr, Symbol};
@@ -12,62 +12,35 @@ use light::waves::constants::C;
 use std::f64::consts::TAU;
 use yardstick::random::uniform;
 
-pub(super) const STEP: Step = Step {
-    id: "source_free",
-    title: "Nothing but a medium",
-    says: "Without charges and currents four equations in two fields are left, and each field feeds the other.",
-    rows: &["E5"],
-    parameters: &[],
-    statements: &[
-        Statement {
-            id: "no_charge",
-            says: "no electric field line begins or ends",
-            rows: &["E5"],
-            equation: || Equation::new(divergence(E), 0),
-        },
-        Statement {
-            id: "no_pole",
-            says: "and no magnetic one, ever",
-            rows: &["E5"],
-            equation: || Equation::new(divergence(B), 0),
-        },
-        Statement {
-            id: "faraday",
-            says: "a changing magnetic field winds an electric one round itself",
-            rows: &["E5"],
-            equation: || Equation::new(curl(E), -partial(B, T)),
-        },
-        Statement {
-            id: "ampere",
-            says: "a changing electric field winds a magnetic one round itself",
-            rows: &["E5"],
-            equation: || Equation::new(curl(B), EPSILON * MU * partial(E, T)),
-        },
-    ],
-    derivations: &[
-        Derivation {
-            id: "gauss",
-            says: "∇·D = ρ in a uniform medium without charges",
-            rows: &["E5"],
-            chain: || gauss(EPSILON),
-            spoiled: || gauss(EPSILON.field()),
-            slip: "∇·D = ε ∇·E also where ε changes from place to place",
-        },
-        Derivation {
-            id: "displacement",
-            says: "∇×H = J + ∂D/∂t in a uniform medium without currents",
-            rows: &["E5"],
-            chain: || displacement(EPSILON * MU * partial(E, T)),
-            spoiled: || displacement(-(EPSILON * MU * partial(E, T))),
-            slip: "the displacement current runs backwards, as ∂B/∂t does in Faraday's law",
-        },
-    ],
-    readout: None,
-    checks: &[INTEGRAL_FORM],
-    stress: &[],
-    races: &[],
-    figures: &[],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit("source_free", &[], &[]);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Nothing but a medium",
+    "Without charges and currents four equations in two fields are left, and each field feeds the other.",
+)
+.rows(&["E5"])
+.statements(&[
+    statement("no_charge", "no electric field line begins or ends", || Equation::new(divergence(E), 0)),
+    statement("no_pole", "and no magnetic one, ever", || Equation::new(divergence(B), 0)),
+    statement("faraday", "a changing magnetic field winds an electric one round itself", || {
+        Equation::new(curl(E), -partial(B, T))
+    }),
+    statement("ampere", "a changing electric field winds a magnetic one round itself", || {
+        Equation::new(curl(B), EPSILON * MU * partial(E, T))
+    }),
+])
+.derivations(&[
+    derivation("gauss", "∇·D = ρ in a uniform medium without charges", || gauss(EPSILON))
+        .slip("∇·D = ε ∇·E also where ε changes from place to place", || gauss(EPSILON.field())),
+    derivation("displacement", "∇×H = J + ∂D/∂t in a uniform medium without currents", || {
+        displacement(EPSILON * MU * partial(E, T))
+    })
+    .slip("the displacement current runs backwards, as ∂B/∂t does in Faraday's law", || {
+        displacement(-(EPSILON * MU * partial(E, T)))
+    }),
+])
+.checks(&[&INTEGRAL_FORM]);
 
 fn gauss(permittivity: Symbol) -> Chain {
     Chain::new(divergence(E))
@@ -91,20 +64,20 @@ fn displacement(last: Expr) -> Chain {
 }
 
 /// No derivative is taken: what winds round the edge of a patch is what changes inside.
-const INTEGRAL_FORM: Check = Check {
-    id: "integral_form",
-    claim: "the program's plane waves obey all four laws, twenty at once in glass",
-    rows: &["E5"],
-    route: "the laws in integral form, by Gauss's rule: flux through cubes, circulation round patches over a stretch of time",
-    bound: Bound::AtMost {
-        limit: 1e-12,
-        unit: "1",
-        why: "14 points over at most half a wavelength are exact to rounding; sums of a few thousand rounded cosines",
-    },
-    measure: |bench| integral_form(bench, |plane| plane),
-    spoiled: |bench| integral_form(bench, |plane| Plane { b: plane.b / GLASS, ..plane }),
-    slip: "|E|/|B| = c in glass too",
-};
+const INTEGRAL_FORM: Check<fn(Plane) -> Plane> = check(
+    "integral_form",
+    "the program's plane waves obey all four laws, twenty at once in glass",
+)
+.against(
+    "the laws in integral form, by Gauss's rule: flux through cubes, circulation round patches over a stretch of time",
+)
+.within(
+    1e-12,
+    "1",
+    "14 points over at most half a wavelength are exact to rounding; sums of a few thousand rounded cosines",
+)
+.of(integral_form, |plane| plane)
+.slip("|E|/|B| = c in glass too", |plane| Plane { b: plane.b / GLASS, ..plane });
 
 /// Index of the glass.
 const GLASS: f64 = 1.5;

@@ -5,7 +5,7 @@ use super::one_way::at_one_cell_a_step;
 use super::{VACUUM, quantity};
 use crate::setting::{FREQUENCY, Setting};
 use crate::symbols::{A_VECTOR, AMPLITUDE, B, E, EPSILON, H, K, K_VECTOR, MU, OMEGA, R, T, V, Z, Z_C};
-use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Quantity, Statement, Step};
+use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, statement, step};
 use equation::derivation::{Chain, Claim};
 use equation::expr::{abs, cos, cross, curl, divergence, dot, exp, i, partial, sin, sqrt, vector};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -15,98 +15,58 @@ use light::waves::constants::{C, Z_0};
 use light::waves::{Medium, Wave};
 use yardstick::random::uniform;
 
-pub(super) const STEP: Step = Step {
-    id: "transverse",
-    title: "Square to each other, and in step",
-    says: "E, B and the propagation are square to one another; the ratio of the fields is the speed, or an impedance.",
-    rows: &["E15", "E16", "E17"],
-    parameters: &[VACUUM, FREQUENCY],
-    statements: &[
-        Statement {
-            id: "along",
-            says: "no part of E along the propagation",
-            rows: &["E15"],
-            equation: || Equation::new(dot(vector(0, 0, 1), E), 0),
-        },
-        Statement {
-            id: "square",
-            says: "E and B are square to each other",
-            rows: &["E15"],
-            equation: || Equation::new(dot(E, B), 0),
-        },
-        Statement {
-            id: "ratio",
-            says: "the ratio of E to B is the speed of the wave",
-            rows: &["E16"],
-            equation: || Equation::new(abs(E) / abs(B), 1 / sqrt(MU * EPSILON)),
-        },
-        Statement {
-            id: "speed",
-            says: "v, once more",
-            rows: &["E16"],
-            equation: || Equation::new(V, 1 / sqrt(MU * EPSILON)),
-        },
-        Statement {
-            id: "impedance",
-            says: "the ratio of E to H is the characteristic impedance",
-            rows: &["E17"],
-            equation: || Equation::new(Z_C, sqrt(MU / EPSILON)),
-        },
-        Statement {
-            id: "impedance_ratio",
-            says: "by which it is defined",
-            rows: &["E17"],
-            equation: || Equation::new(Z_C, abs(E) / abs(H)),
-        },
-    ],
-    derivations: &[
-        Derivation {
-            id: "no_part_along",
-            says: "a uniform wave has nothing along z, and Faraday's law turns E into B by a right angle, at the same phase",
-            rows: &["E15"],
-            chain: || square(vector(0, K / OMEGA * AMPLITUDE * cos(phase()), 0)),
-            spoiled: || square(vector(0, K / OMEGA * AMPLITUDE * sin(phase()), 0)),
-            slip: "B a quarter of a period late, as in a standing wave",
-        },
-        Derivation {
-            id: "across",
-            says: "in any direction: no charges, so nothing along k",
-            rows: &["E15"],
-            chain: || across(i() * dot(K_VECTOR, E)),
-            spoiled: || across(-(i() * dot(K_VECTOR, E))),
-            slip: "a wave e^{i(k·r − ωt)} differentiated as if it ran the other way",
-        },
-        Derivation {
-            id: "all_four",
-            says: "E across k and B = k×E/ω obey all four equations, whatever the direction",
-            rows: &["E15"],
-            chain: || solves_maxwell(None, EPSILON * MU * partial(E, T)),
-            spoiled: || solves_maxwell(None, -(EPSILON * MU * partial(E, T))),
-            slip: "the sign of Ampère's law",
-        },
-        Derivation {
-            id: "size",
-            says: "both fields have the same cosine, which cancels",
-            rows: &["E16"],
-            chain: || ratio(1 / sqrt(MU * EPSILON)),
-            spoiled: || ratio(2 / sqrt(MU * EPSILON)),
-            slip: "a factor two, as for the average of a square",
-        },
-        Derivation {
-            id: "ohms",
-            says: "the same with H = B/μ",
-            rows: &["E17"],
-            chain: || impedance(sqrt(MU / EPSILON)),
-            spoiled: || impedance(2 * sqrt(MU / EPSILON)),
-            slip: "a factor two, as for the average of a square",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[ANY_DIRECTION, SPLIT, VACUUM_IMPEDANCE, MISMATCH],
-    stress: &[],
-    races: &[],
-    figures: &[],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit("transverse", &[VACUUM, FREQUENCY], &[]);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Square to each other, and in step",
+    "E, B and the propagation are square to one another; the ratio of the fields is the speed, or an impedance.",
+)
+.rows(&["E15", "E16", "E17"])
+.statements(&[
+    statement("along", "no part of E along the propagation", || Equation::new(dot(vector(0, 0, 1), E), 0))
+        .rows(&["E15"]),
+    statement("square", "E and B are square to each other", || Equation::new(dot(E, B), 0)).rows(&["E15"]),
+    statement("ratio", "the ratio of E to B is the speed of the wave", || {
+        Equation::new(abs(E) / abs(B), 1 / sqrt(MU * EPSILON))
+    })
+    .rows(&["E16"]),
+    statement("speed", "v, once more", || Equation::new(V, 1 / sqrt(MU * EPSILON))).rows(&["E16"]),
+    statement("impedance", "the ratio of E to H is the characteristic impedance", || {
+        Equation::new(Z_C, sqrt(MU / EPSILON))
+    })
+    .rows(&["E17"]),
+    statement("impedance_ratio", "by which it is defined", || Equation::new(Z_C, abs(E) / abs(H))).rows(&["E17"]),
+])
+.derivations(&[
+    derivation(
+        "no_part_along",
+        "a uniform wave has nothing along z, and Faraday's law turns E into B by a right angle, at the same phase",
+        || square(vector(0, K / OMEGA * AMPLITUDE * cos(phase()), 0)),
+    )
+    .rows(&["E15"])
+    .slip("B a quarter of a period late, as in a standing wave", || {
+        square(vector(0, K / OMEGA * AMPLITUDE * sin(phase()), 0))
+    }),
+    derivation("across", "in any direction: no charges, so nothing along k", || across(i() * dot(K_VECTOR, E)))
+        .rows(&["E15"])
+        .slip("a wave e^{i(k·r − ωt)} differentiated as if it ran the other way", || {
+            across(-(i() * dot(K_VECTOR, E)))
+        }),
+    derivation("all_four", "E across k and B = k×E/ω obey all four equations, whatever the direction", || {
+        solves_maxwell(None, EPSILON * MU * partial(E, T))
+    })
+    .rows(&["E15"])
+    .slip("the sign of Ampère's law", || solves_maxwell(None, -(EPSILON * MU * partial(E, T)))),
+    derivation("size", "both fields have the same cosine, which cancels", || ratio(1 / sqrt(MU * EPSILON)))
+        .rows(&["E16"])
+        .slip("a factor two, as for the average of a square", || ratio(2 / sqrt(MU * EPSILON))),
+    derivation("ohms", "the same with H = B/μ", || impedance(sqrt(MU / EPSILON)))
+        .rows(&["E17"])
+        .slip("a factor two, as for the average of a square", || impedance(2 * sqrt(MU / EPSILON))),
+])
+.readout(readout)
+.checks(&[&ANY_DIRECTION, &SPLIT, &VACUUM_IMPEDANCE, &MISMATCH]);
 
 fn phase() -> Expr {
     K * Z - OMEGA * T
@@ -182,20 +142,16 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     ]
 }
 
-const ANY_DIRECTION: Check = Check {
-    id: "any_direction",
-    claim: "whatever the direction, k·E = k·B = E·B = 0 and both fields vanish together",
-    rows: &["E15"],
-    route: "the moments at which E, found by bisection, passes through zero; there B is looked at",
-    bound: Bound::AtMost {
-        limit: 64.0,
-        unit: "ε",
-        why: "cross products of unit vectors, and a phase of a few radians",
-    },
-    measure: |bench| any_direction(bench, |plane, _| plane),
-    spoiled: |bench| any_direction(bench, |plane, tilt| Plane { e: plane.e + 1e-6 * tilt, ..plane }),
-    slip: "E tilted by a millionth out of the plane across",
-};
+const ANY_DIRECTION: Check<fn(Plane, glam::DVec3) -> Plane> =
+    check("any_direction", "whatever the direction, k·E = k·B = E·B = 0 and both fields vanish together")
+        .rows(&["E15"])
+        .against("the moments at which E, found by bisection, passes through zero; there B is looked at")
+        .within(64.0, "ε", "cross products of unit vectors, and a phase of a few radians")
+        .of(any_direction, |plane, _| plane)
+        .slip("E tilted by a millionth out of the plane across", |plane, tilt| Plane {
+            e: plane.e + 1e-6 * tilt,
+            ..plane
+        });
 
 fn any_direction(bench: &mut Bench, amend: fn(Plane, glam::DVec3) -> Plane) -> Measured {
     let medium = Medium::relative(2.25, 1.3, 0.0).expect("a clear medium");
@@ -224,22 +180,15 @@ pub(super) fn zero_of(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f6
 }
 
 /// Neither speed nor impedance is put in: ε and μ are, and the grid finds out.
-const SPLIT: Check = Check {
-    id: "split_pulse",
-    claim: "a pulse of E without B splits into two halves, in each of which |E|/|B| = v",
-    rows: &["E16"],
-    route: "the solver of chapter maxwell, from a start with B = 0",
-    bound: Bound::AtMost {
-        limit: 1e-12,
-        unit: "1",
-        why: "at one cell a step the grid carries either half unchanged but for a few roundings a step",
-    },
-    measure: |_| split(|wave| wave.v_phase),
-    spoiled: |_| split(|_| C),
-    slip: "c in place of v",
-};
+const SPLIT: Check<fn(&Wave) -> f64> =
+    check("split_pulse", "a pulse of E without B splits into two halves, in each of which |E|/|B| = v")
+        .rows(&["E16"])
+        .against("the solver of chapter maxwell, from a start with B = 0")
+        .within(1e-12, "1", "at one cell a step the grid carries either half unchanged but for a few roundings a step")
+        .of(split, |wave| wave.v_phase)
+        .slip("c in place of v", |_| C);
 
-fn split(speed: fn(&Wave) -> f64) -> Measured {
+fn split(_: &mut Bench, speed: fn(&Wave) -> f64) -> Measured {
     let media = [(1.0, 1.0), (2.25, 1.0), (4.0, 2.0), (80.0, 1.0)];
     Measured::worst(media.map(|(epsilon_r, mu_r)| {
         let medium = Medium::relative(epsilon_r, mu_r, 0.0).expect("a clear medium");
@@ -253,18 +202,14 @@ fn split(speed: fn(&Wave) -> f64) -> Measured {
     }))
 }
 
-const VACUUM_IMPEDANCE: Check = Check {
-    id: "vacuum_impedance",
-    claim: "empty space has an impedance of 376.73 Ω",
-    rows: &["E17"],
-    route: "CODATA 2022: Z₀ = 376.730 313 412(59) Ω",
-    bound: Bound::AtMost { limit: 2e-10, unit: "1", why: "the uncertainty CODATA states, 1.6e−10" },
-    measure: |_| vacuum(|wave| wave.impedance.re),
-    spoiled: |_| vacuum(|_| 120.0 * std::f64::consts::PI),
-    slip: "120π Ω, with c rounded to 3e8 m/s",
-};
+const VACUUM_IMPEDANCE: Check<fn(&Wave) -> f64> = check("vacuum_impedance", "empty space has an impedance of 376.73 Ω")
+    .rows(&["E17"])
+    .against("CODATA 2022: Z₀ = 376.730 313 412(59) Ω")
+    .within(2e-10, "1", "the uncertainty CODATA states, 1.6e−10")
+    .of(vacuum, |wave| wave.impedance.re)
+    .slip("120π Ω, with c rounded to 3e8 m/s", |_| 120.0 * std::f64::consts::PI);
 
-fn vacuum(impedance: fn(&Wave) -> f64) -> Measured {
+fn vacuum(_: &mut Bench, impedance: fn(&Wave) -> f64) -> Measured {
     let frequencies = [1e-3, 1.0, 1e9, 1e16];
     Measured::worst(frequencies.map(|omega| {
         let wave = Wave::new(&Medium::VACUUM, omega).expect("a positive frequency");
@@ -272,18 +217,15 @@ fn vacuum(impedance: fn(&Wave) -> f64) -> Measured {
     }))
 }
 
-const MISMATCH: Check = Check {
-    id: "mismatch",
-    claim: "what an interface sends back is (Z₂ − Z₁)/(Z₂ + Z₁), as on a line with a wrong end",
-    rows: &["E17"],
-    route: "the Fresnel coefficient at normal incidence, which knows indices and no impedance",
-    bound: Bound::AtMost { limit: 16.0, unit: "ε", why: "a few roundings on either side, of numbers below 1" },
-    measure: |_| mismatch(|z| z),
-    spoiled: |_| mismatch(|z| Z_0 * Z_0 / z),
-    slip: "the impedances upside down",
-};
+const MISMATCH: Check<fn(Complex64) -> Complex64> =
+    check("mismatch", "what an interface sends back is (Z₂ − Z₁)/(Z₂ + Z₁), as on a line with a wrong end")
+        .rows(&["E17"])
+        .against("the Fresnel coefficient at normal incidence, which knows indices and no impedance")
+        .within(16.0, "ε", "a few roundings on either side, of numbers below 1")
+        .of(mismatch, |z| z)
+        .slip("the impedances upside down", |z| Z_0 * Z_0 / z);
 
-fn mismatch(amend: fn(Complex64) -> Complex64) -> Measured {
+fn mismatch(_: &mut Bench, amend: fn(Complex64) -> Complex64) -> Measured {
     let cases = [1.33, 1.5, 2.4, 4.0, 9.0];
     Measured::worst(cases.map(|n: f64| {
         let glass = Medium::relative(n * n, 1.0, 0.0).expect("a clear medium");

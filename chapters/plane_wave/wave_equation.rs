@@ -2,77 +2,49 @@
 
 use super::fields::{Dipole, Field, acceleration, curl as curl_of, direction, laplacian as laplacian_of, rate};
 use crate::symbols::{B, E, EPSILON, MU, T};
-use crate::vocabulary::{Bench, Bound, Check, Derivation, Measured, Statement, Step, fitted_order, rms};
+use crate::vocabulary::{
+    Bench, Bound, Check, Exhibit, Measured, Step, check, derivation, exhibit, fitted_order, rms, statement, step,
+};
 use equation::derivation::Chain;
 use equation::expr::{curl, divergence, gradient, laplacian, partial};
 use equation::{Equation, Expr, Symbol};
 use glam::DVec3;
 use yardstick::random::uniform;
 
-pub(super) const STEP: Step = Step {
-    id: "wave_equation",
-    title: "The wave equation",
-    says: "Each field drives the other; take one of them out and what is left is an equation of waves.",
-    rows: &["E6", "E7", "E8"],
-    parameters: &[],
-    statements: &[
-        Statement {
-            id: "curl_twice",
-            says: "Faraday's law, wound round once more",
-            rows: &["E6"],
-            equation: || Equation::new(curl(curl(E)), -partial(curl(B), T)),
-        },
-        Statement {
-            id: "curl_twice_e",
-            says: "and Ampère's law put in",
-            rows: &["E6"],
-            equation: || Equation::new(-partial(curl(B), T), -(EPSILON * MU * twice(E, T))),
-        },
-        Statement {
-            id: "wave_e",
-            says: "the wave equation of the electric field",
-            rows: &["E7"],
-            equation: || wave(&E, EPSILON * MU),
-        },
-        Statement {
-            id: "wave_b",
-            says: "the wave equation of the magnetic field",
-            rows: &["E8"],
-            equation: || wave(&B, EPSILON * MU),
-        },
-    ],
-    derivations: &[
-        Derivation {
-            id: "from_e5",
-            says: "the curl of Faraday's law, and Ampère's law for the curl of B",
-            rows: &["E6"],
-            chain: || curl_twice(-(EPSILON * MU * twice(E, T))),
-            spoiled: || curl_twice(EPSILON * MU * twice(E, T)),
-            slip: "the minus of Faraday's law is lost on the way",
-        },
-        Derivation {
-            id: "electric",
-            says: "∇×∇× = ∇∇· − ∇², and no charges",
-            rows: &["E7"],
-            chain: || electric(EPSILON * MU),
-            spoiled: || electric(-(EPSILON * MU)),
-            slip: "the sign of Laplace's equation in four dimensions",
-        },
-        Derivation {
-            id: "magnetic",
-            says: "the same way round for B",
-            rows: &["E8"],
-            chain: || magnetic(EPSILON * MU),
-            spoiled: || magnetic(2 * EPSILON * MU),
-            slip: "each of the two laws counted with its own εμ",
-        },
-    ],
-    readout: None,
-    checks: &[CURL_TWICE, DIPOLE_E, DIPOLE_B],
-    stress: &[],
-    races: &[],
-    figures: &[],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit("wave_equation", &[], &[]);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "The wave equation",
+    "Each field drives the other; take one of them out and what is left is an equation of waves.",
+)
+.rows(&["E6", "E7", "E8"])
+.statements(&[
+    statement("curl_twice", "Faraday's law, wound round once more", || {
+        Equation::new(curl(curl(E)), -partial(curl(B), T))
+    })
+    .rows(&["E6"]),
+    statement("curl_twice_e", "and Ampère's law put in", || {
+        Equation::new(-partial(curl(B), T), -(EPSILON * MU * twice(E, T)))
+    })
+    .rows(&["E6"]),
+    statement("wave_e", "the wave equation of the electric field", || wave(&E, EPSILON * MU)).rows(&["E7"]),
+    statement("wave_b", "the wave equation of the magnetic field", || wave(&B, EPSILON * MU)).rows(&["E8"]),
+])
+.derivations(&[
+    derivation("from_e5", "the curl of Faraday's law, and Ampère's law for the curl of B", || {
+        curl_twice(-(EPSILON * MU * twice(E, T)))
+    })
+    .rows(&["E6"])
+    .slip("the minus of Faraday's law is lost on the way", || curl_twice(EPSILON * MU * twice(E, T))),
+    derivation("electric", "∇×∇× = ∇∇· − ∇², and no charges", || electric(EPSILON * MU))
+        .rows(&["E7"])
+        .slip("the sign of Laplace's equation in four dimensions", || electric(-(EPSILON * MU))),
+    derivation("magnetic", "the same way round for B", || magnetic(EPSILON * MU))
+        .rows(&["E8"])
+        .slip("each of the two laws counted with its own εμ", || magnetic(2 * EPSILON * MU)),
+])
+.checks(&[&CURL_TWICE, &DIPOLE_E, &DIPOLE_B]);
 
 /// ∂²f/∂x²
 pub(super) fn twice(f: impl Into<Expr>, x: Symbol) -> Expr {
@@ -122,54 +94,43 @@ const SECOND_ORDER: Bound = Bound::Order {
     why: "central differences err by h²; the next term, h⁴, still shows at the widest of the four steps",
 };
 
-const CURL_TWICE: Check = Check {
-    id: "curl_twice_of_a_dipole",
-    claim: "∇×(∇×E), −∂(∇×B)/∂t and −εμ ∂²E/∂t² are one and the same in the field of a dipole",
-    rows: &["E6"],
-    route: "Jackson's dipole field (9.18), far from plane, by central differences that shrink",
-    bound: SECOND_ORDER,
-    measure: |bench| differences(bench, |dipole, place, time, h| curl_twice_residual(dipole, place, time, h, 1.0)),
-    spoiled: |bench| differences(bench, |dipole, place, time, h| curl_twice_residual(dipole, place, time, h, -1.0)),
-    slip: "the minus of Faraday's law is lost on the way",
-};
+/// What a law leaves over at a place and time, by differences of step h.
+type Residual = fn(&Dipole, DVec3, f64, f64) -> f64;
 
-const DIPOLE_E: Check = Check {
-    id: "dipole_e",
-    claim: "the electric field of a dipole obeys the wave equation, near field included",
-    rows: &["E7"],
-    route: "Jackson's dipole field (9.18), by central differences that shrink",
-    bound: SECOND_ORDER,
-    measure: |bench| {
-        differences(bench, |dipole, place, time, h| {
+const CURL_TWICE: Check<Residual> = check(
+    "curl_twice_of_a_dipole",
+    "∇×(∇×E), −∂(∇×B)/∂t and −εμ ∂²E/∂t² are one and the same in the field of a dipole",
+)
+.rows(&["E6"])
+.against("Jackson's dipole field (9.18), far from plane, by central differences that shrink")
+.bound(SECOND_ORDER)
+.of(differences, |dipole, place, time, h| curl_twice_residual(dipole, place, time, h, 1.0))
+.slip("the minus of Faraday's law is lost on the way", |dipole, place, time, h| {
+    curl_twice_residual(dipole, place, time, h, -1.0)
+});
+
+const DIPOLE_E: Check<Residual> =
+    check("dipole_e", "the electric field of a dipole obeys the wave equation, near field included")
+        .rows(&["E7"])
+        .against("Jackson's dipole field (9.18), by central differences that shrink")
+        .bound(SECOND_ORDER)
+        .of(differences, |dipole, place, time, h| {
             wave_residual(&|r, t| dipole.e(r, t), place, time, h, dipole.speed.powi(-2))
         })
-    },
-    spoiled: |bench| {
-        differences(bench, |dipole, place, time, h| {
+        .slip("1/v for 1/v²", |dipole, place, time, h| {
             wave_residual(&|r, t| dipole.e(r, t), place, time, h, dipole.speed.powi(-1))
-        })
-    },
-    slip: "1/v for 1/v²",
-};
+        });
 
-const DIPOLE_B: Check = Check {
-    id: "dipole_b",
-    claim: "so does its magnetic field",
-    rows: &["E8"],
-    route: "Jackson's dipole field (9.18), by central differences that shrink",
-    bound: SECOND_ORDER,
-    measure: |bench| {
-        differences(bench, |dipole, place, time, h| {
-            wave_residual(&|r, t| dipole.b(r, t), place, time, h, dipole.speed.powi(-2))
-        })
-    },
-    spoiled: |bench| {
-        differences(bench, |dipole, place, time, h| {
-            wave_residual(&|r, t| dipole.b(r, t), place, time, h, -dipole.speed.powi(-2))
-        })
-    },
-    slip: "the sign of Laplace's equation in four dimensions",
-};
+const DIPOLE_B: Check<Residual> = check("dipole_b", "so does its magnetic field")
+    .rows(&["E8"])
+    .against("Jackson's dipole field (9.18), by central differences that shrink")
+    .bound(SECOND_ORDER)
+    .of(differences, |dipole, place, time, h| {
+        wave_residual(&|r, t| dipole.b(r, t), place, time, h, dipole.speed.powi(-2))
+    })
+    .slip("the sign of Laplace's equation in four dimensions", |dipole, place, time, h| {
+        wave_residual(&|r, t| dipole.b(r, t), place, time, h, -dipole.speed.powi(-2))
+    });
 
 /// How fast the residual of a law falls as the differences shrink, over places about the dipole.
 fn differences(bench: &mut Bench, residual: fn(&Dipole, DVec3, f64, f64) -> f64) -> Measured {

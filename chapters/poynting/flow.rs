@@ -5,61 +5,56 @@ use crate::plane_wave::fields::Dipole;
 use crate::plane_wave::{GREEN, VACUUM, described, quantity, wave};
 use crate::setting::Setting;
 use crate::symbols::{B, E, MU, S};
-use crate::vocabulary::{Bound, Check, Figure, Measured, Statement, Step};
+use crate::vocabulary::{Bench, Check, Exhibit, Measured, Step, check, exhibit, figure, statement, step};
 use equation::Equation;
 use equation::expr::cross;
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 use yardstick::quadrature::gauss_legendre;
 
-pub(super) const STEP: Step = Step {
-    id: "flow",
-    title: "Where the energy goes",
-    says: "E × B over μ is the power that crosses a unit of area, here and now.",
-    rows: &["E20"],
-    parameters: &[VACUUM, GREEN],
-    statements: &[Statement {
-        id: "poynting",
-        says: "the instantaneous flow of energy",
-        rows: &["E20"],
-        equation: || Equation::new(S, 1 / MU * cross(E, B)),
-    }],
-    derivations: &[],
-    readout: Some(|setting| {
-        let flux = super::flux(setting);
-        vec![
-            quantity("S_now", "S(0)", "flow at z = 0 when E is at its peak of 1 V/m", flux.at(0.0), "W/m²"),
-            quantity("S_mean", "⟨S⟩", "its mean", flux.mean, "W/m²"),
-            quantity("S_swing", "ΔS", "by how much it swings about that", flux.swing, "W/m²"),
-        ]
-    }),
-    checks: &[LARMOR],
-    stress: &[],
-    races: &[],
-    figures: &[Figure {
-        id: "strip",
-        says: "E, H and S of a travelling wave at four instants: S has its peaks wherever the fields have theirs, of either sign.",
-        rows: &["E20"],
-        plot: strip,
-    }],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "flow",
+    &[VACUUM, GREEN],
+    &[figure(
+        "strip",
+        "E, H and S of a travelling wave at four instants: S has its peaks wherever the \
+         fields have theirs, of either sign.",
+        strip,
+    )],
+);
 
-const LARMOR: Check = Check {
-    id: "larmor",
-    claim: "through every sphere round an antenna the same power flows, near field or far",
-    rows: &["E20"],
-    route: "Larmor's formula p²ω⁴μ/(12πv) against ∮S·n dA of Jackson's dipole field (9.18), averaged over a period",
-    bound: Bound::AtMost {
-        limit: 1e-12,
-        unit: "1",
-        why: "sine squared over the sphere and over the period, both integrated exactly; near the dipole fields a hundred times larger cancel",
-    },
-    measure: |_| larmor(|mu| 1.0 / mu),
-    spoiled: |_| larmor(|_| 1.0),
-    slip: "S = E×B",
-};
+pub(super) const STEP: Step =
+    step(EXHIBIT, "Where the energy goes", "E × B over μ is the power that crosses a unit of area, here and now.")
+        .rows(&["E20"])
+        .statements(&[statement("poynting", "the instantaneous flow of energy", || {
+            Equation::new(S, 1 / MU * cross(E, B))
+        })])
+        .readout(|setting| {
+            let flux = super::flux(setting);
+            vec![
+                quantity("S_now", "S(0)", "flow at z = 0 when E is at its peak of 1 V/m", flux.at(0.0), "W/m²"),
+                quantity("S_mean", "⟨S⟩", "its mean", flux.mean, "W/m²"),
+                quantity("S_swing", "ΔS", "by how much it swings about that", flux.swing, "W/m²"),
+            ]
+        })
+        .checks(&[&LARMOR]);
 
-fn larmor(factor: fn(f64) -> f64) -> Measured {
+const LARMOR: Check<fn(f64) -> f64> =
+    check("larmor", "through every sphere round an antenna the same power flows, near field or far")
+        .against(
+            "Larmor's formula p²ω⁴μ/(12πv) against ∮S·n dA of Jackson's dipole field (9.18), \
+             averaged over a period",
+        )
+        .within(
+            1e-12,
+            "1",
+            "sine squared over the sphere and over the period, both integrated exactly; near \
+             the dipole fields a hundred times larger cancel",
+        )
+        .of(larmor, |mu| 1.0 / mu)
+        .slip("S = E×B", |_| 1.0);
+
+fn larmor(_: &mut Bench, factor: fn(f64) -> f64) -> Measured {
     let radii = [0.3, 1.0, 2.0, 10.0, 100.0];
     let media = [(1.3, 0.7), (0.2, 1.5)];
     Measured::worst(media.into_iter().flat_map(|(epsilon, speed)| {

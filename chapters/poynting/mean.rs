@@ -6,7 +6,8 @@ use crate::plane_wave::{GREEN, VACUUM, described, quantity, wave};
 use crate::setting::Setting;
 use crate::symbols::{AMPLITUDE, E, EPSILON, H, K, OMEGA, PERIOD, S, T, V, Z};
 use crate::vocabulary::{
-    Bound, Check, Derivation, Expects, Extreme, Figure, Heat, Lane, Measured, Race, Statement, Step, Stress,
+    Bench, Check, Exhibit, Extreme, Heat, Measured, Race, Step, check, derivation, exhibit, figure, lane, race,
+    statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{abs, cos, cross, dot, integral_between, mean, pi, ratio, sin, vector};
@@ -20,68 +21,59 @@ use yardstick::precise;
 use yardstick::quadrature::{gauss_legendre, simpson, trapezoid};
 use yardstick::random::uniform;
 
-pub(super) const STEP: Step = Step {
-    id: "mean",
-    title: "The mean over a period",
-    says: "A squared cosine is a half on average, so the mean flow is ½vεA².",
-    rows: &["E23"],
-    parameters: &[VACUUM, GREEN],
-    statements: &[
-        Statement {
-            id: "average",
-            says: "the mean flow; in a clear wave S never turns back, so that |⟨S⟩| and ⟨|S|⟩ are the same",
-            rows: &["E23"],
-            equation: || Equation::new(mean(S), 1 / PERIOD * integral_between(S, T, 0, PERIOD)),
-        },
-        Statement {
-            id: "half",
-            says: "of a harmonic wave of amplitude A in a clear medium",
-            rows: &["E23"],
-            equation: || Equation::new(abs(mean(S)), ratio(1, 2) * V * EPSILON * AMPLITUDE.pow(2)),
-        },
-    ],
-    derivations: &[
-        Derivation {
-            id: "cosine_squared",
-            says: "⟨cos²⟩ = ½, by its antiderivative",
-            rows: &["E23"],
-            chain: || cosine_squared(ratio(1, 2)),
-            spoiled: || cosine_squared(2 / pi()),
-            slip: "the mean of |cos| for that of cos²",
-        },
-        Derivation {
-            id: "half_v_epsilon",
-            says: "S of a harmonic wave, averaged",
-            rows: &["E23"],
-            chain: || half(ratio(1, 2) * V * EPSILON * AMPLITUDE.pow(2)),
-            spoiled: || half(V * EPSILON * AMPLITUDE.pow(2)),
-            slip: "the peak for the mean",
-        },
-    ],
-    readout: Some(|setting| {
-        let wave = wave(setting);
-        vec![
-            quantity("S_avg", "⟨S⟩", "mean flow at an amplitude of 1 V/m", wave.mean_flux, "W/m²"),
-            quantity("A_sun", "A", "amplitude that carries 1 kW/m²", (1000.0 / wave.mean_flux).sqrt(), "V/m"),
-        ]
-    }),
-    checks: &[QUADRATURE, ALIASES],
-    stress: &[Stress {
-        id: "late",
-        claim: "on its steep flanks the flow of light keeps its digits a nanosecond, a second and a year after the start",
-        rows: &["E23"],
-        textbook: "cos² of the rounded product 2πft",
-        reference: "the exact product f·t less its whole cycles, in 256 bits; f and t are taken as exact, so κ is 0",
-        cases: |_| late(),
-    }],
-    races: &[AVERAGES],
-    figures: &[Figure {
-        id: "period",
-        says: "E, H and their product over two periods, with the mean of the product; below zero energy flows back.",
-        rows: &["E23"],
-        plot: period,
-    }],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "mean",
+    &[VACUUM, GREEN],
+    &[figure(
+        "period",
+        "E, H and their product over two periods, with the mean of the product; below zero \
+         energy flows back.",
+        period,
+    )],
+);
+
+pub(super) const STEP: Step =
+    step(EXHIBIT, "The mean over a period", "A squared cosine is a half on average, so the mean flow is ½vεA².")
+        .rows(&["E23"])
+        .statements(&[
+            statement(
+                "average",
+                "the mean flow; in a clear wave S never turns back, so that |⟨S⟩| and ⟨|S|⟩ are \
+                 the same",
+                || Equation::new(mean(S), 1 / PERIOD * integral_between(S, T, 0, PERIOD)),
+            ),
+            statement("half", "of a harmonic wave of amplitude A in a clear medium", || {
+                Equation::new(abs(mean(S)), ratio(1, 2) * V * EPSILON * AMPLITUDE.pow(2))
+            }),
+        ])
+        .derivations(&[
+            derivation("cosine_squared", "⟨cos²⟩ = ½, by its antiderivative", || cosine_squared(ratio(1, 2)))
+                .slip("the mean of |cos| for that of cos²", || cosine_squared(2 / pi())),
+            derivation("half_v_epsilon", "S of a harmonic wave, averaged", || {
+                half(ratio(1, 2) * V * EPSILON * AMPLITUDE.pow(2))
+            })
+            .slip("the peak for the mean", || half(V * EPSILON * AMPLITUDE.pow(2))),
+        ])
+        .readout(|setting| {
+            let wave = wave(setting);
+            vec![
+                quantity("S_avg", "⟨S⟩", "mean flow at an amplitude of 1 V/m", wave.mean_flux, "W/m²"),
+                quantity("A_sun", "A", "amplitude that carries 1 kW/m²", (1000.0 / wave.mean_flux).sqrt(), "V/m"),
+            ]
+        })
+        .checks(&[&QUADRATURE, &ALIASES])
+        .stress(&[stress(
+            "late",
+            "on its steep flanks the flow of light keeps its digits a nanosecond, a second and \
+             a year after the start",
+            |_| late(),
+        )
+        .textbook("cos² of the rounded product 2πft")
+        .against(
+            "the exact product f·t less its whole cycles, in 256 bits; f and t are taken as \
+             exact, so κ is 0",
+        )])
+        .races(&[AVERAGES]);
 
 fn phase_at(z: Expr) -> Expr {
     z - OMEGA * T
@@ -114,18 +106,16 @@ fn half(last: Expr) -> Chain {
         .then(last, ["⟨cos²⟩ = ½"])
 }
 
-const QUADRATURE: Check = Check {
-    id: "quadrature",
-    claim: "the program's mean flow is ½vεA² in clear media",
-    rows: &["E23"],
-    route: "E·B/μ of the two cosines, averaged over a period by Gauss's rule; neither v nor ½ is put in",
-    bound: Bound::AtMost { limit: 64.0, unit: "ε", why: "forty terms, and a dozen roundings in k and Z" },
-    measure: |_| averaged(|wave| wave.mean_flux),
-    spoiled: |_| averaged(|wave| 2.0 * wave.mean_flux),
-    slip: "the peak for the mean",
-};
+const QUADRATURE: Check<fn(&Wave) -> f64> = check("quadrature", "the program's mean flow is ½vεA² in clear media")
+    .against(
+        "E·B/μ of the two cosines, averaged over a period by Gauss's rule; neither v nor ½ \
+         is put in",
+    )
+    .within(64.0, "ε", "forty terms, and a dozen roundings in k and Z")
+    .of(averaged, |wave| wave.mean_flux)
+    .slip("the peak for the mean", |wave| 2.0 * wave.mean_flux);
 
-fn averaged(program: fn(&Wave) -> f64) -> Measured {
+fn averaged(_: &mut Bench, program: fn(&Wave) -> f64) -> Measured {
     let media = [(1.0, 1.0), (2.25, 1.0), (80.0, 1.0), (1.0, 1000.0), (1e-3, 1e-3)];
     let rule = gauss_legendre(40);
     Measured::worst(media.map(|(epsilon_r, mu_r)| {
@@ -138,18 +128,20 @@ fn averaged(program: fn(&Wave) -> f64) -> Measured {
     }))
 }
 
-const ALIASES: Check = Check {
-    id: "aliases",
-    claim: "over a period the trapezoid errs by the harmonics that its points take for the mean, and by nothing else",
-    rows: &["E23"],
-    route: "Σ 2I_{jn}(10)/I_0(10), j = 1, 2, …, the harmonics of the pulse train e^(10(cos 2πx − 1)), by power series",
-    bound: Bound::AtMost { limit: 1e-14, unit: "1", why: "sums of up to 48 terms of either sign, and one division" },
-    measure: |_| aliases(|points| points),
-    spoiled: |_| aliases(|points| points + 1),
-    slip: "the harmonics of one interval more",
-};
+const ALIASES: Check<fn(u32) -> u32> = check(
+    "aliases",
+    "over a period the trapezoid errs by the harmonics that its points take for the \
+     mean, and by nothing else",
+)
+.against(
+    "Σ 2I_{jn}(10)/I_0(10), j = 1, 2, …, the harmonics of the pulse train e^(10(cos \
+     2πx − 1)), by power series",
+)
+.within(1e-14, "1", "sums of up to 48 terms of either sign, and one division")
+.of(aliases, |points| points)
+.slip("the harmonics of one interval more", |points| points + 1);
 
-fn aliases(first: fn(u32) -> u32) -> Measured {
+fn aliases(_: &mut Bench, first: fn(u32) -> u32) -> Measured {
     let mean = mean_of_pulse_train(SHARPNESS);
     Measured::worst([4, 6, 8, 12, 16, 24, 32, 48].map(|points| {
         let missed: f64 = (1..=12).map(|j| 2.0 * bessel_i(j * first(points))).sum();
@@ -197,82 +189,49 @@ const SHARPNESS: f64 = 5.0;
 
 /// Over a whole period all but chance converge faster than any power, so that no order is asserted of them; the check
 /// `aliases` holds every error of the trapezoid against what it must be.
-const AVERAGES: Race = Race {
-    id: "averages",
-    claim: "over a whole period the plainest rule is the best: the trapezoid gains digits in proportion to its points",
-    rows: &["E23"],
-    work: "evaluations of S",
-    error: "relative error of the mean",
-    reference: "relative error of the mean of a train of pulses e^(10(cos 2πx − 1)), against e^(−10) I₀(10) by its series",
-    lanes: &[
-        Lane {
-            id: "monte_carlo",
-            label: "Monte Carlo",
-            works: &[16, 64, 256, 1024, 4096, 16384],
-            expects: Expects::Order { order: 0.5, tolerance: 0.15 },
-            repeats: 32,
-            prepare: |bench, work| {
-                let weight = 1.0 / work as f64;
-                summed((0..work).map(|_| (uniform(&mut bench.stream, 0.0, 1.0), weight)).collect())
-            },
-        },
-        Lane::once(
-            "simpson_half",
-            "Simpson, over 0.4 of the period",
-            &[16, 32, 64, 128, 256],
-            Expects::Order { order: 4.0, tolerance: 0.4 },
-            |_, work| part_of_a_period(simpson(work as usize)),
-        ),
-        Lane::once(
-            "trapezoid_half",
-            "trapezoid, over 0.4 of the period",
-            &[16, 32, 64, 128, 256],
-            Expects::Order { order: 2.0, tolerance: 0.2 },
-            |_, work| part_of_a_period(trapezoid(work as usize)),
-        ),
-        Lane::once(
-            "simpson",
-            "Simpson",
-            &[8, 16, 24, 32, 48],
-            Expects::Converges {
-                last: 1e-10,
-                why: "of 48 points the harmonic 24 is taken for the mean with a third of its weight, ⅔ I₂₄(10)/I₀(10) = 6·10⁻¹¹",
-            },
-            |_, work| summed(simpson(work as usize)),
-        ),
-        Lane::once(
-            "gauss",
-            "Gauss",
-            &[8, 12, 16, 24, 32],
-            Expects::Converges {
-                last: 4e-6,
-                why: "64/15 M ρ⁻⁶⁴ over the mean, M the largest value on the ellipse of half-axes 0.4 and 1.08, ρ their sum (Trefethen, SIAM Rev. 50, 2008, theorem 4.5)",
-            },
-            |_, work| summed(gauss_legendre(work as usize)),
-        ),
-        Lane::once(
-            "trapezoid",
-            "trapezoid",
-            &[4, 8, 12, 16, 24],
-            Expects::Converges {
-                last: 2e-10,
-                why: "of 24 points the harmonic 24 is taken for the mean, 2 I₂₄(10)/I₀(10) = 1.9·10⁻¹⁰",
-            },
-            |_, work| summed(trapezoid(work as usize)),
-        ),
-        Lane {
-            id: "trapezoid_enough",
-            label: "trapezoid, 32 points and more",
-            works: &[32, 64, 128],
-            expects: Expects::Within {
-                limit: 1e-13,
-                why: "the harmonics that it takes for the mean are below rounding",
-            },
-            repeats: 1,
-            prepare: |_, work| summed(trapezoid(work as usize)),
-        },
-    ],
-};
+const AVERAGES: Race = race(
+    "averages",
+    "over a whole period the plainest rule is the best: the trapezoid gains digits in \
+     proportion to its points",
+)
+.work("evaluations of S")
+.error(
+    "relative error of the mean",
+    "relative error of the mean of a train of pulses e^(10(cos 2πx − 1)), against \
+     e^(−10) I₀(10) by its series",
+)
+.lanes(&[
+    lane("monte_carlo", "Monte Carlo", &[16, 64, 256, 1024, 4096, 16384], |bench, work| {
+        let weight = 1.0 / work as f64;
+        summed((0..work).map(|_| (uniform(&mut bench.stream, 0.0, 1.0), weight)).collect())
+    })
+    .repeated(32)
+    .order(0.5, 0.15),
+    lane("simpson_half", "Simpson, over 0.4 of the period", &[16, 32, 64, 128, 256], |_, work| {
+        part_of_a_period(simpson(work as usize))
+    })
+    .order(4.0, 0.4),
+    lane("trapezoid_half", "trapezoid, over 0.4 of the period", &[16, 32, 64, 128, 256], |_, work| {
+        part_of_a_period(trapezoid(work as usize))
+    })
+    .order(2.0, 0.2),
+    lane("simpson", "Simpson", &[8, 16, 24, 32, 48], |_, work| summed(simpson(work as usize))).converges(
+        1e-10,
+        "of 48 points the harmonic 24 is taken for the mean with a third of its weight, ⅔ \
+         I₂₄(10)/I₀(10) = 6·10⁻¹¹",
+    ),
+    lane("gauss", "Gauss", &[8, 12, 16, 24, 32], |_, work| summed(gauss_legendre(work as usize))).converges(
+        4e-6,
+        "64/15 M ρ⁻⁶⁴ over the mean, M the largest value on the ellipse of half-axes 0.4 \
+         and 1.08, ρ their sum (Trefethen, SIAM Rev. 50, 2008, theorem 4.5)",
+    ),
+    lane("trapezoid", "trapezoid", &[4, 8, 12, 16, 24], |_, work| summed(trapezoid(work as usize)))
+        .converges(2e-10, "of 24 points the harmonic 24 is taken for the mean, 2 I₂₄(10)/I₀(10) = 1.9·10⁻¹⁰"),
+    lane("trapezoid_enough", "trapezoid, 32 points and more", &[32, 64, 128], |_, work| {
+        summed(trapezoid(work as usize))
+    })
+    .within(1e-13, "the harmonics that it takes for the mean are below rounding"),
+]);
 
 fn total(rule: &[(f64, f64)], from: f64, to: f64) -> f64 {
     let flow = |share: f64| pulse_train(SHARPNESS, from + (to - from) * share);

@@ -10,7 +10,7 @@ mod window;
 
 use crate::plane_wave::wave;
 use crate::setting::Setting;
-use crate::vocabulary::Chapter;
+use crate::vocabulary::{Chapter, Exhibit};
 use light::waves::flux::Flux;
 
 /// The chapter.
@@ -21,8 +21,13 @@ pub const CHAPTER: Chapter = Chapter {
     builds_on: &["plane-wave"],
     prose: include_str!("prose.md"),
     steps: &[flow::STEP, theorem::STEP, orders::STEP, mean::STEP, phasor::STEP, window::STEP],
+    figures: FIGURES,
     functions: functions::FUNCTIONS,
 };
+
+/// What its steps show, apart from the evidence.
+pub const FIGURES: &[Exhibit] =
+    &[flow::EXHIBIT, theorem::EXHIBIT, orders::EXHIBIT, mean::EXHIBIT, phasor::EXHIBIT, window::EXHIBIT];
 
 /// The flow at z = 0 of the setting's wave, of amplitude 1 V/m.
 fn flux(setting: &Setting) -> Flux {

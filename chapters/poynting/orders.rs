@@ -1,68 +1,67 @@
 //! C4: how short, how fast, how often.
 
 use crate::plane_wave::{GREEN, VACUUM, quantity, wave};
-use crate::vocabulary::{Bound, Check, Measured, Step};
+use crate::vocabulary::{Bench, Check, Exhibit, Measured, Step, check, exhibit, step};
 use light::waves::constants::C;
 use light::waves::{Medium, Wave};
 use std::f64::consts::TAU;
 
-pub(super) const STEP: Step = Step {
-    id: "orders",
-    title: "How short, how fast, how often",
-    says: "Visible light is half a micrometre long and swings half a million times in a billionth of a second.",
-    rows: &["C4"],
-    parameters: &[VACUUM, GREEN],
-    statements: &[],
-    derivations: &[],
-    readout: Some(|setting| {
-        let wave = wave(setting);
-        vec![
-            quantity("wavelength", "λ", "wavelength in the medium", wave.wavelength, "m"),
-            quantity("frequency", "f", "frequency", wave.frequency(), "Hz"),
-            quantity("omega", "ω", "angular frequency, 2πf", wave.omega, "rad/s"),
-            quantity("period", "T", "period", 1.0 / wave.frequency(), "s"),
-            quantity("per_exposure", "N", "periods in an exposure of 10 ms", 0.01 * wave.frequency(), "1"),
-        ]
-    }),
-    checks: &[LASER, VISIBLE],
-    stress: &[],
-    races: &[],
-    figures: &[],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit("orders", &[VACUUM, GREEN], &[]);
 
-const LASER: Check = Check {
-    id: "laser",
-    claim: "a laser whose frequency was counted has the wavelength that was measured by fringes",
-    rows: &["C4"],
-    route: "Evenson et al., Phys. Rev. Lett. 29 (1972) 1346: 88.376 181 627(50) THz and 3.392 231 376(12) μm, methane",
-    bound: Bound::AtMost {
-        limit: 1.1e-8,
-        unit: "1",
-        why: "three times their uncertainty, 3.5e−9, most of it that of the krypton metre of the day",
-    },
-    measure: |_| laser(TAU),
-    spoiled: |_| laser(1.0),
-    slip: "f taken for ω",
-};
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "How short, how fast, how often",
+    "Visible light is half a micrometre long and swings half a million times in a \
+     billionth of a second.",
+)
+.rows(&["C4"])
+.readout(|setting| {
+    let wave = wave(setting);
+    vec![
+        quantity("wavelength", "λ", "wavelength in the medium", wave.wavelength, "m"),
+        quantity("frequency", "f", "frequency", wave.frequency(), "Hz"),
+        quantity("omega", "ω", "angular frequency, 2πf", wave.omega, "rad/s"),
+        quantity("period", "T", "period", 1.0 / wave.frequency(), "s"),
+        quantity("per_exposure", "N", "periods in an exposure of 10 ms", 0.01 * wave.frequency(), "1"),
+    ]
+})
+.checks(&[&LASER, &VISIBLE]);
 
-fn laser(radians: f64) -> Measured {
+const LASER: Check<f64> = check(
+    "laser",
+    "a laser whose frequency was counted has the wavelength that was measured by \
+     fringes",
+)
+.against(
+    "Evenson et al., Phys. Rev. Lett. 29 (1972) 1346: 88.376 181 627(50) THz and 3.392 \
+     231 376(12) μm, methane",
+)
+.within(
+    1.1e-8,
+    "1",
+    "three times their uncertainty, 3.5e−9, most of it that of the krypton metre of \
+     the day",
+)
+.of(laser, TAU)
+.slip("f taken for ω", 1.0);
+
+fn laser(_: &mut Bench, radians: f64) -> Measured {
     let wave = Wave::new(&Medium::VACUUM, radians * 88.376_181_627e12).expect("a positive frequency");
     Measured::worst([(wave.wavelength / 3.392_231_376e-6 - 1.0, "methane".to_owned())])
 }
 
 /// The notes' powers of ten hold within a factor of ten, and for f, not ω: that is 3.4e15 rad/s.
-const VISIBLE: Check = Check {
-    id: "visible",
-    claim: "from 780 nm to 380 nm light swings 3.8e14 to 7.9e14 times a second; λ, c and f are within a factor of ten of 1e−7 m, 1e8 m/s, 1e15 Hz",
-    rows: &["C4"],
-    route: "division by hand: 2.998/0.380 = 7.889 and 2.998/0.780 = 3.844",
-    bound: Bound::AtMost { limit: 1.5e-4, unit: "1", why: "half a unit in the last of four digits" },
-    measure: |_| visible(|wave| wave.frequency()),
-    spoiled: |_| visible(|wave| wave.omega),
-    slip: "ω for f",
-};
+const VISIBLE: Check<fn(&Wave) -> f64> = check(
+    "visible",
+    "from 780 nm to 380 nm light swings 3.8e14 to 7.9e14 times a second; λ, c and f \
+     are within a factor of ten of 1e−7 m, 1e8 m/s, 1e15 Hz",
+)
+.against("division by hand: 2.998/0.380 = 7.889 and 2.998/0.780 = 3.844")
+.within(1.5e-4, "1", "half a unit in the last of four digits")
+.of(visible, |wave| wave.frequency())
+.slip("ω for f", |wave| wave.omega);
 
-fn visible(frequency: fn(&Wave) -> f64) -> Measured {
+fn visible(_: &mut Bench, frequency: fn(&Wave) -> f64) -> Measured {
     let ends = [(780e-9, 384.4e12), (380e-9, 788.9e12)];
     let ends = ends.map(|(wavelength, printed)| {
         let wave = Wave::new(&Medium::VACUUM, TAU * C / wavelength).expect("a positive frequency");

@@ -3,7 +3,7 @@
 use crate::plane_wave::{quantity, wave};
 use crate::setting::{FREQUENCY, MEDIUM};
 use crate::symbols::{AMPLITUDE, OMEGA, PERIOD, S, T};
-use crate::vocabulary::{Bound, Check, Derivation, Measured, Statement, Step};
+use crate::vocabulary::{Bench, Check, Exhibit, Measured, Step, check, derivation, exhibit, statement, step};
 use equation::derivation::Chain;
 use equation::expr::{abs, conj, cos, exp, i, integral_between, mean, pi, ratio, re, sin};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -24,48 +24,40 @@ const E_HAT: Symbol = Symbol::scalar("E_0", Dimension::VOLT_PER_METRE);
 /// H as a complex amplitude.
 const H_HAT: Symbol = Symbol::scalar("H_0", Dimension::AMPERE_PER_METRE);
 
-pub(super) const STEP: Step = Step {
-    id: "phasor",
-    title: "From complex amplitudes",
-    says: "½ Re(E H*) is the mean flow at once, and knows about the lag that ½vεA² forgets.",
-    rows: &["E24"],
-    parameters: &[MEDIUM, FREQUENCY],
-    statements: &[
-        Statement {
-            id: "square",
-            says: "the mean flow goes as the square of the amplitude",
-            rows: &["E24"],
-            equation: || Equation::proportional(abs(mean(S)), AMPLITUDE.pow(2)),
-        },
-        Statement {
-            id: "phasors",
-            says: "from the complex amplitudes of E and H; where S turns back for a part of the period, ⟨|S|⟩ is more",
-            rows: &["E24"],
-            equation: || Equation::new(abs(mean(S)), ratio(1, 2) * re(E_HAT * conj(H_HAT))),
-        },
-    ],
-    derivations: &[Derivation {
-        id: "lagging",
-        says: "the mean of two cosines out of step, and the same from their complex amplitudes",
-        rows: &["E24"],
-        chain: || lagging(conj(AMPLITUDE_H * exp(i() * (ALPHA + PHI)))),
-        spoiled: || lagging(AMPLITUDE_H * exp(i() * (ALPHA + PHI))),
-        slip: "the conjugate forgotten",
-    }],
-    readout: Some(|setting| {
-        let wave = wave(setting);
-        vec![
-            quantity("S_avg", "½ Re(E H*)", "mean flow at an amplitude of 1 V/m", wave.mean_flux, "W/m²"),
-            quantity("S_vacuum", "½cε₀A²", "what the same field carries in empty space", 0.5 / Z_0, "W/m²"),
-            quantity("S_modulus", "½|E||H|", "without the lag", 0.5 / wave.impedance.norm(), "W/m²"),
-            quantity("phase_lag", "φ", "by which H lags E", wave.phase_lag, "rad"),
-        ]
+pub(super) const EXHIBIT: Exhibit = exhibit("phasor", &[MEDIUM, FREQUENCY], &[]);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "From complex amplitudes",
+    "½ Re(E H*) is the mean flow at once, and knows about the lag that ½vεA² forgets.",
+)
+.rows(&["E24"])
+.statements(&[
+    statement("square", "the mean flow goes as the square of the amplitude", || {
+        Equation::proportional(abs(mean(S)), AMPLITUDE.pow(2))
     }),
-    checks: &[OUT_OF_STEP, SQUARE],
-    stress: &[],
-    races: &[],
-    figures: &[],
-};
+    statement(
+        "phasors",
+        "from the complex amplitudes of E and H; where S turns back for a part of the period, ⟨|S|⟩ is more",
+        || Equation::new(abs(mean(S)), ratio(1, 2) * re(E_HAT * conj(H_HAT))),
+    ),
+])
+.derivations(&[derivation(
+    "lagging",
+    "the mean of two cosines out of step, and the same from their complex amplitudes",
+    || lagging(conj(AMPLITUDE_H * exp(i() * (ALPHA + PHI)))),
+)
+.slip("the conjugate forgotten", || lagging(AMPLITUDE_H * exp(i() * (ALPHA + PHI))))])
+.readout(|setting| {
+    let wave = wave(setting);
+    vec![
+        quantity("S_avg", "½ Re(E H*)", "mean flow at an amplitude of 1 V/m", wave.mean_flux, "W/m²"),
+        quantity("S_vacuum", "½cε₀A²", "what the same field carries in empty space", 0.5 / Z_0, "W/m²"),
+        quantity("S_modulus", "½|E||H|", "without the lag", 0.5 / wave.impedance.norm(), "W/m²"),
+        quantity("phase_lag", "φ", "by which H lags E", wave.phase_lag, "rad"),
+    ]
+})
+.checks(&[&OUT_OF_STEP, &SQUARE]);
 
 /// `conjugate` is what stands for H* at the phase α + φ.
 fn lagging(conjugate: Expr) -> Chain {
@@ -81,20 +73,12 @@ fn lagging(conjugate: Expr) -> Chain {
         .then(ratio(1, 2) * re(AMPLITUDE * exp(i() * ALPHA) * conjugate), ["Re e^{−iφ} = cos φ"])
 }
 
-const OUT_OF_STEP: Check = Check {
-    id: "out_of_step",
-    claim: "½ Re(E H*) is the mean flow in any medium, however late H comes",
-    rows: &["E24"],
-    route: "the product of the two real fields over a period, by Gauss's rule",
-    bound: Bound::AtMost {
-        limit: 64.0,
-        unit: "ε",
-        why: "forty terms of which some cancel, and a dozen roundings in Z",
-    },
-    measure: |_| out_of_step(mean_by_phasors),
-    spoiled: |_| out_of_step(|e, h| 0.5 * e.norm() * h.norm()),
-    slip: "½|E||H|, as if they were in step",
-};
+const OUT_OF_STEP: Check<fn(Complex64, Complex64) -> f64> =
+    check("out_of_step", "½ Re(E H*) is the mean flow in any medium, however late H comes")
+        .against("the product of the two real fields over a period, by Gauss's rule")
+        .within(64.0, "ε", "forty terms of which some cancel, and a dozen roundings in Z")
+        .of(out_of_step, mean_by_phasors)
+        .slip("½|E||H|, as if they were in step", |e, h| 0.5 * e.norm() * h.norm());
 
 /// σ/(ωε) of the media looked at.
 const TANGENTS: [f64; 6] = [0.0, 1e-3, 0.1, 1.0, 100.0, 1e12];
@@ -107,7 +91,7 @@ fn waves() -> impl Iterator<Item = (Wave, String)> {
     })
 }
 
-fn out_of_step(form: fn(Complex64, Complex64) -> f64) -> Measured {
+fn out_of_step(_: &mut Bench, form: fn(Complex64, Complex64) -> f64) -> Measured {
     let rule = gauss_legendre(40);
     Measured::worst(waves().map(|(wave, at)| {
         let e = Complex64::from_polar(1.7, 0.4);
@@ -121,18 +105,14 @@ fn out_of_step(form: fn(Complex64, Complex64) -> f64) -> Measured {
     }))
 }
 
-const SQUARE: Check = Check {
-    id: "square_law",
-    claim: "twice the field carries four times the power, and the program's ⟨S⟩ is that of 1 V/m",
-    rows: &["E24"],
-    route: "phasors of growing amplitude against the program's mean flow",
-    bound: Bound::AtMost { limit: 16.0, unit: "ε", why: "a few roundings on either side" },
-    measure: |_| square_law(2),
-    spoiled: |_| square_law(1),
-    slip: "in proportion to the amplitude",
-};
+const SQUARE: Check<i32> =
+    check("square_law", "twice the field carries four times the power, and the program's ⟨S⟩ is that of 1 V/m")
+        .against("phasors of growing amplitude against the program's mean flow")
+        .within(16.0, "ε", "a few roundings on either side")
+        .of(square_law, 2)
+        .slip("in proportion to the amplitude", 1);
 
-fn square_law(power: i32) -> Measured {
+fn square_law(_: &mut Bench, power: i32) -> Measured {
     Measured::worst(waves().flat_map(|(wave, at)| {
         [1e-6, 1.0, 3.0, 1e9].map(|amplitude: f64| {
             let e = Complex64::from(amplitude);

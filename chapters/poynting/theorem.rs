@@ -5,7 +5,9 @@ use crate::plane_wave::transverse::across_k;
 use crate::plane_wave::{quantity, wave};
 use crate::setting::{FREQUENCY, MEDIUM, Setting};
 use crate::symbols::{A_VECTOR, B, E, EPSILON, H, J, K_VECTOR, MU, OMEGA, S, T, U_DENSITY};
-use crate::vocabulary::{Bench, Bound, Check, Derivation, Extreme, Measured, Quantity, Statement, Step, Stress};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, statement, step, stress,
+};
 use equation::derivation::Chain;
 use equation::expr::{cross, curl, divergence, dot, partial};
 use equation::{Equation, Expr};
@@ -19,63 +21,36 @@ use yardstick::precise::{self, Real};
 use yardstick::quadrature::gauss_legendre;
 use yardstick::random::uniform;
 
-pub(super) const STEP: Step = Step {
-    id: "theorem",
-    title: "The balance",
-    says: "What flows into a box is stored there or turned to heat; the flow runs with the wave.",
-    rows: &["C3"],
-    parameters: &[MEDIUM, FREQUENCY],
-    statements: &[
-        Statement {
-            id: "density",
-            says: "the energy that the fields hold",
-            rows: &["C3"],
-            equation: || Equation::new(U_DENSITY, density()),
-        },
-        Statement {
-            id: "balance",
-            says: "Poynting's theorem",
-            rows: &["C3"],
-            equation: || Equation::new(divergence(S) + partial(U_DENSITY, T), -dot(J, E)),
-        },
-        Statement {
-            id: "direction",
-            says: "the flow of a plane wave in a clear medium runs along k",
-            rows: &["C3"],
-            equation: || Equation::new(S, dot(E, E) / (OMEGA * MU) * K_VECTOR),
-        },
-    ],
-    derivations: &[
-        Derivation {
-            id: "poynting",
-            says: "from the two curls of Maxwell's equations",
-            rows: &["C3"],
-            chain: || balance(-dot(J, E)),
-            spoiled: || balance(dot(J, E)),
-            slip: "the work of the field on the current counted as a gain",
-        },
-        Derivation {
-            id: "along_k",
-            says: "B is k×E/ω, and E stands across k",
-            rows: &["C3"],
-            chain: || along_k(dot(E, E) / (OMEGA * MU) * K_VECTOR),
-            spoiled: || along_k(-(dot(E, E) / (OMEGA * MU) * K_VECTOR)),
-            slip: "the two factors of E×B interchanged",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[BOX, SLAB, ALONG_K],
-    stress: &[Stress {
-        id: "thin_and_weak",
-        claim: "what a slab takes from the flow keeps its digits however thin or clear it is",
-        rows: &["C3"],
-        textbook: "the flow at the far face less that at the near one",
-        reference: "⟨S⟩(e^(−2 Im k d) − 1) in 256 bits, from ε, μ, σ and ω",
-        cases: |_| thin_and_weak(),
-    }],
-    races: &[],
-    figures: &[],
-};
+pub(super) const EXHIBIT: Exhibit = exhibit("theorem", &[MEDIUM, FREQUENCY], &[]);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "The balance",
+    "What flows into a box is stored there or turned to heat; the flow runs with the wave.",
+)
+.rows(&["C3"])
+.statements(&[
+    statement("density", "the energy that the fields hold", || Equation::new(U_DENSITY, density())),
+    statement("balance", "Poynting's theorem", || Equation::new(divergence(S) + partial(U_DENSITY, T), -dot(J, E))),
+    statement("direction", "the flow of a plane wave in a clear medium runs along k", || {
+        Equation::new(S, dot(E, E) / (OMEGA * MU) * K_VECTOR)
+    }),
+])
+.derivations(&[
+    derivation("poynting", "from the two curls of Maxwell's equations", || balance(-dot(J, E)))
+        .slip("the work of the field on the current counted as a gain", || balance(dot(J, E))),
+    derivation("along_k", "B is k×E/ω, and E stands across k", || along_k(dot(E, E) / (OMEGA * MU) * K_VECTOR))
+        .slip("the two factors of E×B interchanged", || along_k(-(dot(E, E) / (OMEGA * MU) * K_VECTOR))),
+])
+.readout(readout)
+.checks(&[&BOX, &SLAB, &ALONG_K])
+.stress(&[stress(
+    "thin_and_weak",
+    "what a slab takes from the flow keeps its digits however thin or clear it is",
+    |_| thin_and_weak(),
+)
+.textbook("the flow at the far face less that at the near one")
+.against("⟨S⟩(e^(−2 Im k d) − 1) in 256 bits, from ε, μ, σ and ω")]);
 
 fn density() -> Expr {
     (EPSILON * dot(E, E) + MU * dot(H, H)) / 2
@@ -118,20 +93,15 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     ]
 }
 
-const BOX: Check = Check {
-    id: "box",
-    claim: "in a tangle of twenty waves, what a box gains is what flows in",
-    rows: &["C3"],
-    route: "the energy in the box at two times, against the flow through its faces in between, by Gauss's rule",
-    bound: Bound::AtMost {
-        limit: 1e-11,
-        unit: "1",
-        why: "Gauss's rule is exact to rounding here; the flow is a small difference of what twenty waves carry",
-    },
-    measure: |bench| tangled(bench, 1.0),
-    spoiled: |bench| tangled(bench, 0.5),
-    slip: "half of the magnetic energy forgotten",
-};
+const BOX: Check<f64> = check("box", "in a tangle of twenty waves, what a box gains is what flows in")
+    .against("the energy in the box at two times, against the flow through its faces in between, by Gauss's rule")
+    .within(
+        1e-11,
+        "1",
+        "Gauss's rule is exact to rounding here; the flow is a small difference of what twenty waves carry",
+    )
+    .of(tangled, 1.0)
+    .slip("half of the magnetic energy forgotten", 0.5);
 
 fn tangled(bench: &mut Bench, magnetic: f64) -> Measured {
     let glass = Medium::relative(2.25, 1.2, 0.0).expect("a clear medium");
@@ -174,18 +144,14 @@ fn tangled(bench: &mut Bench, magnetic: f64) -> Measured {
     }))
 }
 
-const SLAB: Check = Check {
-    id: "slab",
-    claim: "in a conductor what does not come out is heat, at every instant and on average",
-    rows: &["C3"],
-    route: "σE² and the stored energy integrated by Gauss's rule, against the flow at the two faces",
-    bound: Bound::AtMost { limit: 1e-11, unit: "1", why: "sixty points a slab; the smooth rest is rounding" },
-    measure: |_| slabs(1.0),
-    spoiled: |_| slabs(0.0),
-    slip: "the heat left out",
-};
+const SLAB: Check<f64> =
+    check("slab", "in a conductor what does not come out is heat, at every instant and on average")
+        .against("σE² and the stored energy integrated by Gauss's rule, against the flow at the two faces")
+        .within(1e-11, "1", "sixty points a slab; the smooth rest is rounding")
+        .of(slabs, 1.0)
+        .slip("the heat left out", 0.0);
 
-fn slabs(heat: f64) -> Measured {
+fn slabs(_: &mut Bench, heat: f64) -> Measured {
     let omega = 1e9;
     let tangents = [0.0, 1e-3, 1.0, 30.0, 1e9];
     Measured::worst(tangents.into_iter().flat_map(|tangent| {
@@ -211,16 +177,12 @@ fn slabs(heat: f64) -> Measured {
     }))
 }
 
-const ALONG_K: Check = Check {
-    id: "flows_along_k",
-    claim: "S points along the propagation, whatever the direction and the moment",
-    rows: &["C3"],
-    route: "E×B of waves in random directions, against k; the sign too",
-    bound: Bound::AtMost { limit: 16.0, unit: "ε", why: "two cross products of unit vectors" },
-    measure: |bench| along(bench, |e, b| e.cross(b)),
-    spoiled: |bench| along(bench, |e, b| b.cross(e)),
-    slip: "B×E",
-};
+const ALONG_K: Check<fn(DVec3, DVec3) -> DVec3> =
+    check("flows_along_k", "S points along the propagation, whatever the direction and the moment")
+        .against("E×B of waves in random directions, against k; the sign too")
+        .within(16.0, "ε", "two cross products of unit vectors")
+        .of(along, |e, b| e.cross(b))
+        .slip("B×E", |e, b| b.cross(e));
 
 fn along(bench: &mut Bench, flow: fn(DVec3, DVec3) -> DVec3) -> Measured {
     let medium = Medium::relative(2.25, 1.0, 0.0).expect("a clear medium");

@@ -3,7 +3,9 @@
 use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
 use crate::plane_wave::{GREEN, VACUUM, described, quantity};
 use crate::setting::{Kind, Parameter, Setting};
-use crate::vocabulary::{Bound, Check, Expects, Figure, Heat, Lane, Measured, Race, Step, fitted_order};
+use crate::vocabulary::{
+    Bench, Check, Exhibit, Expects, Heat, Measured, Race, Step, check, exhibit, figure, fitted_order, lane, race, step,
+};
 use light::references::waves::phase;
 use light::waves::flux::{Flux, Window};
 use yardstick::precise;
@@ -17,42 +19,47 @@ const PERIODS: Parameter = Parameter {
     kind: Kind::Number { min: 0.1, max: 1e12, unit: "1" },
 };
 
-pub(super) const STEP: Step = Step {
-    id: "window",
-    title: "What a detector reads",
-    says: "A shutter that cuts a period in two leaves an error that falls as 1/T; a soft one does far better.",
-    rows: &["C5"],
-    parameters: &[VACUUM, GREEN, PERIODS],
-    statements: &[],
-    derivations: &[],
-    readout: Some(|setting| {
-        let (flux, periods) = (super::flux(setting), setting.number("periods"));
-        let off = |window: Window| worst(&flux, window, periods);
-        vec![
-            quantity("duration", "T", "how long it looks", periods / flux.frequency, "s"),
-            quantity("box", "Δ(box)", "a shutter's error over the mean, at the worst opening", off(Window::Box), "1"),
-            quantity("hann", "Δ(Hann)", "the same of a window 1 − cos", off(Window::Hann), "1"),
-            quantity("nuttall", "Δ(Nuttall)", "the same of Nuttall's window", off(Window::Nuttall), "1"),
-        ]
-    }),
-    checks: &[CLOSED_FORM, BOX_FALLS, HANN_FALLS, BILLION],
-    stress: &[],
-    races: &[SAMPLED],
-    figures: &[
-        Figure {
-            id: "windows",
-            says: "The flow as the detector weighs it through a shutter and through soft windows that open at a crest of E, with what it then reads, and by how much it may be off at the worst opening.",
-            rows: &["C5"],
-            plot: windows,
-        },
-        Figure {
-            id: "error",
-            says: "Error of the average, at the worst opening, against its length in periods: the shutter is right after whole half periods, the rest falls as 1/T or faster. From 10 periods on the curves would be solid bars; points mark the worst lengths, a quarter of a period beyond whole ones.",
-            rows: &["C5"],
-            plot: errors,
-        },
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "window",
+    &[VACUUM, GREEN, PERIODS],
+    &[
+        figure(
+            "windows",
+            "The flow as the detector weighs it through a shutter and through soft windows \
+             that open at a crest of E, with what it then reads, and by how much it may be off \
+             at the worst opening.",
+            windows,
+        ),
+        figure(
+            "error",
+            "Error of the average, at the worst opening, against its length in periods: the \
+             shutter is right after whole half periods, the rest falls as 1/T or faster. From \
+             10 periods on the curves would be solid bars; points mark the worst lengths, a \
+             quarter of a period beyond whole ones.",
+            errors,
+        ),
     ],
-};
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "What a detector reads",
+    "A shutter that cuts a period in two leaves an error that falls as 1/T; a soft one \
+     does far better.",
+)
+.rows(&["C5"])
+.readout(|setting| {
+    let (flux, periods) = (super::flux(setting), setting.number("periods"));
+    let off = |window: Window| worst(&flux, window, periods);
+    vec![
+        quantity("duration", "T", "how long it looks", periods / flux.frequency, "s"),
+        quantity("box", "Δ(box)", "a shutter's error over the mean, at the worst opening", off(Window::Box), "1"),
+        quantity("hann", "Δ(Hann)", "the same of a window 1 − cos", off(Window::Hann), "1"),
+        quantity("nuttall", "Δ(Nuttall)", "the same of Nuttall's window", off(Window::Nuttall), "1"),
+    ]
+})
+.checks(&[&CLOSED_FORM, &BOX_FALLS, &HANN_FALLS, &BILLION])
+.races(&[SAMPLED]);
 
 /// The error over the mean [1] of a look of so many `periods`, at the worst of all moments to open.
 pub(super) fn worst(flux: &Flux, window: Window, periods: f64) -> f64 {
@@ -62,18 +69,17 @@ pub(super) fn worst(flux: &Flux, window: Window, periods: f64) -> f64 {
 /// A clear wave of one period a second whose mean flow is 1.
 const CLEAR: Flux = Flux { mean: 1.0, swing: 1.0, frequency: 1.0, phase: 0.0, lag: 0.0 };
 
-const CLOSED_FORM: Check = Check {
-    id: "closed_form",
-    claim: "what is left of the swing is the window's response at twice the frequency",
-    rows: &["C5"],
-    route: "the weighed flow integrated by Gauss's rule, for clear and lossy waves and odd lengths of time",
-    bound: Bound::AtMost { limit: 1e-13, unit: "1", why: "96 points on at most eighteen swings are exact to rounding" },
-    measure: |_| closed_form(1.0),
-    spoiled: |_| closed_form(0.5),
-    slip: "the frequency of the field for that of the flow",
-};
+const CLOSED_FORM: Check<f64> =
+    check("closed_form", "what is left of the swing is the window's response at twice the frequency")
+        .against(
+            "the weighed flow integrated by Gauss's rule, for clear and lossy waves and odd \
+             lengths of time",
+        )
+        .within(1e-13, "1", "96 points on at most eighteen swings are exact to rounding")
+        .of(closed_form, 1.0)
+        .slip("the frequency of the field for that of the flow", 0.5);
 
-fn closed_form(share: f64) -> Measured {
+fn closed_form(_: &mut Bench, share: f64) -> Measured {
     let rule = gauss_legendre(96);
     let fluxes = [CLEAR, Flux { mean: 0.5f64.sqrt(), swing: 1.0, frequency: 1.3, phase: 0.2, lag: 0.125 }];
     let cases = fluxes.into_iter().flat_map(|flux| Window::ALL.map(|window| (flux, window)));
@@ -86,64 +92,45 @@ fn closed_form(share: f64) -> Measured {
     }))
 }
 
-const BOX_FALLS: Check = Check {
-    id: "box_falls",
-    claim: "a shutter's error falls as 1/T",
-    rows: &["C5"],
-    route: "the slope of the error at the worst opening and lengths, a quarter of a period beyond the whole ones",
-    bound: Bound::Order {
-        order: 1.0,
-        tolerance: 1e-6,
-        why: "at these lengths the sine is 1 and the error exactly 1/(2πN)",
-    },
-    measure: |_| falls(Window::Box),
-    spoiled: |_| falls(Window::Hann),
-    slip: "the soft window for the shutter",
-};
+const BOX_FALLS: Check<Window> = check("box_falls", "a shutter's error falls as 1/T")
+    .against(
+        "the slope of the error at the worst opening and lengths, a quarter of a period \
+         beyond the whole ones",
+    )
+    .order(1.0, 1e-6, "at these lengths the sine is 1 and the error exactly 1/(2πN)")
+    .of(falls, Window::Box)
+    .slip("the soft window for the shutter", Window::Hann);
 
-const HANN_FALLS: Check = Check {
-    id: "hann_falls",
-    claim: "a window that opens and closes gently has one that falls as 1/T³",
-    rows: &["C5"],
-    route: "the slope of the error at the worst opening and lengths",
-    bound: Bound::Order {
-        order: 3.0,
-        tolerance: 0.02,
-        why: "the next term is smaller by 1/(2N)², and N is 10 and more",
-    },
-    measure: |_| falls(Window::Hann),
-    spoiled: |_| falls(Window::Box),
-    slip: "the shutter for the soft window",
-};
+const HANN_FALLS: Check<Window> =
+    check("hann_falls", "a window that opens and closes gently has one that falls as 1/T³")
+        .against("the slope of the error at the worst opening and lengths")
+        .order(3.0, 0.02, "the next term is smaller by 1/(2N)², and N is 10 and more")
+        .of(falls, Window::Hann)
+        .slip("the shutter for the soft window", Window::Box);
 
-fn falls(window: Window) -> Measured {
+fn falls(_: &mut Bench, window: Window) -> Measured {
     let lengths = [10.25, 100.25, 1000.25, 10_000.25];
     let points = lengths.map(|periods| (periods, worst(&CLEAR, window, periods)));
     let value = fitted_order(&points).unwrap_or(f64::NAN);
     Measured { value, at: "10 to 10⁴ periods".into(), cases: points.len() }
 }
 
-const BILLION: Check = Check {
-    id: "a_billion_periods",
-    claim: "after a billion periods of light the last cut is still where it belongs",
-    rows: &["C5"],
-    route: "sin(4πfT)/(4πfT) from the exact product of f and T in 256 bits",
-    bound: Bound::AtMost {
-        limit: 16.0,
-        unit: "ε",
-        why: "a few roundings of the small error itself, which is looked at relative to its own size",
-    },
-    measure: |_| billion(|flux, duration| flux.average(Window::Box, 0.0, duration)),
-    spoiled: |_| {
-        billion(|flux, duration| {
+const BILLION: Check<fn(Flux, f64) -> f64> =
+    check("a_billion_periods", "after a billion periods of light the last cut is still where it belongs")
+        .against("sin(4πfT)/(4πfT) from the exact product of f and T in 256 bits")
+        .within(
+            16.0,
+            "ε",
+            "a few roundings of the small error itself, which is looked at relative to its own \
+             size",
+        )
+        .of(billion, |flux, duration| flux.average(Window::Box, 0.0, duration))
+        .slip("the sine of the rounded product", |flux, duration| {
             let swing = 4.0 * std::f64::consts::PI * flux.frequency * duration;
             flux.swing * swing.sin() / swing
-        })
-    },
-    slip: "the sine of the rounded product",
-};
+        });
 
-fn billion(average: fn(Flux, f64) -> f64) -> Measured {
+fn billion(_: &mut Bench, average: fn(Flux, f64) -> f64) -> Measured {
     let cases = [(5.45e14, 1.834e-6), (4.736_123_536_04e14, 2.1e-6), (5.45e14, 0.01), (7.89e14, 1.1), (1e16, 3600.0)];
     Measured::worst(cases.map(|(frequency, duration)| {
         let flux = Flux { frequency, mean: 0.0, ..CLEAR };
@@ -159,21 +146,18 @@ fn billion(average: fn(Flux, f64) -> f64) -> Measured {
     }))
 }
 
-const SAMPLED: Race = Race {
-    id: "sampled",
-    claim: "sampled sixteen times a period, the average gets better with its length, and how fast the window decides",
-    rows: &["C5"],
-    work: "samples",
-    error: "relative error of the mean, opened at a crest",
-    reference: "the mean over whole periods, which is known",
-    lanes: &[
-        Lane::once("shutter", "shutter", &[18, 66, 258, 1026, 4098], order(1.0), |_, work| sampled(Window::Box, work)),
-        Lane::once("hann", "Hann", &[18, 66, 258, 1026], order(3.0), |_, work| sampled(Window::Hann, work)),
-        Lane::once("nuttall", "Nuttall", &[50, 82, 130, 210, 338], order(7.0), |_, work| {
-            sampled(Window::Nuttall, work)
-        }),
-    ],
-};
+const SAMPLED: Race = race(
+    "sampled",
+    "sampled sixteen times a period, the average gets better with its length, and how \
+     fast the window decides",
+)
+.work("samples")
+.error("relative error of the mean, opened at a crest", "the mean over whole periods, which is known")
+.lanes(&[
+    lane("shutter", "shutter", &[18, 66, 258, 1026, 4098], |_, work| sampled(Window::Box, work)).expects(order(1.0)),
+    lane("hann", "Hann", &[18, 66, 258, 1026], |_, work| sampled(Window::Hann, work)).expects(order(3.0)),
+    lane("nuttall", "Nuttall", &[50, 82, 130, 210, 338], |_, work| sampled(Window::Nuttall, work)).expects(order(7.0)),
+]);
 
 /// The order at which a window's last response falls, to the slope that its first ones still bend.
 const fn order(order: f64) -> Expects {

@@ -2,7 +2,7 @@
 
 use super::{BOTH, Films, film, quarter_film};
 use crate::setting::DEFAULT_WAVELENGTH;
-use crate::vocabulary::{ALLOWED_ULPS, Bench, Bound, Check, Measured};
+use crate::vocabulary::{ALLOWED_ULPS, Bench, Check, Measured, check};
 use light::Complex64;
 use light::optics::film::{Layer, Polarisation, Powers};
 use light::optics::fresnel::amplitudes_between;
@@ -12,16 +12,12 @@ use std::f64::consts::TAU;
 use yardstick::precise::{self, Real};
 use yardstick::random::uniform;
 
-pub(super) const BOUNCES: Check = Check {
-    id: "every_bounce",
-    claim: "the field that a film reflects is the sum of all bounces in it",
-    rows: &["C15"],
-    route: "bounce after bounce in f64, with Fresnel's coefficients at each face, until they vanish",
-    bound: Bound::AtMost { limit: 128.0, unit: "ε", why: "a dozen roundings in each of up to a hundred bounces" },
-    measure: |bench| against_bounces(bench, |t_12, t_21| t_12 * t_21),
-    spoiled: |bench| against_bounces(bench, |t_12, _| t_12 * t_12),
-    slip: "the light leaves the film with t₁₂, not t₂₁",
-};
+pub(super) const BOUNCES: Check<fn(Complex64, Complex64) -> Complex64> =
+    check("every_bounce", "the field that a film reflects is the sum of all bounces in it")
+        .against("bounce after bounce in f64, with Fresnel's coefficients at each face, until they vanish")
+        .within(128.0, "ε", "a dozen roundings in each of up to a hundred bounces")
+        .of(against_bounces, |t_12, t_21| t_12 * t_21)
+        .slip("the light leaves the film with t₁₂, not t₂₁", |t_12, _| t_12 * t_12);
 
 fn against_bounces(bench: &mut Bench, passage: fn(Complex64, Complex64) -> Complex64) -> Measured {
     let films = [(1.38, 0.0, 1.52, 0.0), (2.35, 0.0, 1.52, 0.0), (1.5, 0.05, 3.0, 1.0), (0.2, 3.4, 1.52, 0.0)];
@@ -66,22 +62,18 @@ fn sum_of_bounces(
     sum
 }
 
-pub(super) const QUARTER_WAVES: Check = Check {
-    id: "quarter_waves",
-    claim: "mirrors of quarter waves transmit what the closed form says, from one film to 101",
-    rows: &["C15"],
-    route: "each quarter wave turns an admittance Y into n²/Y (Born & Wolf, 7th ed., §1.6.5): T = 4n₁Y/(n₁ + Y)²",
-    bound: Bound::AtMost {
-        limit: 512.0,
-        unit: "ε",
-        why: "a few roundings for each of 101 films; the rounded thickness does not count, since T is stationary there",
-    },
-    measure: |_| against_admittance(|n, y| n * n / y),
-    spoiled: |_| against_admittance(|n, y| n * y),
-    slip: "Y becomes nY",
-};
+pub(super) const QUARTER_WAVES: Check<fn(f64, f64) -> f64> =
+    check("quarter_waves", "mirrors of quarter waves transmit what the closed form says, from one film to 101")
+        .against("each quarter wave turns an admittance Y into n²/Y (Born & Wolf, 7th ed., §1.6.5): T = 4n₁Y/(n₁ + Y)²")
+        .within(
+            512.0,
+            "ε",
+            "a few roundings for each of 101 films; the rounded thickness does not count, since T is stationary there",
+        )
+        .of(against_admittance, |n, y| n * n / y)
+        .slip("Y becomes nY", |n, y| n * y);
 
-fn against_admittance(turn: fn(f64, f64) -> f64) -> Measured {
+fn against_admittance(_: &mut Bench, turn: fn(f64, f64) -> f64) -> Measured {
     let designs = [(1, 1.38, 1.38), (1, 2.35, 1.0), (3, 2.35, 1.38), (21, 2.35, 1.38), (101, 2.0, 1.45)];
     Measured::worst(designs.map(|(count, high, low)| {
         let films = quarter_wave_mirror(count, high, low);
@@ -108,20 +100,16 @@ fn random_films(bench: &mut Bench, count: usize, most: f64) -> (Films, f64) {
     (Films { n_i: draw(1.0, 1.2), layers, substrate: Complex64::from(draw(1.3, 1.9)) }, draw(0.0, 1.4))
 }
 
-pub(super) const REVERSAL: Check = Check {
-    id: "reversal",
-    claim: "a stack transmits as much from behind as from the front, even one that absorbs",
-    rows: &["C15"],
-    route: "the same films in reverse order, lit along the refracted ray",
-    bound: Bound::AtMost {
-        limit: 256.0,
-        unit: "ε",
-        why: "some ten roundings a film, magnified by the phases (up to 20 rad) and by the rounded angle of return",
-    },
-    measure: |bench| from_behind(bench, |there, back| back.transmittance / there.transmittance - 1.0),
-    spoiled: |bench| from_behind(bench, |there, back| back.reflectance / there.reflectance - 1.0),
-    slip: "the same is claimed of reflection",
-};
+pub(super) const REVERSAL: Check<fn(&Powers, &Powers) -> f64> =
+    check("reversal", "a stack transmits as much from behind as from the front, even one that absorbs")
+        .against("the same films in reverse order, lit along the refracted ray")
+        .within(
+            256.0,
+            "ε",
+            "some ten roundings a film, magnified by the phases (up to 20 rad) and by the rounded angle of return",
+        )
+        .of(from_behind, |there, back| back.transmittance / there.transmittance - 1.0)
+        .slip("the same is claimed of reflection", |there, back| back.reflectance / there.reflectance - 1.0);
 
 fn from_behind(bench: &mut Bench, change: fn(&Powers, &Powers) -> f64) -> Measured {
     Measured::worst((0..12).flat_map(|_| {
@@ -142,16 +130,12 @@ fn from_behind(bench: &mut Bench, change: fn(&Powers, &Powers) -> f64) -> Measur
     }))
 }
 
-pub(super) const ENERGY: Check = Check {
-    id: "energy",
-    claim: "|r|², the flow that t carries and what the films absorb make up the incident power",
-    rows: &["C15"],
-    route: "r and t as fields, A from the losses film by film: three numbers that share no sum",
-    bound: Bound::AtMost { limit: 64.0, unit: "ε", why: "some ten roundings for each of six films" },
-    measure: |bench| balance(bench, |flux, t| flux * t.norm_sqr()),
-    spoiled: |bench| balance(bench, |_, t| t.norm_sqr()),
-    slip: "T taken as |t|²",
-};
+pub(super) const ENERGY: Check<fn(f64, Complex64) -> f64> =
+    check("energy", "|r|², the flow that t carries and what the films absorb make up the incident power")
+        .against("r and t as fields, A from the losses film by film: three numbers that share no sum")
+        .within(64.0, "ε", "some ten roundings for each of six films")
+        .of(balance, |flux, t| flux * t.norm_sqr())
+        .slip("T taken as |t|²", |_, t| t.norm_sqr());
 
 fn balance(bench: &mut Bench, through: fn(f64, Complex64) -> f64) -> Measured {
     Measured::worst((0..24).flat_map(|_| {
@@ -168,20 +152,16 @@ fn balance(bench: &mut Bench, through: fn(f64, Complex64) -> f64) -> Measured {
     }))
 }
 
-pub(super) const PARRATT: Check = Check {
-    id: "parratt",
-    claim: "R, T and A of stacks at random are right to the last digits that the inputs fix",
-    rows: &["C15"],
-    route: "Parratt's recursion of interface coefficients (1954) in 256 bits: another form, another precision",
-    bound: Bound::AtMost {
-        limit: ALLOWED_ULPS,
-        unit: "ε(1+κ)",
-        why: "the project's promise: no more than a few roundings beyond what the inputs' own rounding does",
-    },
-    measure: |bench| against_parratt(bench, 1.0),
-    spoiled: |bench| against_parratt(bench, 0.5),
-    slip: "the wave crosses each film once where it should there and back",
-};
+pub(super) const PARRATT: Check<f64> =
+    check("parratt", "R, T and A of stacks at random are right to the last digits that the inputs fix")
+        .against("Parratt's recursion of interface coefficients (1954) in 256 bits: another form, another precision")
+        .within(
+            ALLOWED_ULPS,
+            "ε(1+κ)",
+            "the project's promise: no more than a few roundings beyond what the inputs' own rounding does",
+        )
+        .of(against_parratt, 1.0)
+        .slip("the wave crosses each film once where it should there and back", 0.5);
 
 /// Error in ε(1 + κ) of films whose thickness is `scale` times what it should be.
 fn against_parratt(bench: &mut Bench, scale: f64) -> Measured {

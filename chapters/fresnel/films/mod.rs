@@ -13,7 +13,7 @@ use super::amplitudes::{contrast, r_p, r_s, t_p, t_s};
 use super::symbols::{K_0, N_1, N_2, THETA_1, THETA_2};
 use super::{N_I, N_T};
 use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
-use crate::vocabulary::{Derivation, Figure, Quantity, Race, Statement, Step, Stress};
+use crate::vocabulary::{Exhibit, Quantity, Step, derivation, exhibit, figure, statement, step, stress};
 use equation::derivation::Chain;
 use equation::expr::{cos, exp, i, pi, sin, sqrt};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -65,148 +65,112 @@ const PSI_BACK: Symbol = Symbol::scalar("psi_-", Dimension::ONE);
 /// What all bounces inside the film send back together.
 const B: Symbol = Symbol::scalar("b", Dimension::ONE);
 
-pub(super) const STEP: Step = Step {
-    id: "films",
-    title: "Stacks of films",
-    says: "Waves that bounce between interfaces add up in phase: coatings that reflect nothing, or nearly all.",
-    rows: &["C15"],
-    parameters: &[N_I, N_S, N_H, N_L, PAIRS, THETA, DESIGN],
-    statements: &[
-        Statement {
-            id: "phase",
-            says: "phase across a film of thickness d",
-            rows: &["C15"],
-            equation: || Equation::new(DELTA, K_0 * THICKNESS * sqrt(N_2.pow(2) - N_1.pow(2) * sin(THETA_1).pow(2))),
-        },
-        Statement {
-            id: "airy",
-            says: "a film: both faces and every bounce between them",
-            rows: &["C15"],
-            equation: || Equation::new(R, airy(1 + R_12 * R_23 * round_trip())),
-        },
-        Statement {
-            id: "quarter_wave",
-            says: "a film a quarter of a wave thick, at normal incidence: nothing is left where n₂² = n₁n₃",
-            rows: &["C15"],
-            equation: || Equation::new(R, quarter_wave()),
-        },
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "films",
+    &[N_I, N_S, N_H, N_L, PAIRS, THETA, DESIGN],
+    &[
+        figure(
+            "antireflection",
+            "One film takes most of the reflection away, two nearly all at one wavelength, \
+             three over a band.",
+            antireflection,
+        ),
+        figure(
+            "mirror_spectrum",
+            "The mirror's band of high reflectance moves to the blue with the angle.",
+            mirror_band,
+        ),
+        figure("mirror_map", "The same mirror over wavelength and angle.", mirror_map),
+        figure(
+            "frustrated",
+            "Total reflection is undone by a second prism near enough: light tunnels through \
+             the gap.",
+            frustrated,
+        ),
     ],
-    derivations: &[
-        Derivation {
-            id: "layer",
-            says: "ψ at a film's face from ψ and φ at its back, with the growing wave e^(−iδ) taken out",
-            rows: &["C15"],
-            chain: || layer((1 + round_trip()) * PSI / 2 + (1 - round_trip()) * PHI / (2 * Y)),
-            spoiled: || layer((1 + round_trip()) * PSI / 2 - (1 - round_trip()) * PHI / (2 * Y)),
-            slip: "the sign of the wave that runs back",
-        },
-        Derivation {
-            id: "stokes_s",
-            says: "the way back through a face, s: r′ = −r and t t′ = 1 − r² (Stokes)",
-            rows: &["C15"],
-            chain: || stokes(r_s(), t_s(), 1 - R_12.pow(2)),
-            spoiled: || stokes(r_s(), t_s(), 1 + R_12.pow(2)),
-            slip: "the sign of r²",
-        },
-        Derivation {
-            id: "stokes_p",
-            says: "the same for p",
-            rows: &["C15"],
-            chain: || stokes(r_p(), t_p(), 1 - R_12.pow(2)),
-            spoiled: || stokes(r_p(), t_s(), 1 - R_12.pow(2)),
-            slip: "t_s for t_p",
-        },
-        Derivation {
-            id: "bounces",
-            says: "each bounce repeats the one before times r₂₁r₂₃e^(2iδ): a geometric series",
-            rows: &["C15"],
-            chain: || bounces(airy(1 + R_12 * R_23 * round_trip())),
-            spoiled: || bounces(airy(1 - R_12 * R_23 * round_trip())),
-            slip: "r₂₁ is taken for r₁₂, without Stokes' sign",
-        },
-        Derivation {
-            id: "both_faces",
-            says: "the boundary conditions at both faces at once: the same sum",
-            rows: &["C15"],
-            chain: || at_both_faces(airy(1 + R_12 * R_23 * round_trip())),
-            spoiled: || at_both_faces(airy(1 - R_12 * R_23 * round_trip())),
-            slip: "the sign of the second bounce",
-        },
-        Derivation {
-            id: "quarter_wave_from_airy",
-            says: "with e^(2iδ) = −1 and E36 at both faces",
-            rows: &["C15"],
-            chain: || quarter(quarter_wave()),
-            spoiled: || quarter((N_1 * N_2 - N_3.pow(2)) / (N_1 * N_2 + N_3.pow(2))),
-            slip: "film and substrate are interchanged",
-        },
-    ],
-    readout: Some(readout),
-    checks: &[BOUNCES, QUARTER_WAVES, REVERSAL, ENERGY, PARRATT],
-    stress: &[
-        Stress {
-            id: "opaque",
-            claim: "transmission keeps its digits behind metal films down to 1e−300, and its logarithm far below",
-            rows: &["C15"],
-            textbook: "the characteristic matrix cos δ, sin δ in f64",
-            reference: "Parratt's recursion in 256 bits or more",
-            cases: |_| opaque(),
-        },
-        Stress {
-            id: "critical",
-            claim: "gaps wide or narrow, at a film's critical angle or a hair beside it, at grazing incidence",
-            rows: &["C15"],
-            textbook: "Rouard's recursion of Fresnel coefficients in f64",
-            reference: "Parratt's recursion in 256 bits or more",
-            cases: |_| critical(),
-        },
-        Stress {
-            id: "many",
-            claim: "a thousand films keep the digits of R and T",
-            rows: &["C15"],
-            textbook: "the characteristic matrix in f64",
-            reference: "Parratt's recursion in 256 bits or more",
-            cases: |_| many(),
-        },
-    ],
-    races: &[
-        Race { id: "one_film", claim: "one film costs a fraction of a microsecond", lanes: &ONE_FILM, ..ORDINARY },
-        Race {
-            id: "five_films",
-            claim: "five films: many wavelengths at once cost a fraction of one at a time",
-            lanes: &FIVE_FILMS,
-            ..ORDINARY
-        },
-        Race { id: "mirror", claim: "a mirror of 21 films: the same", lanes: &TWENTY_ONE_FILMS, ..ORDINARY },
-        OPAQUE_FILM,
-    ],
-    figures: &[
-        Figure {
-            id: "antireflection",
-            says: "One film takes most of the reflection away, two nearly all at one wavelength, three over a band.",
-            rows: &["C15"],
-            plot: antireflection,
-        },
-        Figure {
-            id: "mirror_spectrum",
-            says: "The mirror's band of high reflectance moves to the blue with the angle.",
-            rows: &["C15"],
-            plot: mirror_band,
-        },
-        Figure {
-            id: "mirror_map",
-            says: "The same mirror over wavelength and angle.",
-            rows: &["C15"],
-            plot: mirror_map,
-        },
-        Figure {
-            id: "frustrated",
-            says: "Total reflection is undone by a second prism near enough: light tunnels through the gap.",
-            rows: &["C15"],
-            plot: frustrated,
-        },
-    ],
-};
+);
+
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Stacks of films",
+    "Waves that bounce between interfaces add up in phase: coatings that reflect \
+     nothing, or nearly all.",
+)
+.rows(&["C15"])
+.statements(&[
+    statement("phase", "phase across a film of thickness d", || {
+        Equation::new(DELTA, K_0 * THICKNESS * sqrt(N_2.pow(2) - N_1.pow(2) * sin(THETA_1).pow(2)))
+    }),
+    statement("airy", "a film: both faces and every bounce between them", || {
+        Equation::new(R, airy(1 + R_12 * R_23 * round_trip()))
+    }),
+    statement(
+        "quarter_wave",
+        "a film a quarter of a wave thick, at normal incidence: nothing is left where n₂² \
+         = n₁n₃",
+        || Equation::new(R, quarter_wave()),
+    ),
+])
+.derivations(&[
+    derivation(
+        "layer",
+        "ψ at a film's face from ψ and φ at its back, with the growing wave e^(−iδ) taken \
+         out",
+        || layer((1 + round_trip()) * PSI / 2 + (1 - round_trip()) * PHI / (2 * Y)),
+    )
+    .slip("the sign of the wave that runs back", || {
+        layer((1 + round_trip()) * PSI / 2 - (1 - round_trip()) * PHI / (2 * Y))
+    }),
+    derivation("stokes_s", "the way back through a face, s: r′ = −r and t t′ = 1 − r² (Stokes)", || {
+        stokes(r_s(), t_s(), 1 - R_12.pow(2))
+    })
+    .slip("the sign of r²", || stokes(r_s(), t_s(), 1 + R_12.pow(2))),
+    derivation("stokes_p", "the same for p", || stokes(r_p(), t_p(), 1 - R_12.pow(2)))
+        .slip("t_s for t_p", || stokes(r_p(), t_s(), 1 - R_12.pow(2))),
+    derivation(
+        "bounces",
+        "each bounce repeats the one before times r₂₁r₂₃e^(2iδ): a geometric series",
+        || bounces(airy(1 + R_12 * R_23 * round_trip())),
+    )
+    .slip("r₂₁ is taken for r₁₂, without Stokes' sign", || bounces(airy(1 - R_12 * R_23 * round_trip()))),
+    derivation("both_faces", "the boundary conditions at both faces at once: the same sum", || {
+        at_both_faces(airy(1 + R_12 * R_23 * round_trip()))
+    })
+    .slip("the sign of the second bounce", || at_both_faces(airy(1 - R_12 * R_23 * round_trip()))),
+    derivation("quarter_wave_from_airy", "with e^(2iδ) = −1 and E36 at both faces", || quarter(quarter_wave()))
+        .slip("film and substrate are interchanged", || quarter((N_1 * N_2 - N_3.pow(2)) / (N_1 * N_2 + N_3.pow(2)))),
+])
+.readout(readout)
+.checks(&[&BOUNCES, &QUARTER_WAVES, &REVERSAL, &ENERGY, &PARRATT])
+.stress(&[
+    stress(
+        "opaque",
+        "transmission keeps its digits behind metal films down to 1e−300, and its \
+         logarithm far below",
+        |_| opaque(),
+    )
+    .textbook("the characteristic matrix cos δ, sin δ in f64")
+    .against("Parratt's recursion in 256 bits or more"),
+    stress(
+        "critical",
+        "gaps wide or narrow, at a film's critical angle or a hair beside it, at grazing \
+         incidence",
+        |_| critical(),
+    )
+    .textbook("Rouard's recursion of Fresnel coefficients in f64")
+    .against("Parratt's recursion in 256 bits or more"),
+    stress("many", "a thousand films keep the digits of R and T", |_| many())
+        .textbook("the characteristic matrix in f64")
+        .against("Parratt's recursion in 256 bits or more"),
+])
+.races(&[
+    ORDINARY.named("one_film", "one film costs a fraction of a microsecond").lanes(&ONE_FILM),
+    ORDINARY
+        .named("five_films", "five films: many wavelengths at once cost a fraction of one at a time")
+        .lanes(&FIVE_FILMS),
+    ORDINARY.named("mirror", "a mirror of 21 films: the same").lanes(&TWENTY_ONE_FILMS),
+    OPAQUE_FILM,
+]);
 
 fn round_trip() -> Expr {
     exp(2 * i() * DELTA)

@@ -3,22 +3,21 @@
 use super::checks::quarter_wave_mirror;
 use super::{Films, film, quarter_film};
 use crate::setting::DEFAULT_WAVELENGTH;
-use crate::vocabulary::{Expects, Heat, Lane, Measured, Race};
+use crate::vocabulary::{Expects, Heat, Lane, Measured, Race, lane, race};
 use light::optics::film::textbook::{characteristic_matrix, recursion, transfer_matrix};
 use light::optics::film::{Polarisation, Powers, Stack};
 use light::optics::{Direction, Incidence};
 use light::references::film::{Reference, reference};
 use yardstick::precise::{self, Real};
 
-pub(super) const ORDINARY: Race = Race {
-    id: "",
-    claim: "",
-    rows: &["C15"],
-    work: "evaluations of one stack at one wavelength",
-    error: "largest relative error of T",
-    reference: "largest relative error of T; Parratt's recursion in 256 bits at some of the wavelengths",
-    lanes: &[],
-};
+pub(super) const ORDINARY: Race = race("", "")
+    .work("evaluations of one stack at one wavelength")
+    .error(
+        "largest relative error of T",
+        "largest relative error of T; Parratt's recursion in 256 bits at some of the \
+         wavelengths",
+    )
+    .lanes(&[]);
 
 pub(super) const ONE_FILM: [Lane; 4] = lanes::<1>();
 pub(super) const FIVE_FILMS: [Lane; 4] = lanes::<5>();
@@ -33,42 +32,22 @@ pub(super) const fn lanes<const COUNT: usize>() -> [Lane; 4] {
         why: "roundings, magnified by T's condition at the edges of the mirror's band",
     };
     [
-        Lane {
-            id: "characteristic_matrix",
-            label: "characteristic matrix",
-            works: EVALUATIONS,
-            expects: ROUNDING,
-            repeats: 1,
-            prepare: |_, work| {
-                singly(work, visible_mirror(COUNT), |s, w, i, p| characteristic_matrix(s, w, i, p).transmittance)
-            },
-        },
-        Lane {
-            id: "transfer_matrix",
-            label: "transfer matrix",
-            works: EVALUATIONS,
-            expects: ROUNDING,
-            repeats: 1,
-            prepare: |_, work| {
-                singly(work, visible_mirror(COUNT), |s, w, i, p| transfer_matrix(s, w, i, p).transmittance)
-            },
-        },
-        Lane {
-            id: "single",
-            label: "this program, one at a time",
-            works: EVALUATIONS,
-            expects: ROUNDING,
-            repeats: 1,
-            prepare: |_, work| singly(work, visible_mirror(COUNT), |s, w, i, p| s.response(w, i, p).transmittance),
-        },
-        Lane {
-            id: "batch",
-            label: "this program, many wavelengths at once",
-            works: EVALUATIONS,
-            expects: ROUNDING,
-            repeats: 1,
-            prepare: |_, work| in_batch(work, visible_mirror(COUNT)),
-        },
+        lane("characteristic_matrix", "characteristic matrix", EVALUATIONS, |_, work| {
+            singly(work, visible_mirror(COUNT), |s, w, i, p| characteristic_matrix(s, w, i, p).transmittance)
+        })
+        .expects(ROUNDING),
+        lane("transfer_matrix", "transfer matrix", EVALUATIONS, |_, work| {
+            singly(work, visible_mirror(COUNT), |s, w, i, p| transfer_matrix(s, w, i, p).transmittance)
+        })
+        .expects(ROUNDING),
+        lane("single", "this program, one at a time", EVALUATIONS, |_, work| {
+            singly(work, visible_mirror(COUNT), |s, w, i, p| s.response(w, i, p).transmittance)
+        })
+        .expects(ROUNDING),
+        lane("batch", "this program, many wavelengths at once", EVALUATIONS, |_, work| {
+            in_batch(work, visible_mirror(COUNT))
+        })
+        .expects(ROUNDING),
     ]
 }
 
@@ -82,47 +61,35 @@ fn thick_mirror() -> Films {
     Films { n_i: 1.0, layers: vec![protection, film(0.055, 3.32, 20e-6)], substrate: 1.52.into() }
 }
 
-pub(super) const OPAQUE_FILM: Race = Race {
-    id: "opaque_film",
-    claim: "behind opaque silver the textbook forms lose every digit, however long they compute",
-    error: "largest relative error of ln T",
-    reference: "largest relative error of ln T; Parratt's recursion in 256 bits at some of the wavelengths",
-    lanes: &[
-        Lane {
-            id: "characteristic_matrix",
-            label: "characteristic matrix",
-            works: EVALUATIONS,
-            expects: Expects::Breaks { limit: 1e-3, why: "cos δ and sin δ overflow" },
-            repeats: 1,
-            prepare: |_, work| opaque_heat(work, |s, w, i, p| characteristic_matrix(s, w, i, p).transmittance.ln()),
-        },
-        Lane {
-            id: "transfer_matrix",
-            label: "transfer matrix, Im δ clamped",
-            works: EVALUATIONS,
-            expects: Expects::Breaks { limit: 1e-3, why: "the clamp holds T near 1e−31" },
-            repeats: 1,
-            prepare: |_, work| opaque_heat(work, |s, w, i, p| transfer_matrix(s, w, i, p).transmittance.ln()),
-        },
-        Lane {
-            id: "recursion",
-            label: "recursion of coefficients",
-            works: EVALUATIONS,
-            expects: Expects::Breaks { limit: 1e-3, why: "T itself underflows" },
-            repeats: 1,
-            prepare: |_, work| opaque_heat(work, |s, w, i, p| recursion(s, w, i, p).transmittance.ln()),
-        },
-        Lane {
-            id: "single",
-            label: "this program",
-            works: EVALUATIONS,
-            expects: Expects::Within { limit: 1e-14, why: "the decay is a sum of exponents, never multiplied out" },
-            repeats: 1,
-            prepare: |_, work| opaque_heat(work, |s, w, i, p| s.response(w, i, p).ln_transmittance),
-        },
-    ],
-    ..ORDINARY
-};
+pub(super) const OPAQUE_FILM: Race = ORDINARY
+    .named(
+        "opaque_film",
+        "behind opaque silver the textbook forms lose every digit, however long they \
+         compute",
+    )
+    .error(
+        "largest relative error of ln T",
+        "largest relative error of ln T; Parratt's recursion in 256 bits at some of the \
+         wavelengths",
+    )
+    .lanes(&[
+        lane("characteristic_matrix", "characteristic matrix", EVALUATIONS, |_, work| {
+            opaque_heat(work, |s, w, i, p| characteristic_matrix(s, w, i, p).transmittance.ln())
+        })
+        .breaks(1e-3, "cos δ and sin δ overflow"),
+        lane("transfer_matrix", "transfer matrix, Im δ clamped", EVALUATIONS, |_, work| {
+            opaque_heat(work, |s, w, i, p| transfer_matrix(s, w, i, p).transmittance.ln())
+        })
+        .breaks(1e-3, "the clamp holds T near 1e−31"),
+        lane("recursion", "recursion of coefficients", EVALUATIONS, |_, work| {
+            opaque_heat(work, |s, w, i, p| recursion(s, w, i, p).transmittance.ln())
+        })
+        .breaks(1e-3, "T itself underflows"),
+        lane("single", "this program", EVALUATIONS, |_, work| {
+            opaque_heat(work, |s, w, i, p| s.response(w, i, p).ln_transmittance)
+        })
+        .within(1e-14, "the decay is a sum of exponents, never multiplied out"),
+    ]);
 
 fn opaque_heat(work: u64, logarithm: SingleForm) -> Heat {
     let exact = |found: Reference| found.ln_transmittance.expect("something comes through");
