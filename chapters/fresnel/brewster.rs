@@ -7,12 +7,13 @@ use super::{INTERFACE, interface, pseudo_brewster};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::setting::Setting;
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step, stress,
+    Answer, Bench, Check, Exhibit, Measured, Quantity, Question, Step, check, derivation, exhibit, figure, question,
+    statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{cos, pi, sin, tan};
 use equation::{Dimension, Equation, Expr, Symbol};
-use light::optics::fresnel::{brewster_angle, powers, refract};
+use light::optics::fresnel::{Powers, brewster_angle, powers, refract};
 use light::optics::{Direction, Incidence};
 use light::references::fresnel::Input;
 use std::f64::consts::FRAC_PI_2;
@@ -41,6 +42,7 @@ pub(super) const STEP: Step = step(
         Equation::new(THETA_B + THETA_2, pi() / 2)
     }),
 ])
+.questions(&[P_ALONE])
 .derivations(&[
     derivation("from_snell", "where θ₁ + θ₂ is a right angle, Snell's law is tan θ_B = n₂/n₁", || {
         at_right_angle(tan(THETA_1))
@@ -64,6 +66,30 @@ pub(super) const STEP: Step = step(
 })
 .textbook("tan²(θ₁−θ₂)/tan²(θ₁+θ₂)")
 .against("256 bits")]);
+
+const P_ALONE: Question = question(
+    "p_alone",
+    "From the normal to grazing, how does R_p, the reflectance of p light, run at this interface?",
+    Answer::Trend {
+        replies: [
+            "At grazing incidence every interface is a mirror, for p as for s: the curve must end at 1.",
+            "So it is only where both media are the same and nothing is reflected at all.",
+            "That is s. The wave that p reflects changes its sign on the way, so it passes zero.",
+            "Both media are the same here: there is nothing to reflect from.",
+            "At grazing incidence every interface is a mirror: the curve ends at its highest.",
+        ],
+        right: |setting, at| at_share(setting, at).r_p,
+        slip: |setting, at| at_share(setting, at).r_s,
+    },
+    "Where the media differ it falls until the reflected and the refracted ray stand at right angles, to zero if both \
+     are clear, and climbs from there to 1.",
+);
+
+/// What the setting's interface reflects at a share of a right angle.
+fn at_share(setting: &Setting, at: f64) -> Powers {
+    let input = interface(setting);
+    powers(Incidence::from_angle(at * FRAC_PI_2), input.n_i, input.n_t)
+}
 
 /// Snell's law where the reflected and the refracted ray stand at right angles.
 fn square_rays() -> Chain {
