@@ -1,0 +1,163 @@
+//! What could refute it.
+
+use super::super::symbols::{R_0, THETA_1};
+use super::super::{interface, sample_media};
+use super::fifth_power;
+use crate::vocabulary::{ALLOWED_ULPS, Bench, Check, Measured, check};
+use equation::Expr;
+use equation::expr::cos;
+use equation::value::Bindings;
+use light::Complex64;
+use light::optics::fresnel::powers;
+use light::optics::schlick::{Dipped, normal_reflectance, schlick, schlick_rarer_side};
+use light::optics::{Incidence, material};
+use yardstick::precise;
+use yardstick::random::uniform;
+
+pub(super) const AS_WRITTEN: Check<fn() -> Expr> =
+    check("as_written", "the program's approximation is the equation on the page")
+        .against("the equation above, as the object on the page, in 256-bit arithmetic")
+        .within(
+            ALLOWED_ULPS,
+            "ε",
+            "ten operations on positive numbers; only 1 − cos θ subtracts, and cos θ is exact here",
+        )
+        .of::<fn() -> Expr>(|bench, equation| against_equation(bench, &equation()), || fifth_power(cos(THETA_1)))
+        .slip("the fourth power", || R_0 + (1 - R_0) * (1 - cos(THETA_1)).pow(4));
+
+/// Relative error of the program's function against `equation` [ε], at random cosines and reflectances.
+fn against_equation(bench: &mut Bench, equation: &Expr) -> Measured {
+    Measured::worst((0..6).map(|_| {
+        let (cos_i, r_0) = (uniform(&mut bench.stream, 0.0, 1.0), uniform(&mut bench.stream, 0.0, 1.0));
+        let mut bindings = Bindings::new();
+        bindings.bind(THETA_1.name(), precise::from_real(precise::real(cos_i).acos()));
+        bindings.bind(R_0.name(), precise::from_real(precise::real(r_0)));
+        let exact = equation.evaluate(&bindings);
+        let program = schlick(cos_i, r_0);
+        let error = exact.map_or(f64::NAN, |exact| precise::relative_error(program, &exact.into_parts().0));
+        (error / f64::EPSILON, format!("cos θ = {cos_i:.3}, R_0 = {r_0:.3}"))
+    }))
+}
+
+pub(super) const ENDS: Check<fn(f64, f64) -> f64> =
+    check("both_ends", "the approximation is exact along the normal and at grazing incidence, metals included")
+        .against("the exact R_n")
+        .within(16.0, "ε", "a few roundings; at cos θ = 1e−20 both are 1 to 18 digits")
+        .of(at_both_ends, schlick)
+        .slip("the factor 1 − R₀ is forgotten", |cos_i, r_0| r_0 + (1.0 - cos_i).powi(5));
+
+fn at_both_ends(bench: &mut Bench, approximate: fn(f64, f64) -> f64) -> Measured {
+    let own = interface(bench.setting);
+    let media = sample_media().into_iter().chain([(own.n_i, own.n_t)]);
+    // Equal media reflect nothing at any angle, which no Schlick can know.
+    let different = media.filter(|(n_i, n_t)| (n_t - n_i).norm() > 0.1 * n_i);
+    let cases = different.flat_map(|(n_i, n_t)| [1.0, 1e-20].map(|cos_i| (n_i, n_t, cos_i)));
+    Measured::worst(cases.map(|(n_i, n_t, cos_i)| {
+        let exact = powers(Incidence::from_cos(cos_i), n_i, n_t).r_n();
+        let error = approximate(cos_i, normal_reflectance(n_i, n_t)) - exact;
+        (error / f64::EPSILON, format!("n {n_i} → {n_t}, cos θ = {cos_i}"))
+    }))
+}
+
+pub(super) const GRAZING_SLOPE: Check<fn(f64) -> f64> = check(
+    "grazing_slope",
+    "at grazing incidence the approximation starts with a slope of its own, 5(1 − R₀) per cos θ",
+)
+.against("expansion of E36 and E39 at cos θ → 0: 1 − R_n = 2(n² + 1)/√(n² − 1) cos θ + O(cos² θ)")
+.within(1e-3, "1", "cos θ = 1e−5, and the next term's factor is some tens")
+.of(grazing_slope, |r_0| 5.0 * (1.0 - r_0))
+.slip("the fifth power is differentiated without its factor", |_| 5.0);
+
+/// ((Schlick − exact) − (difference of the slopes) cos θ)/cos θ near grazing, with Schlick's slope from `slope`.
+fn grazing_slope(_: &mut Bench, slope: fn(f64) -> f64) -> Measured {
+    let cos_i = 1e-5;
+    Measured::worst(GLASSES.map(|n| {
+        let r_0 = normal_reflectance(1.0, n.into());
+        let exact = powers(Incidence::from_cos(cos_i), 1.0, n.into()).r_n();
+        let wedge = 2.0 * (n * n + 1.0) / (n * n - 1.0).sqrt() - slope(r_0);
+        ((schlick(cos_i, r_0) - exact) / cos_i - wedge, format!("n = {n}"))
+    }))
+}
+
+/// How far Schlick may be from R_n for indices between water's and dense flint's, against air.
+pub(super) const GLASS_ERROR: f64 = 0.06;
+
+pub(super) const GLASS: Check<fn(f64, f64) -> f64> = check(
+    "glass_in_air",
+    "for water and glass in air the approximation is off by a few hundredths at most, near grazing",
+)
+.against("the exact R_n, every quarter of a degree")
+.within(
+    GLASS_ERROR,
+    "1",
+    "the wedge between the slopes at grazing, widest for water, opens so far before the fifth power closes it",
+)
+.of(for_glass, schlick)
+.slip("the fourth power", |cos_i, r_0| r_0 + (1.0 - r_0) * (1.0 - cos_i).powi(4));
+
+/// Indices of water, crown glass, flint and dense flint.
+const GLASSES: [f64; 4] = [1.333, 1.5, 1.6, 1.78];
+
+fn for_glass(_: &mut Bench, approximate: fn(f64, f64) -> f64) -> Measured {
+    Measured::worst(GLASSES.into_iter().flat_map(|n| {
+        let r_0 = normal_reflectance(1.0, n.into());
+        cosines().map(move |cos_i| {
+            let exact = powers(Incidence::from_cos(cos_i), 1.0, n.into()).r_n();
+            (approximate(cos_i, r_0) - exact, format!("n = {n}, cos θ = {cos_i:.4}"))
+        })
+    }))
+}
+
+/// Cosines of angles a quarter of a degree apart.
+fn cosines() -> impl Iterator<Item = f64> {
+    (0..360).map(|quarter| (f64::from(quarter) / 4.0).to_radians().cos())
+}
+
+pub(super) const INSIDE: Check<fn(f64, f64, f64) -> f64> = check(
+    "from_inside",
+    "from inside glass the rarer side's cosine keeps the bound; the incident one misses total reflection",
+)
+.against("the exact R_n, below and beyond the critical one")
+.within(
+    GLASS_ERROR,
+    "1",
+    "R_n is the same from both sides at angles that Snell's law joins, so the error from outside carries over",
+)
+.of(from_inside, schlick_rarer_side)
+.slip("cos θ₁ is used in the denser medium", |cos_i, n_i, n_t| schlick(cos_i, normal_reflectance(n_i, n_t.into())));
+
+fn from_inside(_: &mut Bench, approximate: fn(f64, f64, f64) -> f64) -> Measured {
+    Measured::worst(GLASSES.into_iter().flat_map(|n| {
+        cosines().map(move |cos_i| {
+            let exact = powers(Incidence::from_cos(cos_i), n, 1.0.into()).r_n();
+            (approximate(cos_i, n, 1.0) - exact, format!("n {n} → 1, cos θ = {cos_i:.4}"))
+        })
+    }))
+}
+
+/// How far the form with two reflectances may be from R_n of metals.
+pub(super) const DIPPED_ERROR: f64 = 0.05;
+
+pub(super) const METALS: Check<fn(f64, f64) -> f64> =
+    check("metals", "one more reflectance, at 82°, makes the approximation fit for metals")
+        .against("the exact R_n of gold, silver, copper, aluminium and chromium over the visible")
+        .within(DIPPED_ERROR, "1", "one lobe through one point: what is left beside it, largest for chromium at 87°")
+        .of(for_metals, |_, r_82| r_82)
+        .slip("Schlick's own value at 82° is taken for the metal's", |r_0, _| schlick(Dipped::COS, r_0));
+
+fn for_metals(_: &mut Bench, at_82: fn(f64, f64) -> f64) -> Measured {
+    let metals = ["gold", "silver", "copper", "aluminium", "chromium"];
+    let wavelengths = [400e-9, 450e-9, 500e-9, 550e-9, 600e-9, 650e-9, 700e-9];
+    let cases = metals.into_iter().flat_map(|name| wavelengths.map(|wavelength| (name, wavelength)));
+    Measured::worst(cases.flat_map(|(name, wavelength)| {
+        let index = material::named(name).and_then(|metal| metal.index(wavelength).ok());
+        let n_t = index.unwrap_or(Complex64::new(f64::NAN, 0.0));
+        let exact = move |cos_i| powers(Incidence::from_cos(cos_i), 1.0, n_t).r_n();
+        let r_0 = normal_reflectance(1.0, n_t);
+        let dipped = Dipped::new(r_0, at_82(r_0, exact(Dipped::COS)));
+        cosines().step_by(4).map(move |cos_i| {
+            let place = format!("{name}, {:.0} nm, cos θ = {cos_i:.4}", wavelength * 1e9);
+            (dipped.reflectance(cos_i) - exact(cos_i), place)
+        })
+    }))
+}
