@@ -11,6 +11,7 @@ use equation::derivation::{Chain, Hop};
 use yardstick::order;
 use yardstick::precise::{self, Real};
 use yardstick::random::{Stream, stream};
+pub use yardstick::statistics::{rms, sidak};
 
 /// One chapter of the lecture.
 #[derive(Debug)]
@@ -199,12 +200,6 @@ impl Bound {
     }
 }
 
-/// The significance of one of `tests` independent tests that makes `significance` of them all together (Šidák 1967).
-pub fn sidak(significance: f64, tests: usize) -> f64 {
-    // 1 − (1 − α)^(1/n), without cancellation.
-    -f64::exp_m1(f64::ln_1p(-significance) / tests.max(1) as f64)
-}
-
 /// What a check found: its worst case and where that was.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
@@ -364,17 +359,6 @@ impl Lane {
     }
 }
 
-/// The root of the mean square [1]; NaN if any error is, or if there is none.
-pub fn rms(errors: &[f64]) -> f64 {
-    let largest = errors.iter().map(|error| error.abs()).max_by(f64::total_cmp).unwrap_or(f64::NAN);
-    if largest == 0.0 || !largest.is_finite() {
-        return largest;
-    }
-    // Scaled, so that errors near the end of the range do not underflow when squared.
-    let sum: f64 = errors.iter().map(|error| (error / largest).powi(2)).sum();
-    largest * (sum / errors.len() as f64).sqrt()
-}
-
 /// A prepared run: what is timed, and the error of what it leaves behind.
 pub struct Heat {
     /// The timed part; it may be run many times and leaves the same result each time.
@@ -482,14 +466,6 @@ mod tests {
     }
 
     #[test]
-    fn rms_neither_underflows_nor_hides_nan() {
-        assert_eq!(rms(&[3e-200, -3e-200]), 3e-200);
-        assert!((rms(&[1.0, 7.0]) - 5.0).abs() < 1e-15);
-        assert_eq!(rms(&[0.0]), 0.0);
-        assert!(rms(&[]).is_nan() && rms(&[1.0, f64::NAN]).is_nan());
-    }
-
-    #[test]
     fn lanes_are_judged_by_their_errors() {
         let falling: Vec<_> = (1..6).map(|k| (f64::from(1 << k), 0.25_f64.powi(k))).collect();
         assert!(Expects::Order { order: 2.0, tolerance: 0.01 }.admits(&falling));
@@ -512,11 +488,5 @@ mod tests {
         for error in [1.0, 10.0, f64::INFINITY, f64::NAN] {
             assert_eq!(digits(error).to_bits(), 0, "{error}");
         }
-    }
-
-    #[test]
-    fn sidak_splits_a_significance() {
-        let one = sidak(1e-3, 40);
-        assert!((1.0 - (1.0 - one).powi(40) - 1e-3).abs() < 1e-14);
     }
 }
