@@ -6,10 +6,15 @@
 //! | question | asked by |
 //! |---|---|
 //! | how strict must one of many tests be? | [`sidak`]; [`family`] makes one p-value of many |
+//! | how rare is a deviate? | [`normal_two_sided`], [`student_two_sided`], [`chi_square_tail`] |
 //! | how large are errors that scatter? | [`rms`] |
 
 mod family;
+#[cfg(test)]
+mod references;
 mod rms;
+mod tails;
 
 pub use family::{family, sidak};
 pub use rms::rms;
+pub use tails::{chi_square_tail, normal_two_sided, student_two_sided, upper_gamma};
