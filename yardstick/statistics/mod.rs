@@ -5,16 +5,22 @@
 //!
 //! | question | asked by |
 //! |---|---|
+//! | is a mean what it should be? | [`t_test`], [`z_test`] on [`Moments`] |
+//! | have two samples one mean? | [`welch`] |
 //! | how strict must one of many tests be? | [`sidak`]; [`family`] makes one p-value of many |
 //! | how rare is a deviate? | [`normal_two_sided`], [`student_two_sided`], [`chi_square_tail`] |
 //! | how large are errors that scatter? | [`rms`] |
 
 mod family;
+mod means;
+mod moments;
 #[cfg(test)]
 mod references;
 mod rms;
 mod tails;
 
 pub use family::{family, sidak};
+pub use means::{MeanTest, ROUNDING, t_test, welch, z_test};
+pub use moments::Moments;
 pub use rms::rms;
 pub use tails::{chi_square_tail, normal_two_sided, student_two_sided, upper_gamma};
