@@ -21,6 +21,8 @@ mod moments;
 #[cfg(test)]
 mod references;
 mod rms;
+#[cfg(test)]
+mod self_tests;
 mod tails;
 
 pub use chi_square::{Bin, ChiSquare, LEAST_EXPECTED, chi_square, chi_square_pooled};
