@@ -5,7 +5,7 @@
 use crate::setting::Setting;
 use crate::vocabulary::{
     Bench, Bound, Claim, Derivation, Extreme, Given, Heat, Item, Lane, Measured, Question, Race, SEED, Statement,
-    Stress, fitted_order, rms, sidak,
+    Stress, fitted_order,
 };
 use equation::derivation::{Chain, Hop, Verdict};
 use equation::units::Mismatch;
@@ -14,6 +14,7 @@ use std::any::Any;
 use std::hint::black_box;
 use yardstick::precise;
 use yardstick::random::stream;
+use yardstick::statistics::{rms, sidak};
 
 /// What tells the time.
 pub trait Clock: Sync {

@@ -7,9 +7,11 @@
 //! | the observed order of a method | [`order`] |
 //! | integrals by rules | [`quadrature`] |
 //! | differential equations stepped from their start | [`initial_value`] |
+//! | counts, means and what chance makes of them | [`statistics`] |
 
 pub mod initial_value;
 pub mod order;
 pub mod precise;
 pub mod quadrature;
 pub mod random;
+pub mod statistics;

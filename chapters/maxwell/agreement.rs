@@ -5,7 +5,7 @@ use crate::figure::{Axis, Chart, Dash, Hue, Map, Mark, Panel, Plot, Ramp, Shape}
 use crate::fresnel::media;
 use crate::setting::{Kind, Parameter, Setting};
 use crate::vocabulary::{
-    Bench, Bound, Check, Exhibit, Measured, Quantity, Step, check, exhibit, figure, fitted_order, rms, statement, step,
+    Bench, Bound, Check, Exhibit, Measured, Quantity, Step, check, exhibit, figure, fitted_order, statement, step,
 };
 use equation::{Dimension, Equation, Symbol};
 use light::Complex64;
@@ -16,6 +16,7 @@ use light::em::{C, Medium, Pulse, Stepping};
 use light::optics::Incidence;
 use light::optics::film::Polarisation;
 use light::optics::fresnel::powers;
+use yardstick::statistics::rms;
 
 const INDEX: Parameter = Parameter {
     name: "n",

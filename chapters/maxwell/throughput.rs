@@ -1,10 +1,11 @@
 //! C2: how many cells the grid steps in a second.
 
-use crate::vocabulary::{Expects, Heat, Race, lane, race, rms};
+use crate::vocabulary::{Expects, Heat, Race, lane, race};
 use light::em::line::{Ends, Line, Setup as LineSetup};
 use light::em::plane::{self, Plane, Region};
 use light::em::{Medium, Pulse, Refusal, Stepping, Wall};
 use std::f64::consts::{PI, TAU};
+use yardstick::statistics::rms;
 
 pub(super) const THROUGHPUT: Race = race(
     "throughput",

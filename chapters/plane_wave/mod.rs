@@ -15,8 +15,9 @@ pub(crate) mod transverse;
 mod wave_equation;
 
 use crate::setting::{FREQUENCY, MEDIUM, Parameter, Setting};
-use crate::vocabulary::{Chapter, Exhibit, Quantity, rms};
+use crate::vocabulary::{Chapter, Exhibit, Quantity};
 use light::waves::Wave;
+use yardstick::statistics::rms;
 
 /// The chapter.
 pub const CHAPTER: Chapter = Chapter {

@@ -3,13 +3,14 @@
 use super::fields::{Dipole, Field, acceleration, curl as curl_of, direction, laplacian as laplacian_of, rate};
 use crate::symbols::{B, E, EPSILON, MU, T};
 use crate::vocabulary::{
-    Bench, Bound, Check, Exhibit, Measured, Step, check, derivation, exhibit, fitted_order, rms, statement, step,
+    Bench, Bound, Check, Exhibit, Measured, Step, check, derivation, exhibit, fitted_order, statement, step,
 };
 use equation::derivation::Chain;
 use equation::expr::{curl, divergence, gradient, laplacian, partial};
 use equation::{Equation, Expr, Symbol};
 use glam::DVec3;
 use yardstick::random::uniform;
+use yardstick::statistics::rms;
 
 pub(super) const EXHIBIT: Exhibit = exhibit("wave_equation", &[], &[]);
 

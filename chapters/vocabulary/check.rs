@@ -6,6 +6,7 @@
 use super::Bench;
 use std::any::Any;
 use std::fmt;
+use yardstick::statistics::sidak;
 
 /// A claim that a number could refute, tried on a subject of type `F`.
 #[derive(Clone, Copy)]
@@ -185,12 +186,6 @@ impl Bound {
     }
 }
 
-/// The significance of one of `tests` independent tests that makes `significance` of them all together (Šidák 1967).
-pub fn sidak(significance: f64, tests: usize) -> f64 {
-    // 1 − (1 − α)^(1/n), without cancellation.
-    -f64::exp_m1(f64::ln_1p(-significance) / tests.max(1) as f64)
-}
-
 /// What a check found: its worst case and where that was.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
@@ -238,11 +233,5 @@ mod tests {
         assert!(worst.value.is_nan());
         assert_eq!((worst.at.as_str(), worst.cases), ("b", 3));
         assert_eq!(Measured::worst([(1.0, "a".into()), (-3.0, "c".into())]).value, 3.0);
-    }
-
-    #[test]
-    fn sidak_splits_a_significance() {
-        let one = sidak(1e-3, 40);
-        assert!((1.0 - (1.0 - one).powi(40) - 1e-3).abs() < 1e-14);
     }
 }

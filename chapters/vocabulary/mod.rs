@@ -26,12 +26,12 @@ mod statement;
 mod stress;
 
 pub use bench::{Bench, Quantity, SEED};
-pub use check::{Bound, Check, Claim, Claimed, Head, Measured, Measurement, check, sidak};
+pub use check::{Bound, Check, Claim, Claimed, Head, Measured, Measurement, check};
 pub use derivation::{Derivation, Unspoiled, derivation};
 pub use figure::{Exhibit, Figure, exhibit, figure};
 pub use item::{Item, Part};
 pub use question::{Answer, Choice, Given, Misled, Question, Reply, SIGNS, TRENDS, choice, question};
-pub use race::{Entrant, Expects, Heat, Judge, Lane, Race, Run, fitted_order, lane, race, rms};
+pub use race::{Entrant, Expects, Heat, Judge, Lane, Race, Run, fitted_order, lane, race};
 pub use statement::{Statement, statement};
 pub use stress::{ALLOWED_ULPS, Extreme, Stress, digits, stress};
 
