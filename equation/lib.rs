@@ -10,6 +10,7 @@ pub mod dimension;
 pub mod expr;
 pub mod face;
 pub mod find;
+mod glyph;
 pub mod parse;
 pub mod rational;
 pub mod ring;

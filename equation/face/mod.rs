@@ -19,7 +19,6 @@ use std::fmt;
 
 pub use block::Block;
 pub(super) use name::{greek_name, is_greek, spells};
-pub(super) use unicode::{plain, superscript, vulgar};
 
 impl Expr {
     /// As LaTeX, for math mode.

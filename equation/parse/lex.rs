@@ -3,7 +3,8 @@
 use super::Fault;
 use crate::dimension::Dimension;
 use crate::expr::Function;
-use crate::face::{greek_name, is_greek, plain, spells, vulgar};
+use crate::face::{greek_name, is_greek, spells};
+use crate::glyph::{plain, vulgar};
 use crate::rational::Rational;
 use crate::symbol::Symbol;
 use std::collections::BTreeMap;
