@@ -11,6 +11,7 @@ pub mod expr;
 pub mod face;
 pub mod find;
 mod glyph;
+pub mod hypothesis;
 pub mod parse;
 pub mod rational;
 pub mod ring;

@@ -2,8 +2,9 @@
 
 use crate::report::{DerivationReport, HopReport, LineReport, Number, StatementReport};
 use chapters::vocabulary::{Derivation, Statement, verify};
-use equation::derivation::{Chain, Claim, Given, Hop, Line, Verdict};
+use equation::derivation::{Chain, Claim, Hop, Line, Verdict};
 use equation::face::Block;
+use equation::hypothesis::Given;
 use equation::units::Mismatch;
 use equation::{Dimension, Equation, Expr};
 

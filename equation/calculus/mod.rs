@@ -22,9 +22,9 @@ mod tidy;
 #[cfg(test)]
 mod tests;
 
-use super::derivation::{Given, Primitive};
 use super::dimension::Dimension;
 use super::expr::{Expr, Nabla, Node, partial};
+use super::hypothesis::{Given, Primitive};
 use super::symbol::{Rank, Symbol};
 use resolver::{Resolver, Value};
 use std::collections::HashMap;

@@ -6,8 +6,8 @@ use super::scene::Scene;
 use super::search::Edge;
 use super::show::Writer;
 use super::term::Term;
-use crate::derivation::Given;
 use crate::expr::{Expr, Node};
+use crate::hypothesis::Given;
 use crate::rational::Rational;
 use std::borrow::Cow;
 

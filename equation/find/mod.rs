@@ -28,8 +28,8 @@ mod term;
 mod tests;
 mod trigonometry;
 
-use super::derivation::Given;
 use super::expr::Expr;
+use super::hypothesis::Given;
 use scene::Scene;
 use std::borrow::Cow;
 use std::fmt;

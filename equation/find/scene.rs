@@ -2,8 +2,8 @@
 
 use super::NotFound;
 use super::term::{Fold, Form, Power, Term, Values};
-use crate::derivation::Given;
 use crate::expr::{Expr, Function, Node};
+use crate::hypothesis::Given;
 use crate::rational::Rational;
 use crate::symbol::{Rank, Symbol};
 use crate::value::{Bindings, Evaluation, Unevaluable};
