@@ -18,50 +18,46 @@ impl Chain {
     /// least 53). Where the normal form decides, a few points guard it; otherwise there are `points` of them. The same
     /// `stream` gives the same points.
     pub fn verify(&self, points: usize, bits: usize, stream: &mut Stream) -> Vec<Hop> {
-        judge(self, points, bits, stream)
-    }
-}
-
-fn judge(chain: &Chain, points: usize, bits: usize, stream: &mut Stream) -> Vec<Hop> {
-    let atoms = Atoms::default();
-    let hypotheses = Hypotheses::of(chain, &atoms);
-    let is_premise = |at: usize| chain.lines[at].role == Role::Premise;
-    let claims: Vec<_> = chain.pairs().into_iter().filter(|(at, ..)| !is_premise(*at)).collect();
-    let cases: Vec<Result<Vec<Comparison>, String>> = claims
-        .iter()
-        .map(|(at, left, right)| {
-            let hypotheses = hypotheses.as_ref().map_err(Clone::clone)?;
-            let pairs = hypotheses.resolve(&atoms, left, right).map_err(|why| why.to_string())?;
-            let is_equation = matches!(chain.lines[*at].claim, Claim::Equation(_));
-            let judged = |(left, right): (Expr, Expr)| {
-                let equation = is_equation.then(|| Equation::new(&left, &right));
-                match equation.and_then(|equation| hypotheses.imply(&equation)) {
-                    Some(divisor) => Comparison::implied(left, right, atoms.named(&divisor), GUARDS),
-                    None => compare(left, right, points),
-                }
+        let atoms = Atoms::default();
+        let hypotheses = Hypotheses::of(self, &atoms);
+        let is_premise = |at: usize| self.lines[at].role == Role::Premise;
+        let claims: Vec<_> = self.pairs().into_iter().filter(|(at, ..)| !is_premise(*at)).collect();
+        let cases: Vec<Result<Vec<Comparison>, String>> = claims
+            .iter()
+            .map(|(at, left, right)| {
+                let hypotheses = hypotheses.as_ref().map_err(Clone::clone)?;
+                let pairs = hypotheses.resolve(&atoms, left, right).map_err(|why| why.to_string())?;
+                let is_equation = matches!(self.lines[*at].claim, Claim::Equation(_));
+                let judged = |(left, right): (Expr, Expr)| {
+                    let equation = is_equation.then(|| Equation::new(&left, &right));
+                    match equation.and_then(|equation| hypotheses.imply(&equation)) {
+                        Some(divisor) => Comparison::implied(left, right, atoms.named(&divisor), GUARDS),
+                        None => compare(left, right, points),
+                    }
+                };
+                Ok(pairs.into_iter().map(judged).collect())
+            })
+            .collect();
+        let mut comparisons: Vec<Comparison> = cases.iter().flatten().flatten().cloned().collect();
+        let admission = hypotheses.as_ref().map_or_else(|_| Admission::default(), |found| found.admission(&atoms));
+        let is_open = hypotheses.as_ref().is_ok_and(|hypotheses| !hypotheses.unsolved.is_empty());
+        sample::run(&mut comparisons, &admission, &atoms, bits, stream);
+        let mut found = comparisons.into_iter();
+        let mut hops = Vec::new();
+        for ((line, ..), case) in claims.iter().zip(cases) {
+            let verdict = match case {
+                Err(why) => Verdict::Unknown { why },
+                Ok(pairs) => found
+                    .by_ref()
+                    .take(pairs.len())
+                    .map(|pair| pair.verdict(&atoms, is_open))
+                    .reduce(worse)
+                    .unwrap_or(Verdict::Proved),
             };
-            Ok(pairs.into_iter().map(judged).collect())
-        })
-        .collect();
-    let mut comparisons: Vec<Comparison> = cases.iter().flatten().flatten().cloned().collect();
-    let admission = hypotheses.as_ref().map_or_else(|_| Admission::default(), |found| found.admission(&atoms));
-    let is_open = hypotheses.as_ref().is_ok_and(|hypotheses| !hypotheses.unsolved.is_empty());
-    sample::run(&mut comparisons, &admission, &atoms, bits, stream);
-    let mut found = comparisons.into_iter();
-    let mut hops = Vec::new();
-    for ((line, ..), case) in claims.iter().zip(cases) {
-        let verdict = match case {
-            Err(why) => Verdict::Unknown { why },
-            Ok(pairs) => found
-                .by_ref()
-                .take(pairs.len())
-                .map(|pair| pair.verdict(&atoms, is_open))
-                .reduce(worse)
-                .unwrap_or(Verdict::Proved),
-        };
-        hops.push(Hop { line: *line, by: chain.lines[*line].by.clone(), verdict });
+            hops.push(Hop { line: *line, by: self.lines[*line].by.clone(), verdict });
+        }
+        hops
     }
-    hops
 }
 
 /// Two scalar sides, decided by normal form where that can be.
