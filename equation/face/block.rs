@@ -1,9 +1,11 @@
 //! Lines of Unicode for terminals, with fractions of two storeys.
 
 use super::name::Name;
+use super::pen::{Gap, Level, Pen, Sign, Written};
 use super::unicode::{self, Unicode};
-use super::{Gap, Level, Pen, Rank, Rational, Sign, Written};
 use crate::glyph::{subscript, superscript};
+use crate::rational::Rational;
+use crate::symbol::Rank;
 
 /// A rectangle of text: rows of the same width, one of which is level with what stands beside it. Every character is
 /// one column wide.

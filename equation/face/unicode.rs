@@ -1,8 +1,10 @@
 //! One line of Unicode, for terminals.
 
 use super::name::{Name, greek};
-use super::{Gap, Level, Pen, Rank, Rational, Sign, Written};
+use super::pen::{Gap, Level, Pen, Sign, Written};
 use crate::glyph::{self, subscript, superscript};
+use crate::rational::Rational;
+use crate::symbol::Rank;
 
 #[derive(Clone, Copy)]
 pub(super) struct Unicode;
