@@ -1,7 +1,7 @@
 //! What a search knows from the outset: symbols with their values at two points, hypotheses, and the angles in sight.
 
-use super::NotFound;
 use super::term::{Fold, Form, Power, Term, Values};
+use super::way::NotFound;
 use crate::expr::{Expr, Function, Node};
 use crate::hypothesis::Given;
 use crate::rational::Rational;
