@@ -1,5 +1,6 @@
 //! SI dimensions: the exponents of the seven base units.
 
+use super::glyph::superscript;
 use super::rational::{Rational, greatest_common_divisor};
 use std::fmt;
 
@@ -195,7 +196,7 @@ impl fmt::Display for Dimension {
 fn factor(unit: &str, exponent: Rational) -> String {
     match exponent.as_integer() {
         Some(1) => unit.to_owned(),
-        Some(n) => format!("{unit}{}", super::face::superscript(&n.to_string()).expect("digits can be raised")),
+        Some(n) => format!("{unit}{}", superscript(&n.to_string()).expect("digits can be raised")),
         None => format!("{unit}^({exponent})"),
     }
 }

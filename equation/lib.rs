@@ -10,16 +10,19 @@ pub mod dimension;
 pub mod expr;
 pub mod face;
 pub mod find;
+mod glyph;
+pub mod hypothesis;
 pub mod parse;
 pub mod rational;
 pub mod ring;
+pub mod sound;
 pub mod symbol;
 mod tracked;
 pub mod units;
 pub mod value;
 
 #[cfg(test)]
-mod lecture;
+mod constructs;
 #[cfg(test)]
 mod properties;
 

@@ -5,6 +5,7 @@ use super::dimension::Dimension;
 use super::expr::*;
 use super::parse::parse;
 use super::rational::Rational;
+use super::sound;
 use super::symbol::{Rank, Symbol};
 use super::tracked::Tracked;
 use super::value::{Bindings, Unevaluable};
@@ -112,43 +113,6 @@ fn tracked(expr: &Expr, x: Complex64, y: Complex64) -> Result<Tracked, Unevaluab
     expr.evaluate(&bindings(exact(x), exact(y)))
 }
 
-/// Whether brackets close in order.
-fn balanced(text: &str, pairs: &[(char, char)]) -> bool {
-    let mut open = Vec::new();
-    for c in text.chars() {
-        if let Some((_, close)) = pairs.iter().find(|(o, _)| *o == c) {
-            open.push(*close);
-        } else if pairs.iter().any(|(_, close)| *close == c) && open.pop() != Some(c) {
-            return false;
-        }
-    }
-    open.is_empty()
-}
-
-/// Whether `text` is well-formed and every element of fixed arity has its children.
-fn is_mathml(text: &str) -> bool {
-    let mut open: Vec<(&str, usize)> = vec![("", 0)];
-    for tag in text.split('<').skip(1).filter_map(|part| part.split('>').next()) {
-        if let Some(name) = tag.strip_prefix('/') {
-            let Some((opened, children)) = open.pop() else { return false };
-            let wanted = match name {
-                "msub" | "msup" | "mfrac" => Some(2),
-                "msubsup" => Some(3),
-                _ => None,
-            };
-            if opened != name || wanted.is_some_and(|wanted| wanted != children) {
-                return false;
-            }
-            continue;
-        }
-        open.last_mut().expect("the root").1 += 1;
-        if !tag.ends_with('/') {
-            open.push((tag.split(' ').next().unwrap_or(tag), 0));
-        }
-    }
-    open.len() == 1 && open[0].1 == 1
-}
-
 fn unit() -> impl Strategy<Value = Dimension> {
     let base = [Dimension::METRE, Dimension::SECOND, Dimension::KILOGRAM, Dimension::AMPERE, Dimension::KELVIN];
     proptest::collection::vec((0..base.len(), -3..4_i64, 1..4_i64), 0..4).prop_map(move |powers| {
@@ -175,12 +139,7 @@ proptest! {
     #[test]
     fn faces_are_well_formed(expr in anything()) {
         let equation = Equation::new(&expr, 0);
-        let pairs = [('(', ')'), ('⟨', '⟩')];
-        prop_assert!(balanced(&equation.to_string(), &pairs), "{equation}");
-        let latex = equation.latex();
-        prop_assert!(balanced(&latex, &[('{', '}'), ('(', ')')]), "{latex}");
-        prop_assert_eq!(latex.matches(r"\left").count(), latex.matches(r"\right").count());
-        prop_assert!(is_mathml(&equation.mathml()), "{}", equation.mathml());
+        prop_assert_eq!(sound::well_formed(&equation), Ok(()));
         // Units are inferred or refused, never a panic.
         let _ = equation.dimension();
     }
@@ -231,7 +190,7 @@ proptest! {
         let slip = (abs(&a * &c) + abs(&b * &c)) / 1_000_000;
         prop_assume!(tracked(&slip, x, x.conj()).is_ok_and(|slip| slip.is_certain()));
         let chain = Chain::new((&a + &b) * &c).then(&products * 1, ["distribute"]).then(products + slip, ["a slip"]);
-                let hops = chain.verify(3, 128, &mut stream(seed, "properties"));
+        let hops = chain.verify(3, 128, &mut stream(seed, "properties"));
         prop_assert!(!matches!(hops[0].verdict, Verdict::Refuted { .. }), "{a} | {b} | {c}: {:?}", hops[0]);
         prop_assert!(!hops[1].verdict.holds(), "{a} | {b} | {c}: {:?}", hops[1]);
     }

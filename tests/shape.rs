@@ -4,6 +4,8 @@ use chapters::lecture::LECTURE;
 use chapters::setting::{Kind, Setting};
 use chapters::vocabulary::{Exhibit, Item};
 use chapters::{CURRICULUM, Step, steps};
+use equation::derivation::{Chain, Claim};
+use equation::{Equation, sound};
 use std::collections::HashSet;
 
 /// Every item's id and the rows it is evidence for.
@@ -129,6 +131,41 @@ fn units_of_both_sides_agree() {
             }
         }
     }
+}
+
+/// Every equation on the page, with its place: statements, and hypotheses and lines of derivations.
+fn equations() -> Vec<(String, Equation)> {
+    let mut all = Vec::new();
+    for (chapter, step) in steps() {
+        let place = |id: &str| format!("{}/{}/{id}", chapter.id, step.id);
+        all.extend(step.statements.iter().map(|item| (place(item.id), (item.equation)())));
+        for item in step.derivations {
+            all.extend(written(&(item.chain)()).into_iter().map(|equation| (place(item.id), equation)));
+        }
+    }
+    all
+}
+
+/// What a chain shows, each as an equation; a bare expression follows "=" there.
+fn written(chain: &Chain) -> Vec<Equation> {
+    let given = chain.given.iter().map(|given| Equation::new(&given.what, &given.value));
+    let lines = chain.lines.iter().map(|line| match &line.claim {
+        Claim::Equation(equation) => equation.clone(),
+        Claim::Expr(expr) => Equation::new(0, expr),
+    });
+    given.chain(lines).collect()
+}
+
+#[test]
+fn faces_are_well_formed_and_read_back() {
+    let faults: Vec<String> = equations()
+        .into_iter()
+        .filter_map(|(place, equation)| {
+            let sound = sound::well_formed(&equation).and_then(|()| sound::read_back(&equation));
+            sound.err().map(|why| format!("{place}: {why}"))
+        })
+        .collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
 #[test]

@@ -6,8 +6,9 @@ use chapters::setting::{Kind, Setting, Value};
 use chapters::vocabulary::{
     Bound, Claim, Derivation, Expects, Extreme, Item, Lane, Question, Race, Statement, Step, Stress, digits,
 };
-use equation::derivation::{Chain, Claim as Told, Given, Hop, Line, Verdict as Hopped};
+use equation::derivation::{Chain, Claim as Told, Hop, Line, Verdict as Hopped};
 use equation::face::Block;
+use equation::hypothesis::Given;
 use equation::units::Mismatch;
 use equation::{Dimension, Equation, Expr};
 use yardstick::precise;

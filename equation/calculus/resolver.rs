@@ -1,51 +1,13 @@
 //! One call's work: expressions taken to components, from the inside out.
 
-use super::tidy::{negative, product, quotient, sum, zero};
-use super::{Calculus, DEEPEST, LARGEST, Rule, Unresolved, component, coordinate, face, is_coordinate};
-use crate::expr::{Expr, Function, Nabla, Node, Range, conj, sqrt};
-use crate::rational::Rational;
+use super::components::{Value, antisymmetric, dot, length};
+use super::coordinates::{component, coordinate, is_coordinate, varies};
+use super::given::{Calculus, Rule};
+use super::refusal::{DEEPEST, LARGEST, Unresolved, face, measure};
+use super::tidy::{negative, product, quotient, sum};
+use crate::expr::{Expr, Function, Nabla, Node, Range};
 use crate::symbol::{Rank, Symbol};
 use std::collections::HashMap;
-
-/// A number, or a vector by its components.
-#[derive(Clone)]
-pub(super) enum Value {
-    Scalar(Expr),
-    Vector([Expr; 3]),
-}
-
-impl Value {
-    /// The number that `expr` was found to be.
-    fn into_scalar(self, expr: &Expr) -> Result<Expr, Unresolved> {
-        match self {
-            Self::Scalar(value) => Ok(value),
-            Self::Vector(_) => Err(Unresolved::Rank { face: face(expr), wanted: Rank::Scalar }),
-        }
-    }
-
-    /// The components of the vector that `expr` was found to be; a bare 0 may be one.
-    pub(super) fn into_vector(self, expr: &Expr) -> Result<[Expr; 3], Unresolved> {
-        match self {
-            Self::Vector(parts) => Ok(parts),
-            Self::Scalar(value) if value.is_zero() => Ok([zero(), zero(), zero()]),
-            Self::Scalar(_) => Err(Unresolved::Rank { face: face(expr), wanted: Rank::Vector }),
-        }
-    }
-
-    fn parts(&self) -> &[Expr] {
-        match self {
-            Self::Scalar(value) => std::slice::from_ref(value),
-            Self::Vector(parts) => parts,
-        }
-    }
-
-    pub(super) fn map(self, mut image: impl FnMut(Expr) -> Result<Expr, Unresolved>) -> Result<Self, Unresolved> {
-        Ok(match self {
-            Self::Scalar(value) => Self::Scalar(image(value)?),
-            Self::Vector([x, y, z]) => Self::Vector([image(x)?, image(y)?, image(z)?]),
-        })
-    }
-}
 
 pub(super) struct Resolver<'a> {
     pub calculus: &'a Calculus<'a>,
@@ -60,18 +22,6 @@ pub(super) struct Resolver<'a> {
     pub open: Vec<Expr>,
     depth: usize,
     steps: usize,
-}
-
-/// Adds the nodes of `expr` to `nodes`; an error above `largest`.
-pub(super) fn measure(expr: &Expr, nodes: &mut usize, largest: usize, depth: usize) -> Result<(), Unresolved> {
-    *nodes += 1;
-    if *nodes > largest {
-        return Err(Unresolved::TooLarge);
-    }
-    if depth > DEEPEST {
-        return Err(Unresolved::TooDeep);
-    }
-    expr.children().into_iter().try_for_each(|child| measure(child, nodes, largest, depth + 1))
 }
 
 impl<'a> Resolver<'a> {
@@ -377,53 +327,6 @@ impl<'a> Resolver<'a> {
             Some(axis) => self.vector(&rule.value).map(|parts| parts[axis].clone()),
         }
     }
-
-    fn integral(&mut self, expr: &Expr, of: &Expr, by: &Expr, from: &Expr, to: &Expr) -> Result<Value, Unresolved> {
-        let variable = self.variable(by)?;
-        let bounds = [self.scalar(from)?, self.scalar(to)?];
-        let integrand = self.value(of)?;
-        self.check(&integrand)?;
-        integrand.map(|part| {
-            if varies(&part, &variable) {
-                return self.between(&part, &variable, &bounds).unwrap_or(Err(Unresolved::NoPrimitive(face(expr))));
-            }
-            let [from, to] = bounds.clone();
-            Ok(product([part, sum([to, negative(from)])]))
-        })
-    }
-
-    /// F(b) − F(a) with the primitive F of `integrand`, if there is one.
-    fn between(&mut self, integrand: &Expr, variable: &Symbol, bounds: &[Expr; 2]) -> Option<Result<Expr, Unresolved>> {
-        let primitives = self.calculus.primitives.iter();
-        for primitive in primitives.filter(|primitive| primitive.variable.name() == variable.name()) {
-            match self.fits(&primitive.of, integrand, variable) {
-                Ok(Some(of)) if is_entire(&of, variable) => {
-                    let [from, to] = bounds.each_ref().map(|bound| of.replace(&variable.into(), bound));
-                    return Some(Ok(sum([to, negative(from)])));
-                }
-                Ok(Some(of)) => {
-                    return Some(Err(Unresolved::NotEntire { face: face(&of), variable: variable.to_string() }));
-                }
-                Ok(None) => {}
-                Err(refusal) => return Some(Err(refusal)),
-            }
-        }
-        None
-    }
-
-    /// The component of the primitive `of` whose derivative the integrand is.
-    fn fits(&mut self, of: &Expr, integrand: &Expr, variable: &Symbol) -> Result<Option<Expr>, Unresolved> {
-        let value = self.value(of)?;
-        self.check(&value)?;
-        for of in value.parts() {
-            let slope = Value::Scalar(self.slope(of, variable)?);
-            self.check(&slope)?;
-            if (self.calculus.equal)(integrand, &slope.into_scalar(of)?) {
-                return Ok(Some(of.clone()));
-            }
-        }
-        Ok(None)
-    }
 }
 
 /// `value`, which stands for `expr`, as what that is: a vector symbol may be given as 0.
@@ -442,61 +345,4 @@ fn rebuilt(expr: &Expr, values: Vec<Value>) -> Value {
         Some(Value::Scalar(new)) => new,
         _ => old.clone(),
     }))
-}
-
-fn dot(a: &[Expr; 3], b: &[Expr; 3]) -> Expr {
-    sum(a.iter().zip(b).map(|(a, b)| product([a.clone(), b.clone()])))
-}
-
-/// The vector with the components t(y, z) − t(z, y) and so on round.
-fn antisymmetric(mut term: impl FnMut(usize, usize) -> Result<Expr, Unresolved>) -> Result<[Expr; 3], Unresolved> {
-    let mut part = |i, j| Ok(sum([term(i, j)?, negative(term(j, i)?)]));
-    Ok([part(1, 2)?, part(2, 0)?, part(0, 1)?])
-}
-
-/// |v|
-fn length(parts: &[Expr; 3]) -> Expr {
-    let square = |part: &Expr| if is_real(part) { part.pow(2) } else { product([part.clone(), conj(part)]) };
-    sqrt(sum(parts.iter().filter(|part| !part.is_zero()).map(square)))
-}
-
-/// Whether it is real for real symbols, by its form.
-fn is_real(expr: &Expr) -> bool {
-    let parts = || expr.children().into_iter().all(is_real);
-    match expr.node() {
-        Node::Number(_) | Node::Pi => true,
-        Node::Symbol(symbol) => symbol_is_real(symbol),
-        Node::Apply(symbol, _) => symbol_is_real(symbol) && parts(),
-        Node::Power(_, exponent) => exponent.as_integer().is_some() && parts(),
-        Node::Sum(_) | Node::Product(_) | Node::Quotient(..) | Node::Negate(_) | Node::Partial(..) => parts(),
-        Node::Function(Function::Abs | Function::Re | Function::Im, _) => true,
-        Node::Function(Function::Exp | Function::Sin | Function::Cos | Function::Tan | Function::Atan, _) => parts(),
-        _ => false,
-    }
-}
-
-pub(super) fn symbol_is_real(symbol: &Symbol) -> bool {
-    symbol.domain().im == (0.0, 0.0)
-}
-
-/// Whether it may have another value for another `variable`.
-fn varies(expr: &Expr, variable: &Symbol) -> bool {
-    match expr.node() {
-        Node::Symbol(symbol) => symbol.name() == variable.name() || (symbol.is_field() && is_coordinate(variable)),
-        _ => expr.children().into_iter().any(|child| varies(child, variable)),
-    }
-}
-
-/// Whether it has no singularity at any finite `variable`, by its form.
-fn is_entire(expr: &Expr, variable: &Symbol) -> bool {
-    let parts = || expr.children().into_iter().all(|part| is_entire(part, variable));
-    match expr.node() {
-        Node::Symbol(symbol) if symbol.name() == variable.name() => true,
-        _ if !varies(expr, variable) => true,
-        Node::Sum(_) | Node::Product(_) | Node::Negate(_) => parts(),
-        Node::Function(Function::Sin | Function::Cos | Function::Exp, _) => parts(),
-        Node::Power(_, exponent) => exponent.as_integer().is_some() && *exponent >= Rational::ZERO && parts(),
-        Node::Quotient(above, below) => is_entire(above, variable) && !varies(below, variable),
-        _ => false,
-    }
 }

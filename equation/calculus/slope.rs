@@ -1,8 +1,11 @@
 //! The derivative of a number: rules for each operation and function, and the atoms that are left.
 
-use super::resolver::{Resolver, symbol_is_real};
+use super::components::symbol_is_real;
+use super::coordinates::is_coordinate;
+use super::given::Rule;
+use super::refusal::{Unresolved, face};
+use super::resolver::Resolver;
 use super::tidy::{negative, power, product, quotient, sum, zero};
-use super::{Rule, Unresolved, face, is_coordinate};
 use crate::expr::{Expr, Function, Node, abs, conj, cos, re, sin, sqrt};
 use crate::rational::Rational;
 use crate::symbol::Symbol;

@@ -1,9 +1,11 @@
 //! Derivatives against differences of values, and the identities of vector analysis and electromagnetism with every
 //! atom an arbitrary number. Each identity stands beside a slip of it that must not hold.
 
+use super::coordinates::component;
 use super::*;
 use crate::dimension::Dimension as U;
 use crate::expr::*;
+use crate::hypothesis::{Given, Primitive};
 use crate::rational::Rational;
 use crate::value::Bindings;
 use num_complex::Complex64;

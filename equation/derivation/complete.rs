@@ -1,10 +1,12 @@
 //! Goals reached: the lines that the author left to the program.
 
-use super::judge::{Atoms, Hypotheses};
-use super::{Chain, Claim, Given, Line, Role};
+use super::atoms::Atoms;
+use super::chain::{Chain, Claim, Line, Role};
+use super::hypotheses::Hypotheses;
 use crate::Equation;
 use crate::expr::Expr;
 use crate::find::{Step, find};
+use crate::hypothesis::Given;
 
 impl Chain {
     /// The same chain with the lines that lead to its goals, as far as they are found. A goal without them stands as

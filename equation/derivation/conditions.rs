@@ -1,7 +1,8 @@
 //! What must not be zero for a chain to hold: everything that it divides by.
 
-use super::judge::{Atoms, Hypotheses};
-use super::{Chain, Claim, Line};
+use super::atoms::Atoms;
+use super::chain::{Chain, Claim, Line};
+use super::hypotheses::Hypotheses;
 use crate::expr::{Expr, Function, Node, cos};
 use crate::ring;
 

@@ -1,7 +1,7 @@
 //! Two sides compared at points of their symbols' domains.
 
-use super::Verdict;
-use super::judge::Atoms;
+use super::atoms::Atoms;
+use super::verdict::Verdict;
 use crate::expr::Expr;
 use crate::symbol::{Domain, Symbol};
 use crate::tracked::Tracked;
@@ -94,24 +94,6 @@ fn compare(
         for pair in comparisons.iter_mut().filter(|pair| !pair.is_done()) {
             pair.look(&mut evaluation, &sample, atoms, bits);
         }
-    }
-}
-
-/// Whether two expressions have different values at the middle of their symbols' domains.
-pub(super) fn differ(a: &Expr, b: &Expr) -> bool {
-    let mut bindings = Bindings::new();
-    for (at, symbol) in a.symbols().into_iter().chain(b.symbols()).enumerate() {
-        // Not the very middle, where symbols of one domain would be equal.
-        let place = 0.5 + 0.3 * (1.0 + at as f64).sin();
-        let between = |(min, max): (f64, f64)| min + (max - min) * place;
-        let domain = symbol.domain();
-        if !bindings.has(symbol.name()) {
-            bindings.bind(symbol.name(), Complex64::new(between(domain.re), between(domain.im)));
-        }
-    }
-    match (a.evaluate(&bindings), b.evaluate(&bindings)) {
-        (Ok(a), Ok(b)) => (a - b).norm() > 1e-6 * (a.norm() + b.norm()),
-        _ => false,
     }
 }
 

@@ -1,8 +1,11 @@
 //! Lines of Unicode for terminals, with fractions of two storeys.
 
 use super::name::Name;
+use super::pen::{Gap, Level, Pen, Sign, Written};
 use super::unicode::{self, Unicode};
-use super::{Gap, Level, Pen, Rank, Rational, Sign, Written};
+use crate::glyph::{subscript, superscript};
+use crate::rational::Rational;
+use crate::symbol::Rank;
 
 /// A rectangle of text: rows of the same width, one of which is level with what stands beside it. Every character is
 /// one column wide.
@@ -220,7 +223,7 @@ impl Pen for Stacked {
         }
         let exponent = exponent.into_line();
         // Small characters stand beside the top row, others above it.
-        let (face, lift) = match unicode::superscript(&exponent) {
+        let (face, lift) = match superscript(&exponent) {
             Some(small) => (small, 0),
             None if exponent == "*" => (exponent, 0),
             None => (exponent, 1),
@@ -241,8 +244,8 @@ impl Pen for Stacked {
 
     fn integral(self, sign: char, bounds: Option<(Block, Option<Block>)>) -> Block {
         let small = |lower: &Block, upper: Option<&Block>| {
-            let lowered = unicode::subscript(&lower.rows[0]).is_some();
-            lowered && upper.is_none_or(|upper| unicode::superscript(&upper.rows[0]).is_some())
+            let lowered = subscript(&lower.rows[0]).is_some();
+            lowered && upper.is_none_or(|upper| superscript(&upper.rows[0]).is_some())
         };
         match bounds {
             Some((lower, upper)) if !self.inside && !small(&lower, upper.as_ref()) => {

@@ -1,8 +1,10 @@
 //! LaTeX for math mode; plain amsmath, which KaTeX and MathJax also read.
 
 use super::name::{Name, greek};
+use super::pen::{Gap, Level, Pen, Sign, Written};
 use super::unicode::decimal;
-use super::{Gap, Level, Pen, Rank, Rational, Sign, Written};
+use crate::rational::Rational;
+use crate::symbol::Rank;
 
 #[derive(Clone, Copy)]
 pub(super) struct Latex;

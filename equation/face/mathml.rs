@@ -1,8 +1,10 @@
 //! Presentation MathML (MathML Core), which browsers draw by themselves. Every face is one element.
 
 use super::name::{Name, greek};
+use super::pen::{Gap, Level, Pen, Sign, Written};
 use super::unicode::decimal;
-use super::{Gap, Level, Pen, Rank, Rational, Sign, Written};
+use crate::rational::Rational;
+use crate::symbol::Rank;
 
 #[derive(Clone, Copy)]
 pub(super) struct MathMl;

@@ -26,17 +26,17 @@ pub(super) fn greek(name: &str) -> Option<(char, &'static str)> {
 }
 
 /// The English name of a Greek letter, as symbols bear it.
-pub(in super::super) fn greek_name(letter: char) -> Option<&'static str> {
+pub(crate) fn greek_name(letter: char) -> Option<&'static str> {
     GREEK.iter().find(|(_, known, _)| *known == letter).map(|(name, ..)| *name)
 }
 
 /// Whether `word` is the English name of a Greek letter.
-pub(in super::super) fn is_greek(word: &str) -> bool {
+pub(crate) fn is_greek(word: &str) -> bool {
     greek(word).is_some()
 }
 
 /// Whether `letters`, as neighbours in a product, would begin with a word that means something else: xi, ln.
-pub(in super::super) fn spells(letters: &str) -> bool {
+pub(crate) fn spells(letters: &str) -> bool {
     GREEK.iter().map(|(name, ..)| *name).chain(WORDS).any(|word| letters.starts_with(word))
 }
 

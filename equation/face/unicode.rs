@@ -1,37 +1,17 @@
 //! One line of Unicode, for terminals.
 
 use super::name::{Name, greek};
-use super::{Gap, Level, Pen, Rank, Rational, Sign, Written};
+use super::pen::{Gap, Level, Pen, Sign, Written};
+use crate::glyph::{self, subscript, superscript};
+use crate::rational::Rational;
+use crate::symbol::Rank;
 
 #[derive(Clone, Copy)]
 pub(super) struct Unicode;
 
-/// `text` in raised characters, where every one of them exists.
-pub(in super::super) fn superscript(text: &str) -> Option<String> {
-    text.chars().map(|c| RAISED.iter().find(|(plain, _)| *plain == c).map(|(_, raised)| *raised)).collect()
-}
-
-/// `text` in lowered characters, where every one of them exists.
-pub(super) fn subscript(text: &str) -> Option<String> {
-    text.chars().map(|c| LOWERED.iter().find(|(plain, _)| *plain == c).map(|(_, lowered)| *lowered)).collect()
-}
-
-/// What the raised or lowered character stands for, and whether it is raised.
-pub(in super::super) fn plain(small: char) -> Option<(char, bool)> {
-    let find = |table: &[(char, char)]| table.iter().find(|(_, shifted)| *shifted == small).map(|(plain, _)| *plain);
-    find(&RAISED).map(|c| (c, true)).or_else(|| find(&LOWERED).map(|c| (c, false)))
-}
-
-/// The fraction that a character such as ½ stands for.
-pub(in super::super) fn vulgar(glyph: char) -> Option<Rational> {
-    let (numerator, denominator, _) = VULGAR.iter().find(|(.., known)| *known == glyph)?;
-    Rational::new(*numerator, *denominator)
-}
-
 /// A number in one piece: its digits, or its character.
 pub(super) fn number(value: Rational) -> Option<String> {
-    let vulgar = VULGAR.iter().find(|(n, d, _)| (*n, *d) == (value.numerator(), value.denominator()));
-    vulgar.map(|(.., glyph)| glyph.to_string()).or_else(|| decimal(value))
+    glyph::fraction(value).map(String::from).or_else(|| decimal(value))
 }
 
 impl Pen for Unicode {
@@ -166,74 +146,3 @@ pub(super) fn decimal(value: Rational) -> Option<String> {
     let scaled = i128::from(value.numerator()) * (power / i128::from(value.denominator()));
     Some(format!("{}.{:0width$}", scaled / power, scaled % power, width = places as usize))
 }
-
-const VULGAR: [(i64, i64, char); 12] = [
-    (1, 2, '½'),
-    (1, 3, '⅓'),
-    (2, 3, '⅔'),
-    (1, 4, '¼'),
-    (3, 4, '¾'),
-    (1, 5, '⅕'),
-    (1, 6, '⅙'),
-    (5, 6, '⅚'),
-    (1, 8, '⅛'),
-    (3, 8, '⅜'),
-    (5, 8, '⅝'),
-    (7, 8, '⅞'),
-];
-
-const RAISED: [(char, char); 20] = [
-    ('0', '⁰'),
-    ('1', '¹'),
-    ('2', '²'),
-    ('3', '³'),
-    ('4', '⁴'),
-    ('5', '⁵'),
-    ('6', '⁶'),
-    ('7', '⁷'),
-    ('8', '⁸'),
-    ('9', '⁹'),
-    ('+', '⁺'),
-    ('-', '⁻'),
-    ('−', '⁻'),
-    ('n', 'ⁿ'),
-    ('i', 'ⁱ'),
-    ('T', 'ᵀ'),
-    ('N', 'ᴺ'),
-    ('a', 'ᵃ'),
-    ('b', 'ᵇ'),
-    ('k', 'ᵏ'),
-];
-
-const LOWERED: [(char, char); 30] = [
-    ('0', '₀'),
-    ('1', '₁'),
-    ('2', '₂'),
-    ('3', '₃'),
-    ('4', '₄'),
-    ('5', '₅'),
-    ('6', '₆'),
-    ('7', '₇'),
-    ('8', '₈'),
-    ('9', '₉'),
-    ('+', '₊'),
-    ('-', '₋'),
-    ('−', '₋'),
-    ('a', 'ₐ'),
-    ('e', 'ₑ'),
-    ('h', 'ₕ'),
-    ('i', 'ᵢ'),
-    ('j', 'ⱼ'),
-    ('k', 'ₖ'),
-    ('l', 'ₗ'),
-    ('m', 'ₘ'),
-    ('n', 'ₙ'),
-    ('o', 'ₒ'),
-    ('p', 'ₚ'),
-    ('r', 'ᵣ'),
-    ('s', 'ₛ'),
-    ('t', 'ₜ'),
-    ('u', 'ᵤ'),
-    ('v', 'ᵥ'),
-    ('x', 'ₓ'),
-];

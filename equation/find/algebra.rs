@@ -1,7 +1,8 @@
 //! Rules of the field: factors, fractions, squares, powers of e.
 
+use super::number::{compare, is_unit, multiply};
 use super::scene::Scene;
-use super::term::{Form, Power, Term, compare, is_unit, multiply};
+use super::term::{Form, Power, Term};
 use crate::expr::Function;
 use crate::rational::Rational;
 use std::cmp::Ordering;

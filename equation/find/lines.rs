@@ -1,13 +1,13 @@
 //! The way that was found as lines for a reader: what leads to each, what it sums up.
 
-use super::Step;
 use super::rules::Move;
 use super::scene::Scene;
 use super::search::Edge;
 use super::show::Writer;
 use super::term::Term;
-use crate::derivation::Given;
+use super::way::Step;
 use crate::expr::{Expr, Node};
+use crate::hypothesis::Given;
 use crate::rational::Rational;
 use std::borrow::Cow;
 

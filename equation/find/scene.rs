@@ -1,9 +1,9 @@
 //! What a search knows from the outset: symbols with their values at two points, hypotheses, and the angles in sight.
 
-use super::NotFound;
 use super::term::{Fold, Form, Power, Term, Values};
-use crate::derivation::Given;
+use super::way::NotFound;
 use crate::expr::{Expr, Function, Node};
+use crate::hypothesis::Given;
 use crate::rational::Rational;
 use crate::symbol::{Rank, Symbol};
 use crate::value::{Bindings, Evaluation, Unevaluable};

@@ -1,7 +1,8 @@
 //! Terms written out for a reader, in an order that follows the line before.
 
+use super::number::is_unit;
 use super::scene::Scene;
-use super::term::{Form, Power, Term, is_unit};
+use super::term::{Form, Power, Term};
 use crate::expr::{Expr, Function, Node, i, pi, sqrt};
 use crate::rational::Rational;
 use std::cmp::Reverse;

@@ -1,8 +1,9 @@
 //! Rules of sines, cosines and their kin.
 
 use super::algebra::{Found, Pair, pairs, same_size};
+use super::number::compare;
 use super::scene::Scene;
-use super::term::{Form, Power, Term, compare};
+use super::term::{Form, Power, Term};
 use crate::expr::Function;
 use crate::rational::Rational;
 use std::cmp::Ordering;

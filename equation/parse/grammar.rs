@@ -1,89 +1,15 @@
 //! From tokens to an expression: sums of products of factors, by recursive descent.
 
-use super::lex::{Kind, Lexer, Token, fault};
-use super::{DEEPEST, Fault};
+use super::cursor::{Parser, Read};
+use super::fault::{Fault, fault};
+use super::lex::Kind;
+use super::part::{End, Part, power, quotient, rational, symbol_part, value};
 use crate::Relation;
-use crate::expr::{self, Expr, Function, Node, Range};
+use crate::expr::{self, Expr, Function, Node};
 use crate::rational::Rational;
 use crate::symbol::{Rank, Symbol};
-use std::collections::BTreeMap;
 
-/// An expression that was read, with what the reading of its surroundings needs.
-struct Part {
-    expr: Expr,
-    /// How deep its tree is.
-    height: usize,
-    is_vector: bool,
-    /// What may not follow it without a bracket.
-    end: End,
-}
-
-/// How the face of a factor ends.
-#[derive(Clone, Copy, PartialEq)]
-enum End {
-    /// As a whole.
-    Closed,
-    /// With the bare argument of a function, sin x: what follows could belong to it.
-    Bare,
-    /// With a denominator.
-    Slash,
-    /// With a denominator whose function has a bare argument.
-    SlashBare,
-    /// With the variables of an integral.
-    Integral,
-}
-
-pub(super) struct Parser<'a> {
-    tokens: Vec<Token>,
-    known: &'a [Symbol],
-    /// The token to read next.
-    at: usize,
-    depth: usize,
-    /// What closes the innermost bracket.
-    closer: char,
-    /// Whether the differentials that follow end the integrand being read.
-    in_integrand: bool,
-}
-
-type Read = Result<Part, Fault>;
-
-impl Part {
-    fn new(node: Node, parts: &[&Part], is_vector: bool) -> Self {
-        let height = parts.iter().map(|part| part.height).max().unwrap_or(0) + 1;
-        Self { expr: Expr::new(node), height, is_vector, end: End::Closed }
-    }
-
-    fn leaf(expr: impl Into<Expr>) -> Self {
-        Self { expr: expr.into(), height: 1, is_vector: false, end: End::Closed }
-    }
-
-    fn ending(self, end: End) -> Self {
-        Self { end, ..self }
-    }
-
-    fn negated(self, is_negative: bool) -> Self {
-        match is_negative {
-            true => Self { height: self.height + 1, expr: -self.expr, ..self },
-            false => self,
-        }
-    }
-
-    /// One expression of several parts, which lie below it.
-    fn of(parts: Vec<Part>, build: fn(Vec<Expr>) -> Expr) -> Self {
-        let is_vector = parts.iter().any(|part| part.is_vector);
-        let height = parts.iter().map(|part| part.height).max().unwrap_or(0) + usize::from(parts.len() > 1);
-        let end = parts.last().map_or(End::Closed, |part| part.end);
-        Self { expr: build(parts.into_iter().map(|part| part.expr).collect()), height, is_vector, end }
-    }
-}
-
-impl<'a> Parser<'a> {
-    pub fn new(text: &str, known: &'a [Symbol]) -> Result<Self, Fault> {
-        let names: BTreeMap<&str, &Symbol> = known.iter().map(|symbol| (symbol.name(), symbol)).collect();
-        let tokens = Lexer::read(text.chars().collect(), &names)?;
-        Ok(Self { tokens, known, at: 0, depth: 0, closer: ' ', in_integrand: false })
-    }
-
+impl Parser<'_> {
     /// A whole expression.
     pub fn expression(&mut self) -> Result<Expr, Fault> {
         self.sum().map(|part| part.expr)
@@ -110,80 +36,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    fn token(&self, ahead: usize) -> &Token {
-        &self.tokens[(self.at + ahead).min(self.tokens.len() - 1)]
-    }
-
-    fn kind(&self) -> &Kind {
-        &self.token(0).kind
-    }
-
-    fn is_sign(&self, sign: char) -> bool {
-        *self.kind() == Kind::Sign(sign)
-    }
-
-    /// Takes `sign` if it is next.
-    fn takes(&mut self, sign: char) -> bool {
-        let is_next = self.is_sign(sign);
-        self.at += usize::from(is_next);
-        is_next
-    }
-
-    fn fault(&self, message: impl Into<String>) -> Fault {
-        fault(self.token(0).at, message)
-    }
-
-    fn expected(&self, what: &str) -> Fault {
-        let found = match self.kind() {
-            Kind::Number(_) => "a number".to_owned(),
-            Kind::Name(symbol, _) => format!("the name {symbol}"),
-            Kind::Function(function) => format!("the function {}", function.name()),
-            Kind::Pi => "π".to_owned(),
-            Kind::ImaginaryUnit => "i".to_owned(),
-            Kind::Euler => "e".to_owned(),
-            Kind::Differential => "a differential".to_owned(),
-            Kind::Raised(_) => "an exponent".to_owned(),
-            Kind::Lowered(_) => "an index".to_owned(),
-            Kind::Open(closer) => format!("`{}`", opener(*closer)),
-            Kind::Close(sign) | Kind::Sign(sign) => format!("`{sign}`"),
-            Kind::End => "the end".to_owned(),
-        };
-        self.fault(format!("expected {what}, found {found}"))
-    }
-
-    /// Reads with `read` one level further down.
-    fn deeper<T>(&mut self, read: impl FnOnce(&mut Self) -> Result<T, Fault>) -> Result<T, Fault> {
-        if self.depth == DEEPEST {
-            return Err(self.too_deep(self.token(0).at));
-        }
-        self.depth += 1;
-        let part = read(self);
-        self.depth -= 1;
-        part
-    }
-
-    fn too_deep(&self, at: usize) -> Fault {
-        fault(at, format!("expected no more than {DEEPEST} levels within one another"))
-    }
-
-    fn checked(&self, part: Part, at: usize) -> Read {
-        if part.height > DEEPEST { Err(self.too_deep(at)) } else { Ok(part) }
-    }
-
-    /// The plus and minus signs that come next, together: whether they make a minus.
-    fn minus(&mut self) -> bool {
-        let mut is_negative = false;
-        loop {
-            match self.kind() {
-                Kind::Sign('−') => is_negative = !is_negative,
-                Kind::Sign('+') => {}
-                _ => return is_negative,
-            }
-            self.at += 1;
-        }
-    }
-
-    fn sum(&mut self) -> Read {
+    pub fn sum(&mut self) -> Read {
         let at = self.token(0).at;
         let is_negative = self.minus();
         let mut terms = vec![self.product()?.negated(is_negative)];
@@ -194,7 +47,7 @@ impl<'a> Parser<'a> {
         self.checked(Part::of(terms, Expr::sum_of), at)
     }
 
-    fn product(&mut self) -> Read {
+    pub fn product(&mut self) -> Read {
         let at = self.token(0).at;
         let mut factors = self.factors()?;
         let mut is_vector = factors.iter().any(|factor| factor.is_vector);
@@ -383,156 +236,8 @@ impl<'a> Parser<'a> {
         Ok(value(Function::Sqrt, &of))
     }
 
-    fn nabla(&mut self) -> Read {
-        self.at += 1;
-        let nabla = match self.kind() {
-            Kind::Sign('·') => expr::Nabla::Divergence,
-            Kind::Sign('×') => expr::Nabla::Curl,
-            Kind::Raised(order) if order == "2" => expr::Nabla::Laplacian,
-            _ => expr::Nabla::Gradient,
-        };
-        self.at += usize::from(nabla != expr::Nabla::Gradient);
-        let of = match self.kind() {
-            Kind::Sign('∇') => self.deeper(Self::nabla)?,
-            _ => self.raised()?,
-        };
-        let is_vector = match nabla {
-            expr::Nabla::Gradient | expr::Nabla::Curl => true,
-            expr::Nabla::Divergence => false,
-            expr::Nabla::Laplacian => of.is_vector,
-        };
-        Ok(Part::new(Node::Nabla(nabla, of.expr.clone()), &[&of], is_vector))
-    }
-
-    /// ∂f/∂x, ∂²f/∂x², ∂²f/(∂x ∂y)
-    fn derivative(&mut self) -> Read {
-        let at = self.token(0).at;
-        self.at += 1;
-        let order = self.order()?;
-        let of = self.raised()?;
-        if !self.takes('/') {
-            return Err(self.expected("a / and the variable of the derivative, as in ∂f/∂x,"));
-        }
-        let mut by = Vec::new();
-        if let Kind::Open(closer) = *self.kind() {
-            self.at += 1;
-            while self.is_sign('∂') {
-                self.variable(&mut by)?;
-            }
-            self.close(closer)?;
-        } else {
-            self.variable(&mut by)?;
-        }
-        if by.len() != order {
-            let message = format!("expected the order {} above the line, as below, found {order}", by.len());
-            return Err(fault(at, message));
-        }
-        let height = by.iter().chain([&of]).map(|part| part.height).max().unwrap_or(0) + 1;
-        let is_vector = of.is_vector;
-        let expr = by.into_iter().rev().fold(of.expr, |of, by| expr::partial(of, by.expr));
-        Ok(Part { expr, height, is_vector, end: End::Slash })
-    }
-
-    /// ∂x or ∂x², which counts twice.
-    fn variable(&mut self, by: &mut Vec<Part>) -> Result<(), Fault> {
-        if !self.takes('∂') {
-            return Err(self.expected("∂ and a variable"));
-        }
-        let variable = self.atom()?;
-        let order = self.order()?;
-        for _ in 0..order {
-            by.push(Part { expr: variable.expr.clone(), ..variable });
-        }
-        Ok(())
-    }
-
-    /// The order of a derivative: 1 unless an exponent says otherwise.
-    fn order(&mut self) -> Result<usize, Fault> {
-        let at = self.token(0).at;
-        let Some(exponent) = self.exponent()? else { return Ok(1) };
-        let order = exponent.as_integer().and_then(|n| usize::try_from(n).ok());
-        order.filter(|n| (1..=DEEPEST).contains(n)).ok_or_else(|| fault(at, "expected a whole number as the order"))
-    }
-
-    fn differential(&mut self) -> Read {
-        self.at += 1;
-        let of = self.raised()?;
-        Ok(Part::new(Node::Differential(of.expr.clone()), &[&of], of.is_vector))
-    }
-
-    /// ∫ f dx dy, with bounds or a region.
-    fn integral(&mut self, sign: char) -> Read {
-        self.at += 1;
-        let at = self.at;
-        let lower = self.bound('_')?;
-        let upper = self.bound('^')?;
-        let bounds: Vec<_> = lower.iter().chain(&upper).map(|part| part.height).collect();
-        let range = match (lower, upper) {
-            (None, None) if sign == '∮' => Range::Closed,
-            (None, None) => Range::Whole,
-            (Some(_), _) if sign == '∮' => {
-                return Err(fault(self.tokens[at].at, "expected no bounds on a closed integral"));
-            }
-            (Some(lower), None) => match lower.expr.node() {
-                Node::Symbol(region) => Range::Region(region.clone()),
-                _ => return Err(self.expected("an upper bound after ^, or a name as the region,")),
-            },
-            (Some(lower), Some(upper)) => Range::Between(lower.expr, upper.expr),
-            (None, Some(_)) => return Err(fault(self.tokens[at].at, "expected a lower bound after _ as well")),
-        };
-        let outer = std::mem::replace(&mut self.in_integrand, true);
-        if matches!(self.kind(), Kind::Sign('∫' | '∮')) {
-            return Err(self.expected("the integral inside in brackets, or one ∫ with all its variables,"));
-        }
-        let of = self.product();
-        self.in_integrand = outer;
-        let of = of?;
-        if of.end == End::Integral {
-            return Err(self.fault("expected the integral inside in brackets"));
-        }
-        let mut by = Vec::new();
-        while *self.kind() == Kind::Differential {
-            self.at += 1;
-            by.push(self.raised()?);
-        }
-        if matches!(range, Range::Between(..)) && by.len() != 1 {
-            return Err(self.expected("one variable for the bounds, as in dx,"));
-        }
-        let height = by.iter().chain([&of]).map(|part| part.height).chain(bounds).max().unwrap_or(0) + 1;
-        let by = by.into_iter().map(|part| part.expr).collect();
-        let node = Node::Integral(of.expr, by, range);
-        Ok(Part { expr: Expr::new(node), height, is_vector: of.is_vector, end: End::Integral })
-    }
-
-    /// A bound of an integral: small characters, or what stands after `mark`.
-    fn bound(&mut self, mark: char) -> Result<Option<Part>, Fault> {
-        let small = match self.kind() {
-            Kind::Lowered(text) if mark == '_' => Some(text.clone()),
-            Kind::Raised(text) if mark == '^' => Some(text.clone()),
-            _ => None,
-        };
-        if let Some(text) = small {
-            let within = |inner: Fault| fault(self.token(0).at + inner.column - 1, inner.message);
-            let mut inner = Self { depth: self.depth, ..Parser::new(&text, self.known).map_err(within)? };
-            let part = inner.sum().map_err(within)?;
-            inner.end().map_err(within)?;
-            self.at += 1;
-            return Ok(Some(part));
-        }
-        if !self.takes(mark) {
-            return Ok(None);
-        }
-        let is_negative = self.minus();
-        let part = self.atom()?.negated(is_negative);
-        let next = self.token(0);
-        if !next.spaced && matches!(next.kind, Kind::Name(..) | Kind::Pi | Kind::Number(_) | Kind::Open(_)) {
-            return Err(self.fault("expected a space, or the bound in brackets"));
-        }
-        Ok(Some(part))
-    }
-
     /// An atom with its exponent, or the star of its conjugate.
-    fn raised(&mut self) -> Read {
+    pub fn raised(&mut self) -> Read {
         if *self.kind() == Kind::Euler {
             return self.power_of_e();
         }
@@ -577,7 +282,7 @@ impl<'a> Parser<'a> {
     }
 
     /// An exponent, if there is one.
-    fn exponent(&mut self) -> Result<Option<Rational>, Fault> {
+    pub fn exponent(&mut self) -> Result<Option<Rational>, Fault> {
         let at = self.token(0).at;
         if let Kind::Raised(text) = self.kind() {
             let value = text.parse().ok().and_then(|n| Rational::new(n, 1));
@@ -624,7 +329,7 @@ impl<'a> Parser<'a> {
         Ok(value(Function::Exp, &of))
     }
 
-    fn atom(&mut self) -> Read {
+    pub fn atom(&mut self) -> Read {
         let at = self.token(0).at;
         let part = match self.kind().clone() {
             Kind::Number(value) => Part::leaf(value),
@@ -710,69 +415,5 @@ impl<'a> Parser<'a> {
                 return Ok(items);
             }
         }
-    }
-
-    /// Reads with `read` inside a bracket that `closer` closes.
-    fn within<T>(&mut self, closer: char, read: fn(&mut Self) -> Result<T, Fault>) -> Result<T, Fault> {
-        let outer = (std::mem::replace(&mut self.closer, closer), std::mem::replace(&mut self.in_integrand, false));
-        let part = read(self);
-        (self.closer, self.in_integrand) = outer;
-        part
-    }
-
-    fn close(&mut self, closer: char) -> Result<(), Fault> {
-        if *self.kind() != Kind::Close(closer) {
-            return Err(self.expected(&format!("an operator or a closing `{closer}`")));
-        }
-        self.at += 1;
-        Ok(())
-    }
-}
-
-fn opener(closer: char) -> char {
-    match closer {
-        ')' => '(',
-        ']' => '[',
-        '}' => '{',
-        _ => '⟨',
-    }
-}
-
-fn value(function: Function, of: &Part) -> Part {
-    let is_vector = of.is_vector && matches!(function, Function::Conj | Function::Re | Function::Im);
-    Part::new(Node::Function(function, of.expr.clone()), &[of], is_vector)
-}
-
-fn quotient(above: Part, below: Part) -> Part {
-    let height = above.height.max(below.height) + 1;
-    let end = if below.end == End::Bare { End::SlashBare } else { End::Slash };
-    Part { expr: above.expr / below.expr, height, is_vector: above.is_vector, end }
-}
-
-fn symbol_part(symbol: &Symbol) -> Part {
-    Part { is_vector: symbol.rank() == Rank::Vector, ..Part::leaf(symbol) }
-}
-
-fn power(base: Part, exponent: Option<Rational>) -> Part {
-    match exponent {
-        Some(exponent) => Part::new(Node::Power(base.expr.clone(), exponent), &[&base], base.is_vector),
-        None => base,
-    }
-}
-
-/// The rational number that an expression is, if it is written as one.
-fn rational(expr: &Expr) -> Option<Rational> {
-    match expr.node() {
-        Node::Number(value) => Some(*value),
-        Node::Negate(of) => rational(of).map(Rational::negated),
-        Node::Quotient(above, below) => {
-            let (above, below) = (rational(above)?.as_integer()?, rational(below)?.as_integer()?);
-            Rational::new(above, below)
-        }
-        Node::Power(base, exponent) => {
-            let (base, exponent) = (rational(base)?.as_integer()?, exponent.as_integer()?);
-            Rational::new(base.checked_pow(u32::try_from(exponent).ok()?)?, 1)
-        }
-        _ => None,
     }
 }

@@ -1,9 +1,10 @@
 //! From characters to tokens: numbers, names and signs.
 
-use super::Fault;
+use super::fault::{Fault, fault};
 use crate::dimension::Dimension;
 use crate::expr::Function;
-use crate::face::{greek_name, is_greek, plain, spells, vulgar};
+use crate::face::{greek_name, is_greek, spells};
+use crate::glyph::{plain, vulgar};
 use crate::rational::Rational;
 use crate::symbol::Symbol;
 use std::collections::BTreeMap;
@@ -379,8 +380,4 @@ fn split_hint(word: &str) -> String {
 
 fn first(word: &str) -> char {
     word.chars().next().unwrap_or('x')
-}
-
-pub(super) fn fault(at: usize, message: impl Into<String>) -> Fault {
-    Fault { column: at + 1, message: message.into() }
 }

@@ -18,36 +18,21 @@
 //! decimals nor a character of its own reads as a quotient (3/2); a vector sign between numbers, or a product of two
 //! vectors, does not read as one; and with a symbol named d, e or i the sign of that name is lost.
 
+mod calculus;
+mod cursor;
+mod fault;
 mod grammar;
 mod lex;
+mod part;
 #[cfg(test)]
 mod tests;
 
 use super::expr::Expr;
 use super::symbol::Symbol;
 use super::{Equation, Relation};
-use grammar::Parser;
-use std::fmt;
+use cursor::Parser;
 
-/// What is wrong with a text, and where.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fault {
-    /// The character that it is about, counted from 1.
-    pub column: usize,
-    /// What was expected, or how it can be read.
-    pub message: String,
-}
-
-impl fmt::Display for Fault {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "column {}: {}", self.column, self.message)
-    }
-}
-
-impl std::error::Error for Fault {}
-
-/// How deep brackets, functions and quotients may lie in one another.
-pub const DEEPEST: usize = 256;
+pub use fault::{DEEPEST, Fault};
 
 /// Reads an expression. The `known` symbols keep their unit, domain and rank and win over any other meaning of their
 /// names; other names are positive numbers of dimension one.

@@ -10,12 +10,14 @@
 //! Not decided are nested roots that simplify, roots of sums that are squares, relations between values of sin and cos
 //! at different numbers, and inverse functions beyond sin(arcsin u) and its like.
 
+mod angles;
 mod atoms;
 mod fraction;
 mod normal;
 mod polynomial;
 #[cfg(test)]
 mod properties;
+mod roots;
 mod show;
 mod solve;
 #[cfg(test)]

@@ -15,12 +15,15 @@
 //! assert_eq!(t_s.to_string(), "2 sin θ₂ cos θ₁/sin(θ₁ + θ₂)");
 //! ```
 
-use super::rational::Rational;
-use super::symbol::Symbol;
+mod notation;
+
+use crate::rational::Rational;
+use crate::symbol::Symbol;
 use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
-use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::Arc;
+
+pub use notation::*;
 
 /// An expression. Equality is of form, not of value.
 #[derive(Clone)]
@@ -126,7 +129,7 @@ pub enum Range {
 }
 
 impl Expr {
-    pub(super) fn new(node: Node) -> Self {
+    pub(crate) fn new(node: Node) -> Self {
         let mut hasher = DefaultHasher::new();
         node.hash(&mut hasher);
         Self(Arc::new(Hashed { hash: hasher.finish(), node }))
@@ -139,7 +142,7 @@ impl Expr {
 
     /// The exact number `value`.
     pub fn number(value: Rational) -> Self {
-        if value.is_negative() { -Self::number(value.negated()) } else { Self::new(Node::Number(value)) }
+        if value.is_negative() { Self::number(value.negated()).negated() } else { Self::new(Node::Number(value)) }
     }
 
     /// `function` of `of`.
@@ -198,15 +201,15 @@ impl Expr {
             Node::Power(base, exponent) => image(base).pow(*exponent),
             Node::Negate(of) => image(of).negated(),
             Node::Function(function, of) => Self::new(Node::Function(*function, image(of))),
-            Node::Dot(a, b) => dot(image(a), image(b)),
-            Node::Cross(a, b) => cross(image(a), image(b)),
+            Node::Dot(a, b) => Self::new(Node::Dot(image(a), image(b))),
+            Node::Cross(a, b) => Self::new(Node::Cross(image(a), image(b))),
             Node::Nabla(nabla, of) => Self::new(Node::Nabla(*nabla, image(of))),
             Node::Partial(of, by) => {
                 let of = image(of);
                 Self::new(Node::Partial(of, by.iter().map(image).collect()))
             }
-            Node::Differential(of) => d(image(of)),
-            Node::Mean(of) => mean(image(of)),
+            Node::Differential(of) => Self::new(Node::Differential(image(of))),
+            Node::Mean(of) => Self::new(Node::Mean(image(of))),
             Node::Integral(of, by, range) => {
                 let (of, by) = (image(of), by.iter().map(&mut *image).collect());
                 let range = match range {
@@ -236,7 +239,7 @@ impl Expr {
     }
 
     /// The sum of `terms`, at least one.
-    pub(super) fn sum_of(mut terms: Vec<Self>) -> Self {
+    pub(crate) fn sum_of(mut terms: Vec<Self>) -> Self {
         match terms.len() {
             1 => terms.remove(0),
             _ => Self::new(Node::Sum(terms.into_iter().flat_map(Self::into_terms).collect())),
@@ -244,7 +247,7 @@ impl Expr {
     }
 
     /// The product of `factors`, at least one.
-    pub(super) fn product_of(mut factors: Vec<Self>) -> Self {
+    pub(crate) fn product_of(mut factors: Vec<Self>) -> Self {
         if let Node::Negate(inner) = factors[0].node() {
             factors[0] = inner.clone();
             return Self::product_of(factors).negated();
@@ -279,7 +282,7 @@ impl Expr {
 
     fn quotient(self, other: Self) -> Self {
         match self.node() {
-            Node::Negate(inner) => -inner.clone().quotient(other),
+            Node::Negate(inner) => inner.clone().quotient(other).negated(),
             _ => Self::new(Node::Quotient(self, other)),
         }
     }
@@ -340,209 +343,4 @@ impl From<i32> for Expr {
     fn from(value: i32) -> Self {
         Self::number(value.into())
     }
-}
-
-macro_rules! operators {
-    ($($left:ty),*) => {$(
-        impl<R: Into<Expr>> Add<R> for $left {
-            type Output = Expr;
-            fn add(self, other: R) -> Expr {
-                Expr::from(self).sum(other.into())
-            }
-        }
-        impl<R: Into<Expr>> Sub<R> for $left {
-            type Output = Expr;
-            fn sub(self, other: R) -> Expr {
-                // A subtracted sum stays together: a − (b + c).
-                Expr::from(self).sum(other.into().negated())
-            }
-        }
-        impl<R: Into<Expr>> Mul<R> for $left {
-            type Output = Expr;
-            fn mul(self, other: R) -> Expr {
-                Expr::from(self).product(other.into())
-            }
-        }
-        impl<R: Into<Expr>> Div<R> for $left {
-            type Output = Expr;
-            fn div(self, other: R) -> Expr {
-                Expr::from(self).quotient(other.into())
-            }
-        }
-        impl Neg for $left {
-            type Output = Expr;
-            fn neg(self) -> Expr {
-                Expr::from(self).negated()
-            }
-        }
-    )*};
-}
-operators!(Expr, &Expr, Symbol, &Symbol);
-
-macro_rules! operators_on_integers {
-    ($($right:ty),*) => {$(
-        impl Add<$right> for i32 {
-            type Output = Expr;
-            fn add(self, other: $right) -> Expr {
-                Expr::from(self) + other
-            }
-        }
-        impl Sub<$right> for i32 {
-            type Output = Expr;
-            fn sub(self, other: $right) -> Expr {
-                Expr::from(self) - other
-            }
-        }
-        impl Mul<$right> for i32 {
-            type Output = Expr;
-            fn mul(self, other: $right) -> Expr {
-                Expr::from(self) * other
-            }
-        }
-        impl Div<$right> for i32 {
-            type Output = Expr;
-            fn div(self, other: $right) -> Expr {
-                Expr::from(self) / other
-            }
-        }
-    )*};
-}
-operators_on_integers!(Expr, &Expr, Symbol, &Symbol);
-
-impl Symbol {
-    /// Its power, an expression.
-    pub fn pow(&self, exponent: impl Into<Rational>) -> Expr {
-        Expr::from(self).pow(exponent)
-    }
-
-    /// Its value at `arguments`: `f_1.at([z - v * t])`.
-    pub fn at(&self, arguments: impl Into<Vec<Expr>>) -> Expr {
-        Expr::new(Node::Apply(self.clone(), arguments.into()))
-    }
-}
-
-/// π
-pub fn pi() -> Expr {
-    Expr::new(Node::Pi)
-}
-
-/// i, the root of −1.
-pub fn i() -> Expr {
-    Expr::new(Node::ImaginaryUnit)
-}
-
-/// `numerator / denominator` as one number: ½ rather than a quotient of 1 and 2.
-///
-/// # Panics
-/// If `denominator` is 0.
-pub fn ratio(numerator: i64, denominator: i64) -> Expr {
-    Expr::number(Rational::new(numerator, denominator).expect("a fraction within range"))
-}
-
-impl Function {
-    /// Its value at `x`, an expression.
-    pub fn of(self, x: impl Into<Expr>) -> Expr {
-        Expr::new(Node::Function(self, x.into()))
-    }
-}
-
-macro_rules! functions {
-    ($($(#[$doc:meta])* $name:ident $function:ident;)*) => {$(
-        $(#[$doc])*
-        pub fn $name(x: impl Into<Expr>) -> Expr {
-            Function::$function.of(x)
-        }
-    )*};
-}
-functions! {
-    /// √x, with a real part ≥ 0.
-    sqrt Sqrt;
-    /// e^x
-    exp Exp;
-    /// sin x
-    sin Sin;
-    /// cos x
-    cos Cos;
-    /// tan x
-    tan Tan;
-    /// The principal arcsin x.
-    asin Asin;
-    /// The principal arccos x.
-    acos Acos;
-    /// The principal arctan x.
-    atan Atan;
-    /// Complex conjugate.
-    conj Conj;
-    /// Magnitude of a number or a vector.
-    abs Abs;
-    /// Real part.
-    re Re;
-    /// Imaginary part.
-    im Im;
-}
-
-/// The vector with these Cartesian components.
-pub fn vector(x: impl Into<Expr>, y: impl Into<Expr>, z: impl Into<Expr>) -> Expr {
-    Expr::new(Node::Vector([x.into(), y.into(), z.into()]))
-}
-
-/// a·b
-pub fn dot(a: impl Into<Expr>, b: impl Into<Expr>) -> Expr {
-    Expr::new(Node::Dot(a.into(), b.into()))
-}
-
-/// a×b
-pub fn cross(a: impl Into<Expr>, b: impl Into<Expr>) -> Expr {
-    Expr::new(Node::Cross(a.into(), b.into()))
-}
-
-/// ∇f
-pub fn gradient(f: impl Into<Expr>) -> Expr {
-    Expr::new(Node::Nabla(Nabla::Gradient, f.into()))
-}
-
-/// ∇·a
-pub fn divergence(a: impl Into<Expr>) -> Expr {
-    Expr::new(Node::Nabla(Nabla::Divergence, a.into()))
-}
-
-/// ∇×a
-pub fn curl(a: impl Into<Expr>) -> Expr {
-    Expr::new(Node::Nabla(Nabla::Curl, a.into()))
-}
-
-/// ∇²f
-pub fn laplacian(f: impl Into<Expr>) -> Expr {
-    Expr::new(Node::Nabla(Nabla::Laplacian, f.into()))
-}
-
-/// ∂f/∂x. Nested calls make one higher derivative: `partial(partial(f, y), x)` is ∂²f/∂x∂y.
-pub fn partial(f: impl Into<Expr>, x: impl Into<Expr>) -> Expr {
-    let (f, x) = (f.into(), x.into());
-    match f.node() {
-        Node::Partial(of, by) => {
-            Expr::new(Node::Partial(of.clone(), std::iter::once(x).chain(by.iter().cloned()).collect()))
-        }
-        _ => Expr::new(Node::Partial(f, vec![x])),
-    }
-}
-
-/// dx. A total derivative is a quotient of two: `d(q) / d(t)`.
-pub fn d(x: impl Into<Expr>) -> Expr {
-    Expr::new(Node::Differential(x.into()))
-}
-
-/// ⟨f⟩, the average over time.
-pub fn mean(f: impl Into<Expr>) -> Expr {
-    Expr::new(Node::Mean(f.into()))
-}
-
-/// ∫ f dx dy … over `range`. Bounds belong to a single variable.
-pub fn integral<const N: usize>(f: impl Into<Expr>, by: [Expr; N], range: Range) -> Expr {
-    Expr::new(Node::Integral(f.into(), by.into(), range))
-}
-
-/// ∫ f dx from `from` to `to`.
-pub fn integral_between(f: impl Into<Expr>, x: impl Into<Expr>, from: impl Into<Expr>, to: impl Into<Expr>) -> Expr {
-    integral(f, [x.into()], Range::Between(from.into(), to.into()))
 }
