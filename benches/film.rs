@@ -4,8 +4,9 @@
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use light::Complex64;
+use light::Polarisation;
 use light::optics::Incidence;
-use light::optics::film::{Layer, Polarisation, Powers, Stack, textbook};
+use light::optics::film::{Layer, Powers, Stack, textbook};
 
 const LAYERS: [usize; 4] = [1, 5, 21, 101];
 const WAVELENGTHS: usize = 1024;

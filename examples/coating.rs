@@ -1,7 +1,8 @@
 //! What one and two films do to the reflection of a lens, over the visible spectrum.
 
 use light::Complex64;
-use light::optics::film::{Layer, Polarisation, Stack};
+use light::Polarisation;
+use light::optics::film::{Layer, Stack};
 use light::optics::material::named;
 use light::optics::{Incidence, fresnel};
 

@@ -35,9 +35,11 @@
 pub mod em;
 pub mod fields;
 pub mod optics;
+mod polarisation;
 #[cfg(any(test, feature = "references"))]
 pub mod references;
 pub mod waves;
 mod wide;
 
 pub use num_complex::Complex64;
+pub use polarisation::Polarisation;

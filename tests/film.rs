@@ -2,7 +2,8 @@
 //! and against published values.
 
 use light::Complex64;
-use light::optics::film::{Layer, Polarisation, Powers, Stack};
+use light::Polarisation;
+use light::optics::film::{Layer, Powers, Stack};
 use light::optics::incidence::normal_squared;
 use light::optics::{Direction, Incidence};
 use light::references::film::{condition, reference};

@@ -16,7 +16,7 @@ use equation::expr::{asin, cos, sin, tan};
 use equation::value::Bindings;
 use equation::{Equation, Expr};
 use light::Complex64;
-use light::optics::film::Polarisation;
+use light::Polarisation;
 use light::optics::fresnel::{Amplitudes, amplitudes, brewster_angle, critical_angle};
 use light::optics::{Direction, Incidence};
 use light::references::fresnel::{Exact, Input};

@@ -8,8 +8,8 @@ use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, 
 use equation::derivation::Chain;
 use equation::expr::{cos, cross, sin, vector};
 use equation::{Equation, Symbol};
+use light::Polarisation;
 use light::optics::Incidence;
-use light::optics::film::Polarisation;
 use light::optics::fresnel::{Amplitudes, amplitudes};
 
 pub(super) const EXHIBIT: Exhibit = exhibit("boundary", INTERFACE, &[]);

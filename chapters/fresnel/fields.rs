@@ -3,8 +3,8 @@
 //! and none of their algebra.
 
 use light::Complex64;
+use light::Polarisation;
 use light::optics::Incidence;
-use light::optics::film::Polarisation;
 use light::optics::fresnel::Amplitudes;
 use light::optics::incidence::{normal_squared, outgoing_root};
 

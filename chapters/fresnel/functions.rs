@@ -3,7 +3,8 @@
 use crate::function::{Argument, Arguments, Function, Input, Output, number};
 use crate::setting::{Fault, INDEX_MAX, INDEX_MIN, excerpt};
 use light::Complex64;
-use light::optics::film::{Layer, Polarisation, Stack};
+use light::Polarisation;
+use light::optics::film::{Layer, Stack};
 use light::optics::fresnel::{amplitudes, powers};
 use light::optics::schlick::{normal_reflectance, schlick_by_versine};
 use light::optics::{Direction, Incidence};

@@ -13,7 +13,7 @@ use equation::expr::{cos, i, sin, sqrt, tan};
 use equation::value::Bindings;
 use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
-use light::optics::film::Polarisation;
+use light::Polarisation;
 use light::optics::fresnel::{Amplitudes, Powers, amplitudes, brewster_angle, critical_angle, powers};
 use light::optics::incidence::{normal_squared, outgoing_root};
 use light::optics::material::{self, Medium};

@@ -12,7 +12,7 @@ use crate::vocabulary::{
 use equation::derivation::Chain;
 use equation::expr::{abs, cos, cross, dot};
 use equation::{Dimension, Equation, Expr, Symbol};
-use light::optics::film::Polarisation;
+use light::Polarisation;
 use light::optics::fresnel::{Amplitudes, Powers, amplitudes, powers};
 use light::optics::{Direction, Incidence};
 use light::references::fresnel::Input;

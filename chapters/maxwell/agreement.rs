@@ -9,12 +9,12 @@ use crate::vocabulary::{
 };
 use equation::{Dimension, Equation, Symbol};
 use light::Complex64;
+use light::Polarisation;
 use light::em::line::{Ends, Line, Setup};
 use light::em::plane::{self, Plane};
 use light::em::pulse::amplitude;
 use light::em::{C, Medium, Pulse, Stepping};
 use light::optics::Incidence;
-use light::optics::film::Polarisation;
 use light::optics::fresnel::powers;
 use yardstick::statistics::rms;
 
@@ -173,7 +173,7 @@ fn echo(_: &mut Bench, layers: usize) -> Measured {
     const STEPS: u64 = 260;
     // Nothing comes back over so many cells in so many steps of 0.7 cells.
     const FAR: usize = 110;
-    let lit = |polarisation: plane::Polarisation, margin: usize| {
+    let lit = |polarisation: Polarisation, margin: usize| {
         let side = OPEN + 2 * margin;
         let vacuum = plane::Setup::vacuum([side; 2], 1.0, polarisation, Stepping::at(0.7));
         let mut plane = Plane::new(vacuum.open(layers)).expect("within all limits");
@@ -185,7 +185,7 @@ fn echo(_: &mut Bench, layers: usize) -> Measured {
         probes.map(|probe| plane.record(probe))
     };
     let carrier = |record: &[Complex64]| amplitude(record, 0.0, 0.7 / C, std::f64::consts::TAU * C / WAVE).norm();
-    Measured::worst([plane::Polarisation::Tm, plane::Polarisation::Te].into_iter().flat_map(|polarisation| {
+    Measured::worst([Polarisation::S, Polarisation::P].into_iter().flat_map(|polarisation| {
         let (near, far) = (lit(polarisation, layers), lit(polarisation, FAR));
         near.into_iter().zip(far).zip(["beside", "above", "in the corner"]).map(move |((near, far), place)| {
             let back: Vec<_> = near.iter().zip(&far).map(|(near, far)| near - far).collect();

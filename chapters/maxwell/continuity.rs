@@ -6,9 +6,10 @@ use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, 
 use equation::derivation::Chain;
 use equation::expr::{curl, divergence, partial};
 use equation::{Equation, Expr};
+use light::Polarisation;
 use light::em::ledger::Balance;
 use light::em::line::{self, Ends};
-use light::em::plane::{Plane, Polarisation, Region, Setup, Sides};
+use light::em::plane::{Plane, Region, Setup, Sides};
 use light::em::{C, Line, Medium, Pulse, Stepping, Z_0};
 use light::waves::constants::EPSILON_0;
 use light::waves::substance;
@@ -101,7 +102,7 @@ const KEPT: Check<usize> = check(
 /// The largest failure of continuity in the rows from `first` to 36 of a plane with glass, a conductor and a metal, lit by a current in row 12.
 fn unkept(bench: &mut Bench, first: usize) -> Measured {
     const CELLS: [usize; 2] = [40, 60];
-    let cases = [Polarisation::Te, Polarisation::Tm].into_iter().flat_map(|polarisation| {
+    let cases = [Polarisation::P, Polarisation::S].into_iter().flat_map(|polarisation| {
         let mut shift = || uniform(&mut bench.stream, -4.0, 4.0);
         let regions = vec![
             Region::disc([12.0 + shift(), 30.0 + shift()], 6.0, Medium::dielectric(2.25)),
@@ -150,8 +151,7 @@ fn unbalanced(bench: &mut Bench, read: fn(Balance) -> Balance) -> Measured {
     for (name, medium) in media {
         let shift = uniform(&mut bench.stream, -4.0, 4.0);
         let mut line = along_a_line(medium, shift);
-        let mut planes =
-            [Polarisation::Te, Polarisation::Tm].map(|polarisation| in_a_plane(polarisation, medium, shift));
+        let mut planes = [Polarisation::P, Polarisation::S].map(|polarisation| in_a_plane(polarisation, medium, shift));
         for step in 1..=200 {
             let mut book = |place: &str, balance: Balance| {
                 cases.push((read(balance).residual() / f64::EPSILON, format!("{name}, {place}, step {step}")));

@@ -9,8 +9,9 @@ use equation::derivation::Chain;
 use equation::expr::{exp, i, sin};
 use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
+use light::Polarisation;
 use light::em::line::{Ends, Line, Setup};
-use light::em::plane::{self, Plane, Polarisation};
+use light::em::plane::{self, Plane};
 use light::em::theory::{growth_per_step, phase_per_step, phase_velocity};
 use light::em::{Stepping, Z_0};
 use std::f64::consts::{PI, TAU};
@@ -230,7 +231,7 @@ const GROWTH_IN_THE_PLANE: Check<fn(f64) -> f64> = check(
 fn growth_in_the_plane(_: &mut Bench, theory: fn(f64) -> f64) -> Measured {
     let excesses = [(1e-4, 2000), (1e-2, 400), (0.1, 100)];
     let cases =
-        [Polarisation::Tm, Polarisation::Te].into_iter().flat_map(|polarisation| excesses.map(|e| (polarisation, e)));
+        [Polarisation::S, Polarisation::P].into_iter().flat_map(|polarisation| excesses.map(|e| (polarisation, e)));
     Measured::worst(cases.map(|(polarisation, (excess, steps))| {
         // The mode of a box of conductors that is nearest to two cells a wave both ways; it grows from here on.
         let k = 15.0 * PI / 16.0;
@@ -238,8 +239,8 @@ fn growth_in_the_plane(_: &mut Bench, theory: fn(f64) -> f64) -> Measured {
         let stepping = Stepping { unstable: true, ..Stepping::at(courant) };
         let mut plane = Plane::new(plane::Setup::vacuum([16, 16], 1.0, polarisation, stepping)).expect("asked for");
         plane.set_z(|x, y| match polarisation {
-            Polarisation::Tm => ((k * x).sin() * (k * y).sin()).into(),
-            Polarisation::Te => ((k * x).cos() * (k * y).cos()).into(),
+            Polarisation::S => ((k * x).sin() * (k * y).sin()).into(),
+            Polarisation::P => ((k * x).cos() * (k * y).cos()).into(),
         });
         let largest = |plane: &Plane| plane.z().iter().flatten().fold(0.0_f64, |most, z| most.max(z.abs())).ln();
         plane.run(steps).expect("some steps");

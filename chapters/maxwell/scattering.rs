@@ -1,12 +1,13 @@
 //! A plane wave on a layered structure, solved on the grid: what comes back and what goes through.
 
 use light::Complex64;
+use light::Polarisation;
 use light::em::line::{Ends, Line, Setup as LineSetup};
 use light::em::plane::{self, Plane, Region};
 use light::em::pulse::amplitude;
 use light::em::{C, Medium, Pulse, Stepping};
 use light::optics::Incidence;
-use light::optics::film::{Layer, Polarisation, Stack};
+use light::optics::film::{Layer, Stack};
 use std::f64::consts::TAU;
 
 /// Films on a substrate, in vacuum.
@@ -70,11 +71,11 @@ impl Scene {
             regions.push(Region::layer(height(at)..height(at + count), Medium::dielectric(eps)));
             at += count;
         }
-        let (polarisation, to_flux): (_, fn(f64) -> f64) = match self.polarisation {
-            Polarisation::S => (plane::Polarisation::Tm, |_| 1.0),
-            Polarisation::P => (plane::Polarisation::Te, |eps| 1.0 / eps),
+        let to_flux: fn(f64) -> f64 = match self.polarisation {
+            Polarisation::S => |_| 1.0,
+            Polarisation::P => |eps| 1.0 / eps,
         };
-        let vacuum = plane::Setup::vacuum([1, rows], spacing, polarisation, Stepping::at(COURANT));
+        let vacuum = plane::Setup::vacuum([1, rows], spacing, self.polarisation, Stepping::at(COURANT));
         let mut grid = Plane::new(plane::Setup { regions, ..vacuum.bloch(k_x * spacing, ABSORBER) })
             .expect("a grid within all limits");
         let (pulse, duration) = self.pulse();

@@ -11,9 +11,10 @@ use equation::derivation::Chain;
 use equation::expr::{cross, dot, vector};
 use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
+use light::Polarisation;
 use light::fields::surface::Sheet;
 use light::optics::Incidence;
-use light::optics::film::{Layer, Polarisation, Stack};
+use light::optics::film::{Layer, Stack};
 use light::waves::constants;
 use std::f64::consts::{PI, TAU};
 

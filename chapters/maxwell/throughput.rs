@@ -1,6 +1,7 @@
 //! C2: how many cells the grid steps in a second.
 
 use crate::vocabulary::{Expects, Heat, Race, lane, race};
+use light::Polarisation;
 use light::em::line::{Ends, Line, Setup as LineSetup};
 use light::em::plane::{self, Plane, Region};
 use light::em::{Medium, Pulse, Refusal, Stepping, Wall};
@@ -68,12 +69,12 @@ fn step_by_step(plane: &mut Plane, steps: u64) -> Result<(), Refusal> {
     (0..steps).try_for_each(|_| plane.run_serial(1))
 }
 
-/// The lowest mode of a square of vacuum between conductors, TM, so many cell-steps further at each run.
+/// The lowest mode of a square of vacuum between conductors, E across it, so many cell-steps further at each run.
 fn on_plane(side: usize, run: Run, cell_steps: u64) -> Heat {
     let stepping = Stepping::at(0.7);
     let k = PI / side as f64;
     let phase = light::em::theory::phase_per_step(&[k, k], 0.7).re;
-    let setup = plane::Setup::vacuum([side, side], 1.0, plane::Polarisation::Tm, stepping);
+    let setup = plane::Setup::vacuum([side, side], 1.0, Polarisation::S, stepping);
     let mut plane = Plane::new(setup).expect("within all limits");
     // H, half a step later, starts at zero: there the standing wave has its crest.
     plane.set_z(|x, y| ((k * x).sin() * (k * y).sin()).into());
@@ -99,7 +100,7 @@ fn furnished(pruned: bool) -> (Plane, usize) {
         Region::disc([300.0, 610.0], 150.0, Medium::metal(0.5 * light::em::C, 0.01 * light::em::C)),
     ];
     let stepping = Stepping { pruned, ..Stepping::at(0.7) };
-    let open = plane::Setup::vacuum([SIDE; 2], 1.0, plane::Polarisation::Tm, stepping).open(20);
+    let open = plane::Setup::vacuum([SIDE; 2], 1.0, Polarisation::S, stepping).open(20);
     let mut plane = Plane::new(plane::Setup { regions, ..open }).expect("within all limits");
     let pulse = Pulse::Gaussian { delay: 14.0 / light::em::C, width: 5.0 / light::em::C };
     plane.inject([300, 455], 1.0, pulse).expect("a stepped place");

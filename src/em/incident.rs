@@ -2,7 +2,7 @@
 //!
 //! The wave is stepped by the grid's own rules on a line of its own, so that it enters the grid exactly: dispersion,
 //! loss and all. In a plane it is E(y) e^(ik_x x), and the differences along x are factors, 2i sin(k_xΔ/2). Taken out of
-//! the component that lies along y, its i leaves every field real (here TM; in TE E and H change places):
+//! the component that lies along y, its i leaves every field real (here s; in p E and H change places):
 //!
 //! ∂E ∝ −∂H/∂y − qG,  ∂H ∝ −∂E/∂y,  ∂G ∝ qE,  q = 2 sin(k_xΔ/2).
 //!
@@ -14,11 +14,11 @@ use super::absorber::{Cpml, Strip, Strips, Wall};
 use super::aligned::Aligned;
 use super::kernel::{Curl, Difference};
 use super::medium::{Coefficients, Medium, Surroundings, time_step};
-use super::plane::Polarisation;
 use super::pulse::Pulse;
 use super::refusal::{Refusal, demand};
 use super::span::Spans;
-use super::{Stepping, WORD};
+use super::stepping::{Stepping, WORD};
+use crate::Polarisation;
 use fearless_simd::Level;
 use std::ops::Range;
 
@@ -60,12 +60,12 @@ pub(super) struct Incident {
     steps: u64,
     /// Z₀H half a cell before its entry, and E there, for each step of the block at hand.
     pub ahead: Vec<[f64; 2]>,
-    /// The z component: E at its entry or, in TE, Z₀H half a cell beyond.
+    /// The z component: E at its entry or, in p, Z₀H half a cell beyond.
     pub record: Vec<f64>,
     polarisation: Polarisation,
 }
 
-/// The component along the direction in which the line runs: of H in TM, of E in TE.
+/// The component along the direction in which the line runs: of H in s, of E in p.
 #[derive(Clone, Debug)]
 struct Along {
     field: Vec<f64>,
@@ -94,7 +94,7 @@ impl Incident {
         let spans = |first: usize, c: Coefficients| Spans::new(first..LENGTH, None, |_| c);
         let (electric, magnetic) = (spans(1, of_e), spans(0, of_h));
         let along = (phase != 0.0).then(|| {
-            let spans = if polarisation == Polarisation::Tm { spans(0, of_h) } else { spans(0, of_e) };
+            let spans = if polarisation == Polarisation::S { spans(0, of_h) } else { spans(0, of_e) };
             let currents = vec![0.0; spans.currents];
             Along { field: vec![0.0; LENGTH], spans, currents, q: 2.0 * (0.5 * phase).sin() }
         });
@@ -138,7 +138,7 @@ impl Incident {
             self.step_magnetic(front, level);
             self.steps += 1;
             self.ahead.push([before, self.e[1]]);
-            self.record.push(if self.polarisation == Polarisation::Tm { self.e[1] } else { -self.h[2] });
+            self.record.push(if self.polarisation == Polarisation::S { self.e[1] } else { -self.h[2] });
         }
     }
 
@@ -146,7 +146,7 @@ impl Incident {
         let Self { e, h, currents, electric: spans, .. } = self;
         let curl = Difference { ahead: &h[..LENGTH], behind: &h[1..] };
         match &mut self.along {
-            Some(along) if self.polarisation == Polarisation::Tm => {
+            Some(along) if self.polarisation == Polarisation::S => {
                 spans.step(level, 0..front, e, currents, Oblique { curl, along: &along.field, q: along.q });
             }
             Some(along) => {
@@ -166,7 +166,7 @@ impl Incident {
         let curl = Difference { ahead: &e[..LENGTH], behind: &e[1..] };
         let h = &mut h[1..];
         match &mut self.along {
-            Some(along) if self.polarisation == Polarisation::Te => {
+            Some(along) if self.polarisation == Polarisation::P => {
                 spans.step(level, 0..front, h, &mut [], Oblique { curl, along: &along.field, q: along.q });
             }
             Some(along) => {

@@ -11,8 +11,7 @@
 //! the coefficients of the update.
 
 use super::medium::{Conduction, Surroundings, time_step};
-use super::plane::Plane;
-use super::refusal::{Refusal, demand, inside};
+use super::refusal::{Refusal, inside};
 use super::{EPSILON_0, Line};
 use std::ops::RangeInclusive;
 
@@ -27,7 +26,7 @@ pub struct Balance {
     pub inflow: f64,
     /// What conduction and collisions turned into heat.
     pub heat: f64,
-    /// The largest failure of charge continuity (TE) or of ∇·B = 0 (TM) at any node, over the largest of its terms [1]; 0 on
+    /// The largest failure of charge continuity (p) or of ∇·B = 0 (s) at any node, over the largest of its terms [1]; 0 on
     /// a line, where nothing flows along E.
     pub divergence: f64,
 }
@@ -40,7 +39,7 @@ impl Balance {
         if scale == 0.0 { rest } else { rest.abs() / scale }
     }
 
-    fn scaled(self, unit: f64) -> Self {
+    pub(super) fn scaled(self, unit: f64) -> Self {
         let [before, after, inflow, heat] = [self.before, self.after, self.inflow, self.heat].map(|w| w * unit);
         Self { before, after, inflow, heat, ..self }
     }
@@ -147,72 +146,42 @@ impl Line {
     }
 }
 
-impl Plane {
-    /// One step, and the balances of the rows `rows` across the whole width, which must be closed: periodic or between
-    /// conductors. The part must be free of sources, incident waves and absorbers.
-    ///
-    /// # Errors
-    /// If the sides are open, or the rows lie outside the stepped ones or reach into an absorber.
-    pub fn audited_step(&mut self, rows: RangeInclusive<usize>) -> Result<Balance, Refusal> {
-        let (a, b) = rows.into_inner();
-        let across = self.across_open();
-        demand(!across, "the number of open sides of an audit", f64::from(u8::from(across)), "none")?;
-        let setup = self.setup();
-        let [low, high] = setup.ends.map(|wall| wall.thickness().max(1));
-        inside("the first row of an audit", a, low, setup.cells[1] - high)?;
-        inside("the last row of an audit", b, a, setup.cells[1] - high)?;
-        let unit = EPSILON_0 * setup.spacing * setup.spacing;
-        let mut before = self.clone();
-        self.run_serial(1)?;
-        before.wrap();
-        self.wrap();
-        Ok(self.balance_since(&before, a, b).scaled(unit))
-    }
+/// A balance of a plane being drawn up.
+pub(super) struct Ledger {
+    pub courant: f64,
+    pub dt: f64,
+    pub conduction: Conduction,
+    pub balance: Balance,
 }
 
-pub(super) use audit::Ledger;
-
-/// The sums over a plane.
-mod audit {
-    use super::{Balance, Component, Conduction, Surroundings, magnetic_energy};
-
-    /// A balance being drawn up.
-    pub struct Ledger {
-        pub courant: f64,
-        pub dt: f64,
-        pub conduction: Conduction,
-        pub balance: Balance,
+impl Ledger {
+    /// Books an E component; answers the change of ε_r E and JΔt/ε₀.
+    pub fn electric(&mut self, around: &Surroundings, e: [f64; 2], j: [f64; 2]) -> [f64; 2] {
+        let (courant, dt, conduction) = (self.courant, self.dt, self.conduction);
+        let passed = Component { around, courant, dt, conduction, e, j }.passed();
+        self.balance.before += passed.energy[0];
+        self.balance.after += passed.energy[1];
+        self.balance.heat += passed.heat;
+        [around.eps_r() * (e[1] - e[0]), passed.charge]
     }
 
-    impl Ledger {
-        /// Books an E component; answers the change of ε_r E and JΔt/ε₀.
-        pub fn electric(&mut self, around: &Surroundings, e: [f64; 2], j: [f64; 2]) -> [f64; 2] {
-            let (courant, dt, conduction) = (self.courant, self.dt, self.conduction);
-            let passed = Component { around, courant, dt, conduction, e, j }.passed();
-            self.balance.before += passed.energy[0];
-            self.balance.after += passed.energy[1];
-            self.balance.heat += passed.heat;
-            [around.eps_r() * (e[1] - e[0]), passed.charge]
-        }
+    /// Books an H component, before and after: its field and the curl it was last stepped with.
+    pub fn magnetic(&mut self, drive: f64, h: [f64; 2], curl: [f64; 2]) {
+        self.balance.before += magnetic_energy(self.courant, drive, h[0], curl[0]);
+        self.balance.after += magnetic_energy(self.courant, drive, h[1], curl[1]);
+    }
 
-        /// Books an H component, before and after: its field and the curl it was last stepped with.
-        pub fn magnetic(&mut self, drive: f64, h: [f64; 2], curl: [f64; 2]) {
-            self.balance.before += magnetic_energy(self.courant, drive, h[0], curl[0]);
-            self.balance.after += magnetic_energy(self.courant, drive, h[1], curl[1]);
-        }
+    /// Books the flow E̅·H through the border, inwards.
+    pub fn border(&mut self, e: [f64; 2], h: f64) {
+        self.balance.inflow += self.courant * 0.5 * (e[0] + e[1]) * h;
+    }
 
-        /// Books the flow E̅·H through the border, inwards.
-        pub fn border(&mut self, e: [f64; 2], h: f64) {
-            self.balance.inflow += self.courant * 0.5 * (e[0] + e[1]) * h;
-        }
-
-        /// Books the terms of a divergence that should cancel.
-        pub fn divergence(&mut self, terms: &[f64], largest: f64) {
-            let rest: f64 = terms.iter().sum();
-            let share = if largest > 0.0 { rest.abs() / largest } else { rest.abs() };
-            if share.total_cmp(&self.balance.divergence).is_gt() {
-                self.balance.divergence = share;
-            }
+    /// Books the terms of a divergence that should cancel.
+    pub fn divergence(&mut self, terms: &[f64], largest: f64) {
+        let rest: f64 = terms.iter().sum();
+        let share = if largest > 0.0 { rest.abs() / largest } else { rest.abs() };
+        if share.total_cmp(&self.balance.divergence).is_gt() {
+            self.balance.divergence = share;
         }
     }
 }

@@ -7,16 +7,17 @@
 //! to the left, so that what it needs from its left neighbour is there and what it needs from its right is not yet
 //! overwritten (time skewing; Wonnacott 2000). The arithmetic of a cell is the same, bit by bit.
 
+use super::Z_0;
 use super::absorber::{Cpml, Strip, Strips, Wall};
 use super::aligned::Aligned;
 use super::incident::{Incident, Route};
 use super::kernel::Difference;
-use super::medium::{Coefficients, HUGE, Medium, Surroundings, time_step};
-use super::plane::Polarisation;
+use super::medium::{Coefficients, Medium, Surroundings, time_step};
 use super::pulse::Pulse;
 use super::refusal::{Refusal, demand, inside};
 use super::span::{Need, Spans};
-use super::{Stepping, WORD, Z_0, theory, total};
+use super::stepping::{FIXED, Stepping, WORD, check_courant, check_grid, check_room, total};
+use crate::Polarisation;
 use fearless_simd::Level;
 use std::ops::Range;
 
@@ -117,35 +118,6 @@ impl Setup {
         }
         cells
     }
-}
-
-/// What a grid takes whatever its size [B].
-pub(super) const FIXED: u64 = 1 << 10;
-
-/// What every grid demands of its spacing and its stepping.
-pub(super) fn check_grid(spacing: f64, stepping: &Stepping) -> Result<(), Refusal> {
-    demand((1.0 / HUGE..=HUGE).contains(&spacing), "spacing", spacing, "1e−30 m to 1e30 m")?;
-    let courant = stepping.courant;
-    demand(courant > 0.0 && courant <= HUGE, "Courant number", courant, "above 0 and at most 1e30")
-}
-
-/// Refuses absorbers that leave no cell of an axis between them.
-pub(super) fn check_room(walls: [Wall; 2], cells: usize) -> Result<(), Refusal> {
-    let thick = walls[0].thickness().saturating_add(walls[1].thickness());
-    demand(thick < cells, "thickness of both absorbers", thick as f64, "less than the number of cells")
-}
-
-/// Refuses a Courant number beyond what the fastest of `media` allows.
-pub(super) fn check_courant<'a>(
-    stepping: &Stepping,
-    media: impl Iterator<Item = &'a Medium>,
-    dimensions: u32,
-) -> Result<(), Refusal> {
-    // E and H average their own cells: the smallest ε and the smallest μ may meet.
-    let least = media.fold((f64::MAX, f64::MAX), |(eps, mu), m| (eps.min(m.eps_r), mu.min(m.mu_r)));
-    let limit = (least.0 * least.1).sqrt() * theory::courant_limit(dimensions);
-    let courant = stepping.courant;
-    if courant <= limit || stepping.unstable { Ok(()) } else { Err(Refusal::Unstable { courant, limit }) }
 }
 
 /// A signal at one node.
@@ -306,7 +278,7 @@ impl Line {
         if self.setup.medium(node - 1) != *medium {
             return Err(Refusal::Mixed { what: "an incident wave", at: node });
         }
-        let route = Route { medium, stepping, spacing, phase: 0.0, polarisation: Polarisation::Tm };
+        let route = Route { medium, stepping, spacing, phase: 0.0, polarisation: Polarisation::S };
         self.incident = Some(Incident::new(node, &route, amplitude, pulse, self.steps)?);
         Ok(())
     }

@@ -1,13 +1,13 @@
-//! Two dimensions: TM (E_z, H_x, H_y) and TE (H_z, E_x, E_y) in the plane (x, y), nothing varying along z.
+//! Two dimensions: s (E_z, H_x, H_y) and p (H_z, E_x, E_y) in the plane (x, y), nothing varying along z.
 //!
 //! T&H §3.6. With i and j counting cells along x and y, and the magnetic components half a step later:
 //!
 //! | | at (i, j) | at (i, j + ½) | at (i + ½, j) | at (i + ½, j + ½) |
 //! |---|---|---|---|---|
-//! | TM | E_z | H_x | H_y | |
-//! | TE | | E_y | E_x | H_z |
+//! | s | E_z | H_x | H_y | |
+//! | p | | E_y | E_x | H_z |
 //!
-//! At an interface along y = const, s light is TM and p light is TE. Cells carry the media; an E component takes the
+//! The books on grids call s TM and p TE, see [`Polarisation`]. Cells carry the media; an E component takes the
 //! mean ε and σ of the cells it touches, an H component the harmonic mean of μ, which makes an interface along the grid
 //! second-order accurate. Along y stand walls; along x walls, or the structure repeats and the field gains a phase
 //! from one period to the next (Bloch): then it is complex, and a second real grid carries its imaginary part.
@@ -22,6 +22,7 @@ mod build;
 mod stages;
 mod sweep;
 
+use super::Z_0;
 use super::absorber::{Cpml, Strips, Wall};
 use super::aligned::Aligned;
 use super::incident::{Incident, Route};
@@ -29,21 +30,13 @@ use super::medium::{Medium, time_step};
 use super::pulse::Pulse;
 use super::refusal::{Refusal, demand, inside};
 use super::span::Spans;
-use super::{Stepping, Z_0};
+use super::stepping::Stepping;
+use crate::Polarisation;
 use fearless_simd::Level;
 use num_complex::Complex64;
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
-
-/// Which three components there are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Polarisation {
-    /// E_z, H_x, H_y.
-    Tm,
-    /// H_z, E_x, E_y.
-    Te,
-}
 
 /// What stands at the two ends of x.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,8 +124,8 @@ impl Setup {
     }
 }
 
-/// One real grid's share of a row: E_z(i, j), H_x(i, j + ½), H_y(i + ½, j) in TM; H_z(i + ½, j + ½), E_x(i + ½, j),
-/// E_y(i, j + ½) in TE. Components at i + ½ of the array that is differenced along x stand at i + 1, after the image of
+/// One real grid's share of a row: E_z(i, j), H_x(i, j + ½), H_y(i + ½, j) in s; H_z(i + ½, j + ½), E_x(i + ½, j),
+/// E_y(i, j + ½) in p. Components at i + ½ of the array that is differenced along x stand at i + 1, after the image of
 /// the last one. All in V/m.
 #[derive(Clone, Debug, Default)]
 struct Fields {
@@ -215,13 +208,13 @@ impl Plane {
         self.steps
     }
 
-    /// The component along z, row by row: in TM E_z [V/m] at (i, j), i = 0 … N, j = 0 … M; in TE H_z [A/m] at
+    /// The component along z, row by row: in s E_z [V/m] at (i, j), i = 0 … N, j = 0 … M; in p H_z [A/m] at
     /// (i + ½, j + ½), i = 0 … N − 1, j = 0 … M − 1. The real part, where it is complex.
     pub fn z(&self) -> Vec<Vec<f64>> {
         let [_, rows] = self.grid.setup.cells;
         match self.grid.setup.polarisation {
-            Polarisation::Tm => self.rows.iter().map(|row| row.parts[0].z.to_vec()).collect(),
-            Polarisation::Te => {
+            Polarisation::S => self.rows.iter().map(|row| row.parts[0].z.to_vec()).collect(),
+            Polarisation::P => {
                 let si = |row: &Row| row.parts[0].z[1..].iter().map(|h| h / Z_0).collect();
                 self.rows[..rows].iter().map(si).collect()
             }
@@ -232,11 +225,11 @@ impl Plane {
     /// half a step later. Components on a conductor stay zero, and the imaginary part is dropped where fields are real.
     pub fn set_z(&mut self, field: impl Fn(f64, f64) -> Complex64) {
         let [columns, rows] = self.grid.setup.cells;
-        let (spacing, scale) = (self.grid.setup.spacing, [1.0, Z_0][usize::from(self.is_te())]);
-        let (shift, offset) = if self.is_te() { (0.5, 1) } else { (0.0, 0) };
+        let (spacing, scale) = (self.grid.setup.spacing, [1.0, Z_0][usize::from(self.is_p())]);
+        let (shift, offset) = if self.is_p() { (0.5, 1) } else { (0.0, 0) };
         let periodic = matches!(self.grid.setup.sides, Sides::Bloch(_));
-        let first = usize::from(!self.is_te());
-        let first_column = usize::from(!self.is_te() && !periodic);
+        let first = usize::from(!self.is_p());
+        let first_column = usize::from(!self.is_p() && !periodic);
         for j in first..rows {
             for i in first_column..columns {
                 let value = scale * field((i as f64 + shift) * spacing, (j as f64 + shift) * spacing);
@@ -264,11 +257,11 @@ impl Plane {
         (0..layouts.len()).filter(new).map(|j| layouts[j].as_ref())
     }
 
-    fn is_te(&self) -> bool {
-        self.grid.setup.polarisation == Polarisation::Te
+    fn is_p(&self) -> bool {
+        self.grid.setup.polarisation == Polarisation::P
     }
 
-    /// A current `amplitude` [A/m²] × pulse: J_z at node (i, j) in TM, J_x at (i + ½, j) in TE.
+    /// A current `amplitude` [A/m²] × pulse: J_z at node (i, j) in s, J_x at (i + ½, j) in p.
     ///
     /// # Errors
     /// If the place is not stepped.
@@ -277,7 +270,7 @@ impl Plane {
         let amplitude = amplitude * Z_0 * self.grid.setup.spacing;
         demand(amplitude.is_finite(), "amplitude of a source", amplitude, "finite")?;
         pulse.check()?;
-        let first = usize::from(!self.is_te() && matches!(self.grid.setup.sides, Sides::Walls(_)));
+        let first = usize::from(!self.is_p() && matches!(self.grid.setup.sides, Sides::Walls(_)));
         inside("the column of a current", at[0], first, columns - 1)?;
         inside("the row of a current", at[1], 1, rows - 1)?;
         self.grid.sources.push(Source { at, amplitude, pulse });
@@ -316,7 +309,7 @@ impl Plane {
         Ok(())
     }
 
-    /// Records the z component at (i, j) (TM) or (i + ½, j + ½) (TE) after every step from now on.
+    /// Records the z component at (i, j) (s) or (i + ½, j + ½) (p) after every step from now on.
     ///
     /// # Errors
     /// If the place is not on the grid.
@@ -331,7 +324,7 @@ impl Plane {
 
     /// The z component [V/m or A/m] after each step since the probe was set.
     pub fn record(&self, probe: usize) -> Vec<Complex64> {
-        let scale = if self.is_te() { 1.0 / Z_0 } else { 1.0 };
+        let scale = if self.is_p() { 1.0 / Z_0 } else { 1.0 };
         let mut probes = self.rows.iter().flat_map(|row| &row.probes);
         let found = probes.find(|(_, number, _)| *number == probe);
         found.map(|(_, _, record)| record.iter().map(|z| z * scale).collect()).unwrap_or_default()
@@ -339,7 +332,7 @@ impl Plane {
 
     /// The incident wave's z component [V/m or A/m] at column 0 after each step: E_z in its row, H_z half a row above.
     pub fn incident(&self) -> Option<Vec<Complex64>> {
-        let scale = if self.is_te() { 1.0 / Z_0 } else { 1.0 };
+        let scale = if self.is_p() { 1.0 / Z_0 } else { 1.0 };
         let incident = self.incident.as_ref()?;
         Some(incident.record.iter().map(|z| Complex64::from(z * scale)).collect())
     }

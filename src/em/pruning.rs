@@ -3,10 +3,12 @@
 //! The measure is the grid that keeps everything: in every cell six coefficients and a current for each E component and
 //! one coefficient for each H component. [`super::Stepping::pruned`] unset builds that grid; its fields are the same.
 
+use super::Cpml;
 use super::line::{Ends, Line};
-use super::plane::{Plane, Polarisation};
+use super::plane::Plane;
 use super::span::{Need, Spans};
-use super::{Cpml, WORD};
+use super::stepping::WORD;
+use crate::Polarisation;
 
 /// Something a scene does not need.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -125,10 +127,10 @@ impl Plane {
         let tables: u64 = self.distinct_layouts().map(|l| l.x.bytes() + l.y.bytes() + l.z.bytes()).sum();
         let mut explanation = Explanation { cells, bytes: fields * parts + tables, omissions: Vec::new() };
         match self.setup().polarisation {
-            Polarisation::Tm => {
+            Polarisation::S => {
                 explanation.media(layouts().map(|l| &l.z), layouts().flat_map(|l| [&l.x, &l.y]));
             }
-            Polarisation::Te => {
+            Polarisation::P => {
                 explanation.media(layouts().flat_map(|l| [&l.x, &l.y]), layouts().map(|l| &l.z));
             }
         }

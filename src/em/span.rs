@@ -3,6 +3,7 @@
 use super::aligned::VECTOR;
 use super::kernel::{self, Coefficient, Curl, Difference};
 use super::medium::{Coefficients, Medium};
+use super::stepping::WORD;
 use fearless_simd::{Level, dispatch};
 use std::ops::Range;
 
@@ -201,7 +202,7 @@ impl Spans {
     /// Bytes of its coefficients and of its currents.
     pub fn bytes(&self) -> u64 {
         let tables: usize = self.list.iter().map(|span| span.table.len()).sum();
-        (tables + self.currents) as u64 * super::WORD
+        (tables + self.currents) as u64 * WORD
     }
 }
 

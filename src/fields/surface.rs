@@ -1,6 +1,6 @@
 //! Interfaces with charge or current on them: what E4 leaves out.
 
-use crate::optics::film::Polarisation;
+use crate::Polarisation;
 use crate::optics::incidence::{Incidence, normal_squared, outgoing_root};
 use crate::waves::constants::Z_0;
 use num_complex::Complex64;

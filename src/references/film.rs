@@ -1,8 +1,9 @@
 //! Coherent stacks in arbitrary precision, by another route than [`optics::film`](crate::optics::film): Parratt's
 //! recursion of interface coefficients (Phys. Rev. 95, 359, 1954). And how much the answer depends on each input.
 
+use crate::Polarisation;
 use crate::optics::Direction;
-use crate::optics::film::{Layer, Polarisation, Stack};
+use crate::optics::film::{Layer, Stack};
 use crate::optics::incidence::{Incidence, normal_squared};
 use num_complex::Complex64;
 use yardstick::precise::{BITS, Complex, Real, from_real, pi, real_at, to_f64};

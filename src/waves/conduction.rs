@@ -6,7 +6,7 @@
 //! (exponential); Hairer & Wanner, *Solving Ordinary Differential Equations II*, §IV.3 (stability) and §IV.8 (Radau IIA).
 
 use super::plane::Invalid;
-use differential_equations::prelude::{IVP, ImplicitRungeKutta, Matrix, ODE};
+use super::radau::{Equation, Found, Stuck};
 
 /// How E is taken one step Δt further.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -136,53 +136,11 @@ impl Cell {
     }
 
     /// E at θ = `end` from `start` at 0 by Radau IIA (3 stages, order 5, L-stable) with steps of its own choice, at a
-    /// relative and absolute `tolerance`; or why it gave up.
-    pub fn adaptive(&self, start: f64, end: f64, tolerance: f64) -> Result<Adaptive, String> {
-        let radau = ImplicitRungeKutta::radau5().rtol(tolerance).atol(tolerance).max_steps(1_000_000).h_min(0.0);
-        let method = radau.h0(FIRST).filter(halved);
-        let solution =
-            IVP::ode(&Run { cell: *self, end }, 0.0, 1.0, start).method(method).solve().map_err(|e| e.to_string())?;
-        let field = *solution.y.last().ok_or("no step was taken")?;
-        Ok(Adaptive { field, evaluations: solution.evals.function as u64, steps: solution.steps.total() as u64 })
+    /// relative and absolute `tolerance`; or where it gave up.
+    pub fn adaptive(&self, start: f64, end: f64, tolerance: f64) -> Result<Found, Stuck> {
+        let ampere = Equation { rate: |theta, field| self.drive(theta) - self.tau * field, slope: |_, _| -self.tau };
+        ampere.adapt([0.0, end], start, tolerance)
     }
-}
-
-/// A cell to be followed to θ = `end`, in s = θ/end.
-struct Run {
-    cell: Cell,
-    end: f64,
-}
-
-impl ODE<f64, f64> for Run {
-    fn diff(&self, s: f64, field: &f64, rate: &mut f64) {
-        *rate = self.end * (self.cell.drive(s * self.end) - self.cell.tau * field);
-    }
-
-    fn jacobian(&self, _: f64, _: &f64, jacobian: &mut Matrix<f64>) {
-        jacobian[(0, 0)] = -self.end * self.cell.tau;
-    }
-}
-
-/// The first step that is tried.
-const FIRST: f64 = 1.0 / 64.0;
-
-/// A step no longer than `h` that is one half of the whole, or a quarter, … Where the next step would be longer by up to
-/// a fifth, the crate (0.7.0) keeps the present one and its matrices, and then keeps the matrices for all steps that
-/// follow; the result may be wrong by a thousand times the tolerance. Such a step is never asked for here, and the sum
-/// of the steps is exact.
-fn halved(h: f64) -> f64 {
-    h.log2().floor().exp2()
-}
-
-/// What the adaptive solver found, and at what cost.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Adaptive {
-    /// E at the end.
-    pub field: f64,
-    /// Evaluations of the right-hand side.
-    pub evaluations: u64,
-    /// Steps tried.
-    pub steps: u64,
 }
 
 #[cfg(test)]
@@ -304,7 +262,7 @@ mod tests {
         for tau in [1e-6, 1.0, 1e3, 1e6, 1e9, 1e12] {
             let cell = Cell::new(tau).unwrap();
             let found = cell.adaptive(0.0, 5.0, 1e-8).unwrap();
-            let error = (found.field - cell.exact(0.0, 5.0)).abs();
+            let error = (found.y - cell.exact(0.0, 5.0)).abs();
             assert!(error < 1e-6 && found.steps < 500, "τ = {tau}: {found:?} {error}");
         }
     }
@@ -315,7 +273,7 @@ mod tests {
             let cell = Cell::new(tau).unwrap();
             for n in 0..=60 {
                 let tolerance = 10f64.powf(-4.0 - 0.1 * f64::from(n));
-                let error = (cell.adaptive(0.0, 5.0, tolerance).unwrap().field - cell.exact(0.0, 5.0)).abs();
+                let error = (cell.adaptive(0.0, 5.0, tolerance).unwrap().y - cell.exact(0.0, 5.0)).abs();
                 assert!(error < 10.0 * tolerance, "τ = {tau}: {error:e} at {tolerance:e}");
             }
         }

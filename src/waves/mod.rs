@@ -8,6 +8,7 @@ pub mod flux;
 pub mod harmonics;
 pub mod phase;
 pub mod plane;
+pub mod radau;
 mod scaled;
 pub mod substance;
 pub mod textbook;

@@ -18,8 +18,9 @@ use equation::derivation::Chain;
 use equation::expr::{cos, exp, i, pi, sin, sqrt};
 use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
+use light::Polarisation;
 use light::optics::Incidence;
-use light::optics::film::{Layer, Polarisation, Stack};
+use light::optics::film::{Layer, Stack};
 
 /// Substrate.
 const N_S: Parameter = Parameter { name: "n_s", symbol: "n_s", says: "substrate", default: "bk7", ..N_T };

@@ -1,9 +1,13 @@
 //! The balances of a plane: see [`super::super::ledger`].
 
+use super::super::EPSILON_0;
 use super::super::ledger::{Balance, Ledger};
 use super::super::medium::Surroundings;
+use super::super::refusal::{Refusal, demand, inside};
 use super::super::span::Spans;
-use super::{Fields, Plane, Polarisation, Sides};
+use super::{Fields, Plane, Sides};
+use crate::Polarisation;
+use std::ops::RangeInclusive;
 
 /// What changed at the components of a row that a divergence is made of, and the largest of it.
 struct Changes {
@@ -13,18 +17,39 @@ struct Changes {
 }
 
 impl Plane {
-    pub(in super::super) fn across_open(&self) -> bool {
+    /// One step, and the balances of the rows `rows` across the whole width, which must be closed: periodic or between
+    /// conductors. The part must be free of sources, incident waves and absorbers.
+    ///
+    /// # Errors
+    /// If the sides are open, or the rows lie outside the stepped ones or reach into an absorber.
+    pub fn audited_step(&mut self, rows: RangeInclusive<usize>) -> Result<Balance, Refusal> {
+        let (a, b) = rows.into_inner();
+        let across = self.across_open();
+        demand(!across, "the number of open sides of an audit", f64::from(u8::from(across)), "none")?;
+        let setup = self.setup();
+        let [low, high] = setup.ends.map(|wall| wall.thickness().max(1));
+        inside("the first row of an audit", a, low, setup.cells[1] - high)?;
+        inside("the last row of an audit", b, a, setup.cells[1] - high)?;
+        let unit = EPSILON_0 * setup.spacing * setup.spacing;
+        let mut before = self.clone();
+        self.run_serial(1)?;
+        before.wrap();
+        self.wrap();
+        Ok(self.balance_since(&before, a, b).scaled(unit))
+    }
+
+    fn across_open(&self) -> bool {
         matches!(self.grid.setup.sides, Sides::Walls(walls) if walls.iter().any(|wall| wall.thickness() > 0))
     }
 
     /// Brings the images across periodic sides up to date.
-    pub(in super::super) fn wrap(&mut self) {
+    fn wrap(&mut self) {
         let Self { grid, rows, .. } = self;
         rows.iter_mut().for_each(|row| grid.wrap_row(row));
     }
 
     /// What rows `a` to `b` balanced in the step from `before` to now.
-    pub(in super::super) fn balance_since(&self, before: &Self, a: usize, b: usize) -> Balance {
+    fn balance_since(&self, before: &Self, a: usize, b: usize) -> Balance {
         let stepping = &self.grid.setup.stepping;
         let mut ledger = Ledger {
             courant: stepping.courant,
@@ -34,8 +59,8 @@ impl Plane {
         };
         for part in 0..self.grid.setup.parts() {
             let changes = match self.grid.setup.polarisation {
-                Polarisation::Tm => self.book_tm(before, part, a, b, &mut ledger),
-                Polarisation::Te => self.book_te(before, part, a, b, &mut ledger),
+                Polarisation::S => self.book_s(before, part, a, b, &mut ledger),
+                Polarisation::P => self.book_p(before, part, a, b, &mut ledger),
             };
             changes.book(self.grid.setup.polarisation, &mut ledger);
         }
@@ -46,7 +71,7 @@ impl Plane {
         &self.rows[j].parts[part]
     }
 
-    fn book_tm(&self, before: &Self, part: usize, a: usize, b: usize, ledger: &mut Ledger) -> Changes {
+    fn book_s(&self, before: &Self, part: usize, a: usize, b: usize, ledger: &mut Ledger) -> Changes {
         let n = self.grid.setup.cells[0];
         let mut changes = Changes { x: Vec::new(), y: Vec::new(), largest: 0.0 };
         for j in a..=b {
@@ -87,7 +112,7 @@ impl Plane {
         changes
     }
 
-    fn book_te(&self, before: &Self, part: usize, a: usize, b: usize, ledger: &mut Ledger) -> Changes {
+    fn book_p(&self, before: &Self, part: usize, a: usize, b: usize, ledger: &mut Ledger) -> Changes {
         let n = self.grid.setup.cells[0];
         let mut changes = Changes { x: Vec::new(), y: Vec::new(), largest: 0.0 };
         for j in a..=b {
@@ -149,20 +174,20 @@ impl Changes {
         for j in 1..self.x.len() {
             match polarisation {
                 // At (i + ½, j − ½): H_x(i, ·), H_x(i + 1, ·) and H_y(·, j − 1), H_y(·, j).
-                Polarisation::Tm => {
+                Polarisation::S => {
                     for i in 0..self.y[j].len() {
                         let (x, above, below) = (&self.x[j - 1], &self.y[j], &self.y[j - 1]);
                         ledger.divergence(&[x[i + 1], -x[i], above[i], -below[i]], self.largest);
                     }
                 }
                 // At (i, j): E_x(i ± ½, j) and E_y(i, j ± ½); the last row has no E_y above it.
-                Polarisation::Te if j + 1 < self.x.len() => {
+                Polarisation::P if j + 1 < self.x.len() => {
                     for i in 1..self.x[j].len() {
                         let (x, above, below) = (&self.x[j], &self.y[j], &self.y[j - 1]);
                         ledger.divergence(&[x[i], -x[i - 1], above[i], -below[i]], self.largest);
                     }
                 }
-                Polarisation::Te => {}
+                Polarisation::P => {}
             }
         }
     }

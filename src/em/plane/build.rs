@@ -2,12 +2,12 @@
 
 use super::super::absorber::{Strip, Strips, Wall};
 use super::super::aligned::Aligned;
-use super::super::line::{FIXED, check_courant, check_grid, check_room};
 use super::super::medium::{Coefficients, Medium, Surroundings};
 use super::super::refusal::{Refusal, demand};
 use super::super::span::{Need, Spans};
-use super::super::{Stepping, WORD, total};
-use super::{Fields, Grid, Layout, Plane, Polarisation, Row, Setup, Sides};
+use super::super::stepping::{FIXED, Stepping, WORD, check_courant, check_grid, check_room, total};
+use super::{Fields, Grid, Layout, Plane, Row, Setup, Sides};
+use crate::Polarisation;
 use fearless_simd::Level;
 use num_complex::Complex64;
 use std::sync::Arc;
@@ -31,7 +31,7 @@ impl Setup {
         let parts = self.parts() as u64;
         let (uniform, pruned) = (self.regions.is_empty(), self.stepping.pruned);
         let need = if pruned { Need::of_any(self.all_media()) } else { Need::Electrons };
-        let [electric, magnetic] = if self.polarisation == Polarisation::Tm { [1, 2] } else { [2, 1] };
+        let [electric, magnetic] = if self.polarisation == Polarisation::S { [1, 2] } else { [2, 1] };
         let tables = if uniform && pruned { 0 } else { electric * need.columns() + magnetic };
         let currents = electric * (need.words() - need.columns()) * parts;
         let thick = |walls: [Wall; 2]| walls.iter().map(|w| w.thickness() as u64).fold(0, u64::saturating_add);
@@ -160,12 +160,12 @@ impl Grid {
         let magnetic =
             |range, at: &dyn Fn(usize) -> Coefficients| Spans::new(range, (!pruned).then_some(Need::Clear), at);
         match self.setup.polarisation {
-            Polarisation::Tm => Layout {
+            Polarisation::S => Layout {
                 z: electric(first..columns, Self::around_z),
                 x: magnetic(first..columns, &|i| between(cell(self.left(i), here), cell(i, here))),
                 y: magnetic(0..columns, &|i| between(cell(i, below), cell(i, here))),
             },
-            Polarisation::Te => Layout {
+            Polarisation::P => Layout {
                 x: electric(0..columns, Self::around_x),
                 y: electric(first..columns, Self::around_y),
                 z: magnetic(0..columns, &|i| Coefficients::magnetic(courant, cell(i, here).mu_r)),
@@ -205,7 +205,7 @@ impl Grid {
         let graded = |list: &[Strip]| zeros(if list.iter().any(|s| s.at(j).is_some()) { columns } else { 0 });
         let (rows_whole, rows_half) = (&self.along.whole, &self.along.half);
         let fields = match self.setup.polarisation {
-            Polarisation::Tm => Fields {
+            Polarisation::S => Fields {
                 currents: [zeros(layout.z.currents), Vec::new()],
                 psi_zx: strips(whole),
                 psi_yx: strips(half),
@@ -213,7 +213,7 @@ impl Grid {
                 psi_xy: graded(rows_half),
                 ..Fields::default()
             },
-            Polarisation::Te => Fields {
+            Polarisation::P => Fields {
                 currents: [zeros(layout.x.currents), zeros(layout.y.currents)],
                 psi_zx: strips(half),
                 psi_yx: strips(whole),
@@ -223,7 +223,7 @@ impl Grid {
             },
         };
         // The image of the last component at i + ½ stands before the first.
-        let [image_y, image_z] = if self.setup.polarisation == Polarisation::Tm { [1, 0] } else { [0, 1] };
+        let [image_y, image_z] = if self.setup.polarisation == Polarisation::S { [1, 0] } else { [0, 1] };
         let full = Fields {
             x: Aligned::zeros(columns, 0),
             y: Aligned::zeros(columns + 1, image_y),

@@ -3,7 +3,8 @@
 use super::super::absorber::{Grade, Strip};
 use super::super::kernel::{Circulation, Difference};
 use super::super::span::Update;
-use super::{Fields, Grid, Polarisation, Row, Sides};
+use super::{Fields, Grid, Row, Sides};
+use crate::Polarisation;
 use fearless_simd::Level;
 use num_complex::Complex64;
 
@@ -25,10 +26,10 @@ impl Grid {
             let under = below.map(|row| &row.parts[part]);
             let here = &mut here.parts[part];
             match (self.setup.polarisation, under) {
-                (Polarisation::Tm, Some(under)) => self.e_z(under, here, j),
-                (Polarisation::Te, Some(under)) => self.e_xy(under, here, j),
-                (Polarisation::Te, None) => self.e_y(here, j),
-                (Polarisation::Tm, None) => {}
+                (Polarisation::S, Some(under)) => self.e_z(under, here, j),
+                (Polarisation::P, Some(under)) => self.e_xy(under, here, j),
+                (Polarisation::P, None) => self.e_y(here, j),
+                (Polarisation::S, None) => {}
             }
         }
         self.inject(here, j, moment.step);
@@ -37,7 +38,7 @@ impl Grid {
             self.add_incident(here, j, h);
         }
         self.wrap_row(here);
-        if self.setup.polarisation == Polarisation::Tm {
+        if self.setup.polarisation == Polarisation::S {
             record(here, 0);
         }
     }
@@ -47,16 +48,16 @@ impl Grid {
     pub(super) fn step_magnetic(&self, here: &mut Row, above: &Row, j: usize, moment: Moment) {
         for (part, over) in here.parts.iter_mut().zip(&above.parts) {
             match self.setup.polarisation {
-                Polarisation::Tm => self.h_xy(part, over, j),
-                Polarisation::Te => self.h_z(part, over, j),
+                Polarisation::S => self.h_xy(part, over, j),
+                Polarisation::P => self.h_z(part, over, j),
             }
         }
         if let Some((_, [_, e])) = moment.incident.filter(|(row, _)| *row == j + 1) {
             // The row takes its curl from a row above in which the total field lives.
-            let sign = if self.setup.polarisation == Polarisation::Tm { 1.0 } else { -1.0 };
+            let sign = if self.setup.polarisation == Polarisation::S { 1.0 } else { -1.0 };
             self.add_scattered(here, j, sign * e);
         }
-        if self.setup.polarisation == Polarisation::Te {
+        if self.setup.polarisation == Polarisation::P {
             record(here, 1);
         }
     }
@@ -129,10 +130,11 @@ impl Grid {
             return;
         }
         let n = self.setup.cells[0];
-        let te = self.setup.polarisation == Polarisation::Te;
         // Whole components run from their image on the right, half ones from theirs on the left.
-        let (last, first): (Array, Array) =
-            if te { (|f| &mut f.y, |f| &mut f.z) } else { (|f| &mut f.z, |f| &mut f.y) };
+        let (last, first): (Array, Array) = match self.setup.polarisation {
+            Polarisation::S => (|f| &mut f.z, |f| &mut f.y),
+            Polarisation::P => (|f| &mut f.y, |f| &mut f.z),
+        };
         match &mut row.parts[..] {
             [re] => {
                 let (whole, half) = (last(re)[0], first(re)[n]);
@@ -155,8 +157,8 @@ impl Grid {
             let layout = &self.layouts[j];
             let fields = &mut row.parts[0];
             match self.setup.polarisation {
-                Polarisation::Tm => layout.z.push(i, &mut fields.z, &mut fields.currents[0], -j_now),
-                Polarisation::Te => layout.x.push(i, &mut fields.x, &mut fields.currents[0], -j_now),
+                Polarisation::S => layout.z.push(i, &mut fields.z, &mut fields.currents[0], -j_now),
+                Polarisation::P => layout.x.push(i, &mut fields.x, &mut fields.currents[0], -j_now),
             }
         }
     }
@@ -167,8 +169,8 @@ impl Grid {
         for (part, f) in row.parts.iter_mut().enumerate() {
             for i in 0..self.setup.cells[0] {
                 match self.setup.polarisation {
-                    Polarisation::Tm => layout.z.push(i, &mut f.z, &mut f.currents[0], turned(i)[part]),
-                    Polarisation::Te => layout.x.push(i, &mut f.x, &mut f.currents[0], turned(i)[part]),
+                    Polarisation::S => layout.z.push(i, &mut f.z, &mut f.currents[0], turned(i)[part]),
+                    Polarisation::P => layout.x.push(i, &mut f.x, &mut f.currents[0], turned(i)[part]),
                 }
             }
         }
@@ -180,8 +182,8 @@ impl Grid {
         for (part, f) in row.parts.iter_mut().enumerate() {
             for i in 0..self.setup.cells[0] {
                 match self.setup.polarisation {
-                    Polarisation::Tm => layout.x.push(i, &mut f.x, &mut [], turned(i)[part]),
-                    Polarisation::Te => layout.z.push(i, &mut f.z[1..], &mut [], turned(i)[part]),
+                    Polarisation::S => layout.x.push(i, &mut f.x, &mut [], turned(i)[part]),
+                    Polarisation::P => layout.z.push(i, &mut f.z[1..], &mut [], turned(i)[part]),
                 }
             }
         }

@@ -1,8 +1,8 @@
 //! In which order rows are stepped.
 
-use super::super::WORD;
 use super::super::incident::Incident;
 use super::super::refusal::{Refusal, demand};
+use super::super::stepping::WORD;
 use super::stages::Moment;
 use super::{Grid, Plane, Row};
 

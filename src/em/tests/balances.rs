@@ -1,5 +1,6 @@
+use crate::Polarisation;
 use crate::em::line::{Ends, Setup};
-use crate::em::plane::{self, Polarisation, Region, Sides};
+use crate::em::plane::{self, Region, Sides};
 use crate::em::{Conduction, EPSILON_0, Line, Medium, Plane, Stepping, Z_0};
 use num_complex::Complex64;
 
@@ -36,7 +37,7 @@ fn energy_on_a_line_balances_at_every_step() {
 
 #[test]
 fn charge_and_energy_balance_in_the_plane_at_every_step() {
-    for polarisation in [Polarisation::Tm, Polarisation::Te] {
+    for polarisation in [Polarisation::S, Polarisation::P] {
         for conduction in [Conduction::SemiImplicit, Conduction::Exponential] {
             for sides in [
                 Sides::Bloch(0.0),

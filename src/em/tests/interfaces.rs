@@ -1,9 +1,10 @@
 use super::{complex, packet};
+use crate::Polarisation;
 use crate::em::line::{Ends, Setup};
-use crate::em::plane::{self, Polarisation, Region};
+use crate::em::plane::{self, Region};
 use crate::em::pulse::amplitude;
 use crate::em::{C, EPSILON_0, Line, Medium, Plane, Stepping};
-use crate::optics::film::{self, Layer, Stack};
+use crate::optics::film::{Layer, Stack};
 use crate::optics::{Incidence, fresnel};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -60,7 +61,7 @@ fn a_film_reflects_and_transmits_as_its_stack_does() {
         let layers =
             [Layer { index: Complex64::from(f64::sqrt(eps_r)), thickness: cells as f64 / n as f64 * WAVELENGTH }];
         let stack = Stack { n_i: 1.0, layers: &layers, substrate: Complex64::from(1.0) };
-        let exact = stack.response(WAVELENGTH, Incidence::NORMAL, film::Polarisation::S);
+        let exact = stack.response(WAVELENGTH, Incidence::NORMAL, Polarisation::S);
         let [r, t] = on_a_line(n, Medium::dielectric(eps_r), Some(cells), cells + 20);
         let (reflectance, transmittance) = (r.norm_sqr(), t.norm_sqr());
         assert!((reflectance + transmittance - 1.0).abs() < 1e-6, "{reflectance} + {transmittance}");
@@ -114,12 +115,12 @@ fn a_magnetic_half_space_reflects_obliquely_to_second_order() {
     let medium = Medium { mu_r: 4.0, ..Medium::conductor(1.5, 1.5 * EPSILON_0 * OMEGA) };
     let epsilon = medium.permittivity(OMEGA);
     for (degrees, polarisation) in
-        [45.0, 70.0].into_iter().flat_map(|at| [(at, Polarisation::Tm), (at, Polarisation::Te)])
+        [45.0, 70.0].into_iter().flat_map(|at| [(at, Polarisation::S), (at, Polarisation::P)])
     {
         let sine = f64::to_radians(degrees).sin();
         // k_y over that of the vacuum on both sides; continuous are k_y/μ · E_z and k_y/ε · H_z.
         let [near, far] = [1.0.into(), epsilon * medium.mu_r].map(|n2: Complex64| (n2 - sine * sine).sqrt());
-        let far = far / if polarisation == Polarisation::Tm { medium.mu_r.into() } else { epsilon };
+        let far = far / if polarisation == Polarisation::S { medium.mu_r.into() } else { epsilon };
         let exact = ((near - far) / (near + far)).norm_sqr();
         let error = |n: usize| (in_a_plane(polarisation, degrees, n, medium, None) - exact).abs();
         let points: Vec<_> = [24, 36, 54].into_iter().map(|n| (n as f64, error(n))).collect();
@@ -141,7 +142,7 @@ fn oblique_reflection_is_that_of_fresnel_and_of_the_stack() {
         let incidence = Incidence::from_angle(f64::to_radians(degrees));
         for medium in [Medium::dielectric(2.25), metal()] {
             let exact = fresnel::powers(incidence, 1.0, medium.index(OMEGA));
-            for (polarisation, exact) in [(Polarisation::Tm, exact.r_s), (Polarisation::Te, exact.r_p)] {
+            for (polarisation, exact) in [(Polarisation::S, exact.r_s), (Polarisation::P, exact.r_p)] {
                 let measured = in_a_plane(polarisation, degrees, n, medium, None);
                 assert!(
                     (measured - exact).abs() < limit,
@@ -152,10 +153,8 @@ fn oblique_reflection_is_that_of_fresnel_and_of_the_stack() {
         let cells = 9;
         let layers = [Layer { index: Complex64::from(2.0), thickness: cells as f64 / n as f64 * WAVELENGTH }];
         let stack = Stack { n_i: 1.0, layers: &layers, substrate: Complex64::from(1.0) };
-        for (polarisation, light) in
-            [(Polarisation::Tm, film::Polarisation::S), (Polarisation::Te, film::Polarisation::P)]
-        {
-            let exact = stack.response(WAVELENGTH, incidence, light).reflectance;
+        for polarisation in [Polarisation::S, Polarisation::P] {
+            let exact = stack.response(WAVELENGTH, incidence, polarisation).reflectance;
             let measured = in_a_plane(polarisation, degrees, n, Medium::dielectric(4.0), Some(cells));
             assert!((measured - exact).abs() < limit, "film, {polarisation:?} at {degrees}°: {measured} {exact}");
         }
@@ -164,9 +163,9 @@ fn oblique_reflection_is_that_of_fresnel_and_of_the_stack() {
 
 #[test]
 fn a_metal_reflects_obliquely_to_second_order_though_its_surface_is_the_mean_of_both_sides() {
-    for (degrees, polarisation) in [(56.0, Polarisation::Tm), (56.0, Polarisation::Te), (70.0, Polarisation::Te)] {
+    for (degrees, polarisation) in [(56.0, Polarisation::S), (56.0, Polarisation::P), (70.0, Polarisation::P)] {
         let powers = fresnel::powers(Incidence::from_angle(f64::to_radians(degrees)), 1.0, metal().index(OMEGA));
-        let exact = if polarisation == Polarisation::Tm { powers.r_s } else { powers.r_p };
+        let exact = if polarisation == Polarisation::S { powers.r_s } else { powers.r_p };
         let error = |n: usize| (in_a_plane(polarisation, degrees, n, metal(), None) - exact).abs();
         let points: Vec<_> = [24, 36, 54].into_iter().map(|n| (n as f64, error(n))).collect();
         let slope = order::slope(&points).unwrap();

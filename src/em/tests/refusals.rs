@@ -1,4 +1,5 @@
-use crate::em::plane::{self, Polarisation, Region, Sides};
+use crate::Polarisation;
+use crate::em::plane::{self, Region, Sides};
 use crate::em::{Cpml, Line, Medium, Plane, Pulse, Refusal, Stepping, Wall, line};
 
 fn line_of(edit: impl Fn(&mut line::Setup)) -> Result<Line, Refusal> {
@@ -8,7 +9,7 @@ fn line_of(edit: impl Fn(&mut line::Setup)) -> Result<Line, Refusal> {
 }
 
 fn plane_of(edit: impl Fn(&mut plane::Setup)) -> Result<Plane, Refusal> {
-    let mut setup = plane::Setup::vacuum([50, 50], 1e-3, Polarisation::Tm, Stepping::at(0.5)).open(10);
+    let mut setup = plane::Setup::vacuum([50, 50], 1e-3, Polarisation::S, Stepping::at(0.5)).open(10);
     edit(&mut setup);
     Plane::new(setup)
 }
@@ -199,9 +200,9 @@ fn memory_is_counted_with_all_that_is_kept_and_to_the_byte_at_the_limit() {
             let line = line.unwrap();
             assert!(line.explain().bytes <= line.setup().peak_bytes());
             for (polarisation, sides) in [
-                (Polarisation::Tm, Sides::Bloch(0.0)),
-                (Polarisation::Tm, Sides::Bloch(0.1)),
-                (Polarisation::Te, Sides::Bloch(0.1)),
+                (Polarisation::S, Sides::Bloch(0.0)),
+                (Polarisation::S, Sides::Bloch(0.1)),
+                (Polarisation::P, Sides::Bloch(0.1)),
             ] {
                 let edit = |setup: &mut plane::Setup| {
                     (setup.polarisation, setup.sides, setup.stepping.pruned) = (polarisation, sides, pruned);

@@ -1,6 +1,7 @@
 use super::worst;
+use crate::Polarisation;
 use crate::em::line::{Ends, Setup};
-use crate::em::plane::{self, Polarisation};
+use crate::em::plane;
 use crate::em::{Line, Medium, Plane, Stepping, theory};
 use num_complex::Complex64;
 
@@ -36,7 +37,7 @@ fn just_below_the_limit_a_hundred_thousand_steps_are_stable() {
         line.run(100_000).unwrap();
         assert!(worst(line.e().iter().copied()) < bound);
     }
-    for polarisation in [Polarisation::Tm, Polarisation::Te] {
+    for polarisation in [Polarisation::S, Polarisation::P] {
         let mut plane = plane_at(theory::courant_limit(2) * courant, polarisation);
         plane.run(100_000).unwrap();
         assert!(worst(plane.z().into_iter().flatten()) < bound);
@@ -49,7 +50,7 @@ fn a_metal_that_runs_into_a_layer_is_stable_for_a_hundred_thousand_steps() {
     for (plasma, collision) in [(0.3, 1e-4), (1.5, 0.0)] {
         let dt = 0.7e-3 / crate::em::C;
         let metal = Medium::metal(plasma / dt, collision / dt);
-        for polarisation in [Polarisation::Tm, Polarisation::Te] {
+        for polarisation in [Polarisation::S, Polarisation::P] {
             // Its surface meets the layers on the left and right at a right angle, and it fills the one below.
             let mut setup = plane::Setup::vacuum([14, 16], 1e-3, polarisation, Stepping::at(0.7)).open(5);
             setup.regions = vec![plane::Region::layer(f64::NEG_INFINITY..8e-3, metal)];
@@ -88,7 +89,7 @@ fn just_above_the_limit_fields_grow_at_the_rate_of_theory() {
     let k = std::f64::consts::PI * 15.0 / 16.0;
     let rate = theory::phase_per_step(&[k, k], courant).im;
     assert!(rate > 0.0);
-    let mut plane = plane_at(courant, Polarisation::Tm);
+    let mut plane = plane_at(courant, Polarisation::S);
     plane.set_z(|x, y| Complex64::from(1e-100 * (k * x * 1e3).sin() * (k * y * 1e3).sin()));
     let measured = growth((40.0 / rate) as u64, |n| {
         plane.run(n).unwrap();

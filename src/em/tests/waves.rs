@@ -1,6 +1,7 @@
 use super::worst;
+use crate::Polarisation;
 use crate::em::line::{Ends, Setup};
-use crate::em::plane::{self, Polarisation, Sides};
+use crate::em::plane::{self, Sides};
 use crate::em::wave::{Problem, Scheme};
 use crate::em::{Line, Medium, Plane, Stepping, Z_0, theory};
 use num_complex::Complex64;
@@ -30,14 +31,14 @@ fn a_plane_wave_travels_at_the_speed_of_the_dispersion_relation() {
 #[test]
 fn a_bloch_wave_oscillates_at_the_frequency_of_the_dispersion_relation() {
     let (cells, courant) = ([12, 20], 0.6);
-    for polarisation in [Polarisation::Tm, Polarisation::Te] {
+    for polarisation in [Polarisation::S, Polarisation::P] {
         for kx in [0.0, 0.05, 0.31] {
             let mut setup = plane::Setup::vacuum(cells, 1.0, polarisation, Stepping::at(courant));
             setup.sides = Sides::Bloch(kx * cells[0] as f64);
             let mut plane = Plane::new(setup).unwrap();
             let ky = std::f64::consts::PI * 3.0 / cells[1] as f64;
-            // A standing wave between conductors, at rest half a step before H's first moment in TM.
-            let across = |y: f64| if polarisation == Polarisation::Tm { (ky * y).sin() } else { (ky * y).cos() };
+            // A standing wave between conductors, at rest half a step before H's first moment in s.
+            let across = |y: f64| if polarisation == Polarisation::S { (ky * y).sin() } else { (ky * y).cos() };
             plane.set_z(|x, y| Complex64::cis(kx * x) * across(y));
             let probe = plane.probe([5, 7]).unwrap();
             plane.run(400).unwrap();

@@ -15,6 +15,7 @@
 //!   of two taken out on the way keep the fields within range.
 //! - Absorption is the integral of Im(n²) |E|² in closed form, and of R and T the larger is what the others leave.
 
+use crate::Polarisation;
 use crate::optics::incidence::{Incidence, normal_squared, outgoing_root};
 use num_complex::Complex64;
 
@@ -31,15 +32,6 @@ pub struct Layer {
     pub index: Complex64,
     /// [m], ≥ 0.
     pub thickness: f64,
-}
-
-/// Which field is parallel to the films.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Polarisation {
-    /// The electric field.
-    S,
-    /// The magnetic field.
-    P,
 }
 
 /// Films between two half-spaces, in the order in which the light meets them.

@@ -1,7 +1,8 @@
 //! The forms that textbooks and packages use, in plain `f64`, to contrast with [`Stack`]: each is right on
 //! paper, and each has stacks on which it loses every digit. Not for use.
 
-use super::{Polarisation, Powers, Stack};
+use super::{Powers, Stack};
+use crate::Polarisation;
 use crate::optics::incidence::{Incidence, normal_squared, outgoing_root};
 use num_complex::Complex64;
 use std::f64::consts::TAU;

@@ -14,9 +14,9 @@ fn figures() -> impl Iterator<Item = (String, Plot)> {
     let steps =
         chapters::CURRICULUM.iter().flat_map(|chapter| chapter.steps.iter().map(move |step| (chapter.id, step)));
     let listed = steps.flat_map(|(chapter, step)| {
-        let figures = step.figures.iter().map(move |figure| (chapter, step, figure));
+        let figures = step.exhibit.figures.iter().map(move |figure| (chapter, step, figure));
         figures.map(|(chapter, step, figure)| {
-            let plot = (figure.plot)(&Setting::defaults(step.parameters));
+            let plot = (figure.plot)(&Setting::defaults(step.parameters()));
             (format!("{chapter}/{}/{}", step.id, figure.id), plot)
         })
     });
