@@ -11,6 +11,7 @@ pub mod plane_wave;
 pub mod poynting;
 pub mod setting;
 mod symbols;
+pub mod text;
 pub mod vocabulary;
 
 pub use vocabulary::{Chapter, Step};

@@ -1,7 +1,6 @@
-//! Text: the label markup and its measure in the embedded font.
+//! Text: the measure of a label in the embedded font.
 
-use std::iter::Peekable;
-use std::str::Chars;
+use chapters::text::{self, Phrase, Shift};
 use std::sync::LazyLock;
 use ttf_parser::{Face, GlyphId};
 
@@ -19,8 +18,6 @@ const SMALLER: f64 = 0.72;
 const RAISE: f64 = 0.36;
 /// How far a lowered run hangs below the baseline around it [em].
 const LOWER: f64 = 0.17;
-/// Runs within runs beyond this depth are set at the size of the last.
-const DEEPEST: usize = 3;
 
 /// The embedded font.
 pub(super) static FACE: LazyLock<Face<'static>> = LazyLock::new(|| {
@@ -41,45 +38,19 @@ pub struct Run {
     pub size: f64,
 }
 
-/// The runs of a label in the markup `R_s`, `10^{−6}`.
+/// The runs of a label in the markup of chapters (`R_s`, `10^{−6}`).
 pub fn runs(label: &str) -> Vec<Run> {
-    let mut runs = Vec::new();
-    read(&mut label.chars().peekable(), 0, 0.0, 1.0, &mut runs);
     let mut x = 0.0;
-    for run in &mut runs {
-        run.x = x;
+    let set = |run: text::Run| {
+        let (rise, size) = run.shifts.iter().fold((0.0, 1.0), |(rise, size), shift| match shift {
+            Shift::Lowered => (rise - LOWER * size, size * SMALLER),
+            Shift::Raised => (rise + RAISE * size, size * SMALLER),
+        });
+        let run = Run { text: run.text, x, rise, size };
         x += run.size * advance(&run.text);
-    }
-    runs
-}
-
-/// Reads runs up to the end, or to the closing brace if inside one.
-fn read(chars: &mut Peekable<Chars>, depth: usize, rise: f64, size: f64, runs: &mut Vec<Run>) {
-    let mut text = String::new();
-    let flush = |text: &mut String, runs: &mut Vec<Run>| {
-        if !text.is_empty() {
-            runs.push(Run { text: std::mem::take(text), x: 0.0, rise, size });
-        }
+        run
     };
-    while let Some(character) = chars.next() {
-        let shift = match character {
-            '}' if depth > 0 => break,
-            '_' if chars.peek().is_some() => -LOWER,
-            '^' if chars.peek().is_some() => RAISE,
-            _ => {
-                text.push(character);
-                continue;
-            }
-        };
-        flush(&mut text, runs);
-        let (rise, size) = if depth < DEEPEST { (rise + shift * size, size * SMALLER) } else { (rise, size) };
-        match chars.next() {
-            Some('{') => read(chars, (depth + 1).min(DEEPEST), rise, size, runs),
-            Some(single) => runs.push(Run { text: single.into(), x: 0.0, rise, size }),
-            None => {}
-        }
-    }
-    flush(&mut text, runs);
+    Phrase::parse(label).runs().into_iter().map(set).collect()
 }
 
 /// Width of plain text [em].
@@ -141,7 +112,7 @@ mod tests {
     fn stray_marks_stay_as_written() {
         assert_eq!(texts("a_"), ["a_"]);
         assert_eq!(texts("{x}"), ["{x}"]);
-        assert_eq!(texts("x^{2"), ["x", "2"]);
+        assert_eq!(texts("x^{2"), ["x^{2"]);
         assert!(runs("").is_empty());
     }
 
