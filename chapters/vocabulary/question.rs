@@ -1,7 +1,7 @@
 //! What a step asks before it shows its evidence. The right answer is computed by the program at the setting, never
 //! typed; whoever answers wrongly is told which idea leads there.
 
-use crate::setting::Setting;
+use crate::setting::{Fault, Setting, excerpt, parse_quantity};
 
 /// A question.
 #[derive(Clone, Copy, Debug)]
@@ -122,6 +122,25 @@ impl Question {
             Answer::Trend { .. } => TRENDS.into(),
             Answer::Number { .. } => Vec::new(),
         }
+    }
+
+    /// Reads an answer as it is typed: the number of an option, from 1, or its words; or a number, which may carry a
+    /// unit. A bare angle is one in degrees.
+    ///
+    /// # Errors
+    /// What could be answered instead.
+    pub fn read(&self, text: &str) -> Result<Given, Fault> {
+        let text = text.trim();
+        let fault = |valid: String| Fault::new(self.id, format!("`{}` is no answer; {valid}", excerpt(text)));
+        if let Answer::Number { unit, .. } = self.answer {
+            let in_degrees = unit == "rad" && text.parse::<f64>().is_ok();
+            let quantity = if in_degrees { format!("{text}deg") } else { text.to_owned() };
+            return parse_quantity(&quantity, unit).map(Given::Number).map_err(|reason| Fault::new(self.id, reason));
+        }
+        let options = self.options();
+        let by_words = || options.iter().position(|option| option.eq_ignore_ascii_case(text));
+        let by_number = || text.parse::<usize>().ok()?.checked_sub(1).filter(|at| *at < options.len());
+        by_number().or_else(by_words).map(Given::Option).ok_or_else(|| fault(format!("valid: 1 to {}", options.len())))
     }
 
     /// The right answer at the setting.
@@ -254,5 +273,25 @@ mod tests {
         assert_eq!(reply(3.97), Reply { right: false, says: "twice" });
         assert_eq!(reply(f64::NAN), Reply { right: false, says: "" });
         assert!(!asked.reply(&setting, Given::Option(0)).right);
+        assert_eq!(asked.read(" 2.5 "), Ok(Given::Number(2.5)));
+        assert!(asked.read("two").is_err() && asked.read("nan").is_err());
+    }
+
+    #[test]
+    fn answers_are_read_as_they_are_typed() {
+        let sign = Answer::Sign { replies: ["", "", ""], right: |_| 1.0, slip: |_| -1.0 };
+        let asked = question("sign", "Which sign?", sign, "so");
+        assert_eq!(asked.read("3"), Ok(Given::Option(2)));
+        assert_eq!(asked.read(" Zero"), Ok(Given::Option(1)));
+        for bad in ["0", "4", "", "-1", "1.5", "99999999999999999999"] {
+            assert!(asked.read(bad).unwrap_err().message.ends_with("valid: 1 to 3"), "{bad}");
+        }
+        let angle = Answer::Number { unit: "rad", tolerance: 0.0, right: |_| 1.0, slips: &[] };
+        let asked = question("angle", "Which angle?", angle, "so");
+        let half_turn = Ok(Given::Number(std::f64::consts::PI));
+        assert_eq!(
+            [asked.read("180"), asked.read("180deg"), asked.read("3.141592653589793rad")],
+            [half_turn.clone(), half_turn.clone(), half_turn]
+        );
     }
 }
