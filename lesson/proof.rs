@@ -123,7 +123,7 @@ fn answer(premises: &Chain, goal: &Equation) -> Answer {
     let hops = verify(&whole, "prove");
     let decided = hops.last().map_or(Verdict::Proved, |hop| hop.verdict.clone());
     let is_proof = |hops: &[Hop]| !hops.is_empty() && hops.iter().all(|hop| hop.verdict == Verdict::Proved);
-    let complete = decided.holds().then(|| whole.complete());
+    let complete = decided.agrees().then(|| whole.complete());
     let judged = complete.map(|chain| (verify(&chain, "prove"), chain)).filter(|(hops, _)| is_proof(hops));
     // Without lines the goal stands as the normal form decided it.
     let (hops, found) = judged.unwrap_or((hops, whole));

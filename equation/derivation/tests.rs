@@ -104,11 +104,11 @@ fn takes_lines_from_premises() {
         let equal = Equation::new(N_1, N_2);
         let linear = Chain::assume(Equation::new(&divisor * X, &divisor * K), "").and(equal.clone(), "");
         let verdict = from(linear, Equation::new(X, K));
-        assert!(!verdict[0].holds(), "{divisor}: {verdict:?}");
+        assert!(!verdict[0].agrees(), "{divisor}: {verdict:?}");
         let cubics = Equation::new(&divisor * (X.pow(3) + X), &divisor * (K.pow(3) + K));
         let open = Chain::assume(cubics, "").and(equal, "");
         let verdict = from(open, Equation::new(X.pow(3) + X, K.pow(3) + K));
-        assert!(!verdict[0].holds(), "{divisor}: {verdict:?}");
+        assert!(!verdict[0].agrees(), "{divisor}: {verdict:?}");
     }
     let over_zero = Equation::new((X.pow(3) + X - K.pow(2) - K) / hidden(), 0);
     assert!(matches!(from(cubic(), over_zero)[..], [Verdict::Unknown { .. }]));
@@ -165,7 +165,7 @@ fn refuses_a_slipped_sign_and_says_where() {
         snell(Chain::new(start))
             .then(sign * tan(THETA_1 - THETA_2) / tan(THETA_1 + THETA_2), ["sines of double angles"])
     };
-    assert!(judge(&r_p(1))[0].holds());
+    assert!(judge(&r_p(1))[0].agrees());
     let verdicts = judge(&r_p(-1));
     let [Verdict::Refuted { at, digits }] = verdicts.as_slice() else { panic!("{verdicts:?}") };
     assert!(digits.abs() < 2.0, "{digits}");
@@ -195,8 +195,8 @@ fn sees_differences_far_below_f64() {
 #[test]
 fn judges_an_exact_zero_by_the_size_of_its_terms() {
     let zero = sin(X).pow(2) + cos(X).pow(2) - 1;
-    assert!(judge(&Chain::new(Equation::new(&zero, 0)))[0].holds());
-    assert!(judge(&Chain::new(Equation::new(X * &zero / 7 + X, X)))[0].holds());
+    assert!(judge(&Chain::new(Equation::new(&zero, 0)))[0].agrees());
+    assert!(judge(&Chain::new(Equation::new(X * &zero / 7 + X, X)))[0].agrees());
     let verdicts = judge(&Chain::new(Equation::new(X / zero, X)));
     let [Verdict::Unknown { why }] = verdicts.as_slice() else { panic!("{verdicts:?}") };
     assert_eq!(why, "x/(sin² x + cos² x − 1) has no finite value at any of 48 points");
@@ -206,12 +206,12 @@ fn judges_an_exact_zero_by_the_size_of_its_terms() {
 fn looks_off_the_real_axis_unless_told_not_to() {
     let real = X.real(0.2, 1.3);
     let squared = |x: Symbol| Chain::new(abs(&x).pow(2)).then(x.pow(2), ["real"]);
-    assert!(judge(&squared(real.clone()))[0].holds());
+    assert!(judge(&squared(real.clone()))[0].agrees());
     assert!(matches!(judge(&squared(X))[0], Verdict::Refuted { .. }));
-    assert!(judge(&Chain::new(abs(X).pow(2)).then(X * conj(X), []))[0].holds());
+    assert!(judge(&Chain::new(abs(X).pow(2)).then(X * conj(X), []))[0].agrees());
     // A metal: Im n > 0 throughout.
     let n = Symbol::scalar("n", Dimension::ONE).complex((0.1, 3.0), (0.5, 8.0));
-    assert!(judge(&Chain::new(re(&n * i())).then(-crate::expr::im(n), []))[0].holds());
+    assert!(judge(&Chain::new(re(&n * i())).then(-crate::expr::im(n), []))[0].agrees());
 }
 
 #[test]

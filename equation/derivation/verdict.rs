@@ -42,8 +42,8 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// Whether the hop may be shown as holding.
-    pub fn holds(&self) -> bool {
+    /// Whether the sides agree wherever they were compared, proved or not.
+    pub fn agrees(&self) -> bool {
         matches!(self, Self::Proved | Self::Agrees { .. })
     }
 }
