@@ -3,15 +3,17 @@
 
 pub mod figure;
 pub mod fresnel;
-pub mod function;
 pub mod lecture;
 pub mod maxwell;
+pub mod parameter;
 pub mod plane_wave;
 pub mod poynting;
-pub mod setting;
 mod symbols;
 pub mod vocabulary;
 
+// Names from before the schema was one, for `use` lines that still say them.
+pub use parameter as function;
+pub use parameter as setting;
 pub use vocabulary::{Chapter, Step};
 
 /// The chapters in teaching order: the only list of them.

@@ -2,7 +2,7 @@
 
 use crate::progress::Progress;
 use crate::select::{Chosen, Selection};
-use chapters::setting::{Kind, Setting, Value};
+use chapters::parameter::{Setting, Value};
 use chapters::vocabulary::{
     Bench, Bound, Check, Expects, Extreme, Heat, Lane, Race, SEED, Stress, digits, fitted_order, rms, sidak,
 };
@@ -86,29 +86,21 @@ fn judge_step(chosen: &Chosen, parts: Parts, progress: &Progress) -> StepReport 
 fn parameters(setting: &Setting) -> Vec<ParameterReport> {
     let wavelength = setting.wavelength();
     let entries = setting.entries().map(|(parameter, text, value)| {
-        let number = match value {
-            Value::Number(number) => Some(Number(*number)),
-            Value::Medium(_) | Value::Conductor(_) => None,
-        };
         let index = match value {
             Value::Medium(medium) => medium.index(wavelength).ok(),
-            Value::Number(_) | Value::Conductor(_) => None,
-        };
-        let unit = match parameter.kind {
-            Kind::Number { unit, .. } => unit,
-            Kind::Count { .. } => "1",
-            Kind::Medium | Kind::ClearMedium => "1",
-            // Three numbers, each with a unit of its own.
-            Kind::Conductor => "",
+            _ => None,
         };
         ParameterReport {
             name: parameter.name,
+            symbol: parameter.symbol,
             says: parameter.says,
-            text: text.to_owned(),
-            value: number,
+            text: text.into_owned(),
+            value: if let Value::Number(number) = value { Some(Number(*number)) } else { None },
             n: index.map(|index| Number(index.re)),
             k: index.map(|index| Number(index.im)),
-            unit,
+            unit: parameter.kind.unit(),
+            default: parameter.default,
+            domain: parameter.kind.describe(),
         }
     });
     entries.collect()

@@ -3,7 +3,7 @@
 use super::extremes::{families, ours, worst_cases};
 use super::{N_I, N_T, interface};
 use crate::figure::{Axis, Map, Panel, Plot, Ramp};
-use crate::setting::{Parameter, Setting, THETA, WAVELENGTH};
+use crate::setting::{Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{ALLOWED_ULPS, Bench, Expects, Figure, Heat, Lane, Quantity, Race, Step, Stress, digits};
 use light::Complex64;
 use light::optics::fresnel::{natural_reflectance, natural_reflectance_absorbing, powers};
@@ -18,7 +18,7 @@ pub(super) const STEP: Step = Step {
     title: "Digits lost, digits kept",
     says: "As written the formulas are 0/0 at normal incidence and cancel between similar media; one identity cures both.",
     rows: &["C10"],
-    parameters: &[N_I, Parameter { default: "1.000001", ..N_T }, THETA, WAVELENGTH],
+    parameters: &[N_I, N_T.default("1.000001"), THETA, WAVELENGTH],
     statements: &[],
     derivations: &[],
     readout: Some(readout),

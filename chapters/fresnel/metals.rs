@@ -25,7 +25,7 @@ use yardstick::precise;
 use yardstick::random::uniform;
 
 /// The metal behind the interface.
-const METAL: Parameter = Parameter { default: "gold", ..N_T };
+const METAL: Parameter = N_T.default("gold");
 
 /// Real part of a complex index.
 const N: Symbol = Symbol::scalar("n", Dimension::ONE).real(0.1, 4.0);

@@ -38,16 +38,15 @@ const FIELD: Symbol = Symbol::scalar("E", Dimension::VOLT_PER_METRE);
 /// The phase of a reflected wave.
 const DELTA: Symbol = Symbol::scalar("delta", Dimension::ONE).real(-2.5, -0.5);
 
-const N_I: Parameter = Parameter { default: "1.5", says: "the denser medium, where the light is", ..super::N_I };
-const N_T: Parameter =
-    Parameter { name: "n_t", symbol: "n_2", says: "the rarer medium", default: "1", kind: Kind::ClearMedium };
+const N_I: Parameter = Parameter { says: "the denser medium, where the light is", ..super::N_I.default("1.5") };
+const N_T: Parameter = Parameter::new("n_t", "n_2", "the rarer medium", Kind::ClearMedium).default("1");
 
 pub(super) const STEP: Step = Step {
     id: "total_reflection",
     title: "Total reflection",
     says: "Beyond the critical angle |r| = 1; what remains is a phase, and a wave that clings to the surface.",
     rows: &["C13"],
-    parameters: &[N_I, N_T, Parameter { default: "50deg", ..THETA }, WAVELENGTH],
+    parameters: &[N_I, N_T, THETA.default("50deg"), WAVELENGTH],
     statements: &[
         Statement {
             id: "critical",

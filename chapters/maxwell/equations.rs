@@ -13,13 +13,9 @@ use std::f64::consts::{PI, TAU};
 use yardstick::quadrature::{gauss, gauss_legendre};
 use yardstick::random::uniform;
 
-const BETA: Parameter = Parameter {
-    name: "beta",
-    symbol: "β",
-    says: "speed of the charge over that of light",
-    default: "0.9",
-    kind: Kind::Number { min: -0.99, max: 0.99, unit: "1" },
-};
+const BETA: Parameter =
+    Parameter::new("beta", "β", "speed of the charge over that of light", Kind::number(-0.99, 0.99, "1"))
+        .default("0.9");
 
 pub(super) const STEP: Step = Step {
     id: "equations",

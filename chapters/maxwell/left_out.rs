@@ -9,13 +9,8 @@ use light::em::line::{Ends, Line, Setup};
 use light::em::{C, Medium, Pulse, Stepping, Z_0};
 use std::f64::consts::TAU;
 
-const CELLS: Parameter = Parameter {
-    name: "cells",
-    symbol: "N",
-    says: "cells of the line",
-    default: "10000",
-    kind: Kind::Count { min: 100, max: 1_000_000 },
-};
+const CELLS: Parameter =
+    Parameter::new("cells", "N", "cells of the line", Kind::Count { min: 100, max: 1_000_000 }).default("10000");
 
 pub(super) const STEP: Step = Step {
     id: "left_out",

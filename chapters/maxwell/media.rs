@@ -12,15 +12,11 @@ use light::fields::{Vector, cross, dot};
 use yardstick::initial_value::runge_kutta;
 use yardstick::random::uniform;
 
-const ORDINARY: Parameter = Parameter {
-    name: "n_o",
-    symbol: "n_o",
-    says: "index across the crystal's axis (calcite, 589 nm)",
-    default: "1.6584",
-    kind: Kind::Number { min: 1.0, max: 5.0, unit: "1" },
-};
+const ORDINARY: Parameter =
+    Parameter::new("n_o", "n_o", "index across the crystal's axis (calcite, 589 nm)", Kind::number(1.0, 5.0, "1"))
+        .default("1.6584");
 const EXTRAORDINARY: Parameter =
-    Parameter { name: "n_e", symbol: "n_e", says: "index along the crystal's axis", default: "1.4864", ..ORDINARY };
+    Parameter { name: "n_e", symbol: "n_e", says: "index along the crystal's axis", ..ORDINARY.default("1.4864") };
 
 pub(super) const STEP: Step = Step {
     id: "media",

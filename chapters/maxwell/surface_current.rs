@@ -15,13 +15,9 @@ use light::optics::film::{Layer, Polarisation, Stack};
 use light::waves::constants;
 use std::f64::consts::{PI, TAU};
 
-const SHEET: Parameter = Parameter {
-    name: "sheet",
-    symbol: "1/G",
-    says: "resistance of a square of the sheet",
-    default: "188.365156706Ω",
-    kind: Kind::Number { min: 1e-6, max: 1e12, unit: "Ω" },
-};
+const SHEET: Parameter =
+    Parameter::new("sheet", "1/G", "resistance of a square of the sheet", Kind::number(1e-6, 1e12, "Ω"))
+        .default("188.365156706Ω");
 
 pub(super) const STEP: Step = Step {
     id: "surface_current",

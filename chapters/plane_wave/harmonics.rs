@@ -15,18 +15,15 @@ use yardstick::quadrature::gauss_legendre;
 /// What a wave holds of each frequency.
 const SPECTRUM: Symbol = Symbol::scalar("a", Dimension::VOLT_PER_METRE.times(Dimension::SECOND));
 
+const HARMONICS: Parameter =
+    Parameter::new("harmonics", "M", "how many harmonics are kept", Kind::Count { min: 1, max: 2000 }).default("15");
+
 pub(super) const STEP: Step = Step {
     id: "harmonics",
     title: "One frequency suffices",
     says: "Any pulse of finite energy is a sum of cosines, each of which can be followed by itself.",
     rows: &["E13"],
-    parameters: &[Parameter {
-        name: "harmonics",
-        symbol: "M",
-        says: "how many harmonics are kept",
-        default: "15",
-        kind: Kind::Count { min: 1, max: 2000 },
-    }],
+    parameters: &[HARMONICS],
     statements: &[Statement {
         id: "sum",
         says: "the wave as a sum over frequencies, each with its own k",

@@ -12,13 +12,8 @@ use std::f64::consts::TAU;
 use yardstick::precise;
 use yardstick::random::uniform;
 
-const CELLS: Parameter = Parameter {
-    name: "cells",
-    symbol: "N",
-    says: "cells of the line",
-    default: "128",
-    kind: Kind::Count { min: 8, max: 1024 },
-};
+const CELLS: Parameter =
+    Parameter::new("cells", "N", "cells of the line", Kind::Count { min: 8, max: 1024 }).default("128");
 
 pub(super) const STEP: Step = Step {
     id: "methods",

@@ -9,13 +9,8 @@ use light::waves::flux::{Flux, Window};
 use yardstick::precise;
 use yardstick::quadrature::gauss_legendre;
 
-const PERIODS: Parameter = Parameter {
-    name: "periods",
-    symbol: "N",
-    says: "how many periods the detector looks",
-    default: "2.3",
-    kind: Kind::Number { min: 0.1, max: 1e12, unit: "1" },
-};
+const PERIODS: Parameter =
+    Parameter::new("periods", "N", "how many periods the detector looks", Kind::number(0.1, 1e12, "1")).default("2.3");
 
 pub(super) const STEP: Step = Step {
     id: "window",
