@@ -2,7 +2,7 @@
 //!
 //! It measures with the clock that it is lent; without one it judges all the same.
 
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::vocabulary::{
     Bench, Bound, Claim, Derivation, Extreme, Given, Heat, Item, Lane, Measured, Question, Race, SEED, Statement,
     Stress, fitted_order,

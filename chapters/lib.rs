@@ -3,13 +3,12 @@
 
 pub mod figure;
 pub mod fresnel;
-pub mod function;
 pub mod judge;
 pub mod lecture;
 pub mod maxwell;
+pub mod parameter;
 pub mod plane_wave;
 pub mod poynting;
-pub mod setting;
 mod symbols;
 pub mod text;
 pub mod vocabulary;

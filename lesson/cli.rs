@@ -36,6 +36,8 @@ pub enum Request {
 pub struct Lesson {
     /// Chapter, step, or address.
     pub words: Vec<String>,
+    /// What else may stand in the first one's place.
+    pub commands: Vec<String>,
     /// Parts asked for by flags.
     pub parts: Parts,
     /// Whether figures are written.
@@ -98,7 +100,7 @@ Examples:
   lesson fresnel --plot --set n_t=gold --set wavelength=550nm --out figures
   lesson fresnel --check --stress --race --json > report.json
   lesson all --check                       does it all still hold?
-  lesson eval fresnel n1=1 n2=1.5 theta1=56.3deg
+  lesson eval fresnel n_i=1 n_t=1.5 theta=56.3deg
   lesson eval fresnel --json-lines < inputs.jsonl > outputs.jsonl
   lesson fresnel r_s --units --unfold       every line with its unit and its steps
   lesson prove \"sin(a)^2 - sin(b)^2\" \"sin(a+b)*sin(a-b)\"
@@ -145,11 +147,11 @@ enum Command {
 const EVAL_EXAMPLES: &str = "\
 Examples:
   lesson eval --list
-  lesson eval fresnel n1=1 n2=1.5 theta1=56.3deg
-  lesson eval fresnel n1=1 n2=1.5 theta1=56.3deg --json
-  lesson eval thin-film lambda_nm=550 n0=1 theta0=0 pol=s \\
-      'layers=[{\"n\":1.38,\"d_nm\":99.6}]' 'substrate={\"n\":1.52}'
-  echo '{\"n1\":1,\"n2\":1.5,\"theta1\":0.98}' | lesson eval fresnel --json-lines
+  lesson eval fresnel n_i=1 n_t=1.5 theta=56.3deg
+  lesson eval fresnel n_i=1 n_t=gold wavelength=550nm theta=45deg --json
+  lesson eval thin-film wavelength=550nm n_i=1 theta=0 pol=s \\
+      'layers=[{\"n\":\"mgf2\",\"d\":\"99.6nm\"}]' 'substrate={\"n\":1.52}'
+  echo '{\"n_i\":1,\"n_t\":1.5,\"theta\":0.98}' | lesson eval fresnel --json-lines
 
 Every output is printed as `name value` with 17 significant digits, so that the
 double survives. With --json-lines a bad line gives {\"error\": …} in its place,
@@ -268,6 +270,7 @@ impl LessonArgs {
         let unstable = self.unstable.then(|| ("unstable".to_owned(), "1".to_owned()));
         Ok(Request::Lesson(Lesson {
             words: self.chapter.into_iter().chain(self.step).collect(),
+            commands: commands(),
             parts: Parts { checks: self.check, stress: self.stress, races: self.race },
             plot: self.plot,
             out: self.out.unwrap_or_else(|| FOLDER.into()),
@@ -318,6 +321,14 @@ impl EvalArgs {
             None => return Err(Stop::at("function", "missing; `lesson eval --list` names them")),
         })
     }
+}
+
+/// The words that may stand where a chapter's name may stand.
+fn commands() -> Vec<String> {
+    let mut command = Cli::command();
+    // clap adds `help` only when it has built the command.
+    command.build();
+    command.get_subcommands().map(|command| command.get_name().to_owned()).chain(["all".to_owned()]).collect()
 }
 
 /// Reads `NAME=VALUE`.

@@ -2,9 +2,8 @@
 
 use crate::stop::{Stop, plain};
 use chapters::CURRICULUM;
-use chapters::function::{Argument, Arguments, Function, Input, Outcome};
-use chapters::setting::{self, Fault, excerpt, range};
-use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
+use chapters::parameter::{Argument, Fault, Form, Function, Kind, Parameter, excerpt, reason};
+use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde_json::json;
 use serde_json::value::RawValue;
 use std::fmt;
@@ -21,50 +20,39 @@ fn functions() -> impl Iterator<Item = &'static Function> {
 fn find(name: &str) -> Result<&'static Function, Stop> {
     let wanted = plain(name);
     functions().find(|function| plain(function.name) == wanted).ok_or_else(|| {
-        let names = functions().map(|function| function.name).collect();
+        let names = functions().map(|function| function.name);
         Fault::unknown(excerpt(name), name, "no such function", names).into()
     })
 }
 
-/// One call: a line `name value` for each output, or all of them as one JSON object.
-pub fn once(name: &str, given: &[(String, String)], json: bool) -> Result<Vec<u8>, Stop> {
+/// One call: a line `name value` for each output, with its unit as a third column for somebody who `watches`, or all of
+/// them as one JSON object.
+pub fn once(name: &str, given: &[(String, String)], json: bool, watches: bool) -> Result<Vec<u8>, Stop> {
     let function = find(name)?;
-    let given: Result<Vec<_>, Fault> =
-        given.iter().map(|(name, text)| Ok((name.clone(), argument(function, name, text)?))).collect();
-    let outputs = call(function, &given?)?;
+    let argument = |(name, text): &(String, String)| match Argument::from_text(text) {
+        Ok(argument) => Ok((name.clone(), argument)),
+        Err(why) => Err(malformed(function, name, &why)),
+    };
+    let outputs = function.call(&given.iter().map(argument).collect::<Result<Vec<_>, Fault>>()?)?;
     let mut text = Vec::new();
     if json {
         write_outputs(&mut text, &outputs).map_err(Stop::writing)?;
-    } else {
-        let line = |(name, value): &(&str, f64)| format!("{name} {}\n", full(Number(*value)));
-        text.extend(outputs.iter().map(line).collect::<String>().into_bytes());
+        return Ok(text);
+    }
+    for (name, value) in &outputs {
+        let unit = function.outputs.iter().find(|output| watches && output.name == *name && output.unit != "1");
+        let unit = unit.map_or(String::new(), |output| format!(" {}", output.unit));
+        writeln!(text, "{name} {}{unit}", full(Number(*value))).map_err(Stop::writing)?;
     }
     Ok(text)
 }
 
-fn call(function: &Function, given: &[(String, Argument)]) -> Outcome {
-    (function.call)(&Arguments::new(function, given)?)
-}
-
-/// A value as the command line gives it: JSON if it looks structured, a number, or text.
-fn argument(function: &Function, name: &str, text: &str) -> Result<Argument, Fault> {
-    if text.starts_with(['[', '{', '"']) {
-        return from_json(function, name, text);
+/// That what stands for the input `name` cannot be read, and what would be valid.
+fn malformed(function: &Function, name: &str, why: &str) -> Fault {
+    match function.input(name) {
+        Some(input) => input.malformed(name, why),
+        None => Fault::new(excerpt(name), why),
     }
-    Ok(match text.parse() {
-        Ok(number) if f64::is_finite(number) => Argument::Number(number),
-        _ => Argument::Text(text.to_owned()),
-    })
-}
-
-/// The JSON value `text` of the input `name`.
-fn from_json(function: &Function, name: &str, text: &str) -> Result<Argument, Fault> {
-    serde_json::from_str(text).map(|Json(argument)| argument).map_err(|error| {
-        let input = function.inputs.iter().find(|input| input.name == name);
-        let domain = input.and_then(|input| Some((input.domain?, input.unit)));
-        let valid = domain.map_or(String::new(), |((min, max), unit)| format!("; {}", range(min, max, unit, "")));
-        Fault::new(excerpt(name), format!("{}{valid}", reason(&error)))
-    })
 }
 
 /// The longest line that is read [byte].
@@ -102,7 +90,7 @@ fn answer<R: io::Read>(function: &Function, input: &mut BufReader<R>, output: &m
         }
         blank = 0;
         let answer = if whole { parse(function, &line) } else { Err(format!("longer than {} MiB", LONGEST >> 20)) };
-        let answer = answer.and_then(|given| call(function, &given).map_err(|fault| Stop::from(fault).to_string()));
+        let answer = answer.and_then(|given| function.call(&given).map_err(|fault| Stop::from(fault).to_string()));
         all_good &= answer.is_ok();
         match answer {
             Ok(outputs) => write_outputs(output, &outputs),
@@ -162,8 +150,10 @@ fn parse(function: &Function, line: &[u8]) -> Result<Vec<(String, Argument)>, St
     let Fields(fields) = serde_json::from_slice(line).map_err(|error| reason(&error))?;
     let mut arguments = Vec::with_capacity(fields.len());
     for (name, value) in fields {
-        let argument = from_json(function, &name, value.get()).map_err(|fault| fault.to_string())?;
-        arguments.push((name, argument));
+        match Argument::from_json(value.get()) {
+            Ok(argument) => arguments.push((name, argument)),
+            Err(why) => return Err(malformed(function, &name, &why).to_string()),
+        }
     }
     Ok(arguments)
 }
@@ -183,7 +173,7 @@ impl<'de> Visitor<'de> for FieldsReader {
     type Value = Vec<(String, &'de RawValue)>;
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str("a JSON object such as {\"n1\": 1}")
+        f.write_str("a JSON object such as {\"n_i\": 1}")
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Self::Value, A::Error> {
@@ -195,76 +185,6 @@ impl<'de> Visitor<'de> for FieldsReader {
     }
 }
 
-/// serde_json's message, with the place inside the line only.
-fn reason(error: &serde_json::Error) -> String {
-    let text = error.to_string();
-    let message = text.split(" at line ").next().unwrap_or(&text);
-    format!("{message} (column {})", error.column())
-}
-
-/// JSON as the functions take it: numbers, texts, lists and records.
-struct Json(Argument);
-
-impl<'de> Deserialize<'de> for Json {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(Reader).map(Self)
-    }
-}
-
-struct Reader;
-
-impl<'de> Visitor<'de> for Reader {
-    type Value = Argument;
-
-    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str("a number, a text, a list or an object")
-    }
-
-    fn visit_bool<E: de::Error>(self, _: bool) -> Result<Argument, E> {
-        Ok(Argument::Other)
-    }
-
-    fn visit_unit<E: de::Error>(self) -> Result<Argument, E> {
-        Ok(Argument::Other)
-    }
-
-    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Argument, E> {
-        Ok(Argument::Number(value))
-    }
-
-    fn visit_u64<E: de::Error>(self, value: u64) -> Result<Argument, E> {
-        Ok(Argument::Number(value as f64))
-    }
-
-    fn visit_i64<E: de::Error>(self, value: i64) -> Result<Argument, E> {
-        Ok(Argument::Number(value as f64))
-    }
-
-    fn visit_str<E: de::Error>(self, value: &str) -> Result<Argument, E> {
-        Ok(Argument::Text(value.to_owned()))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Argument, A::Error> {
-        let mut list = Vec::new();
-        while let Some(Json(item)) = items.next_element()? {
-            list.push(item);
-        }
-        Ok(Argument::List(list))
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Argument, A::Error> {
-        let mut fields: Vec<(String, Argument)> = Vec::new();
-        while let Some(name) = entries.next_key::<String>()? {
-            if fields.iter().any(|(earlier, _)| *earlier == name) {
-                return Err(de::Error::custom(format_args!("`{}` given twice", excerpt(&name))));
-            }
-            let Json(value) = entries.next_value()?;
-            fields.push((name, value));
-        }
-        Ok(Argument::Record(fields))
-    }
-}
-
 /// Every function with its inputs and outputs.
 pub fn list(page: &mut Page) {
     for function in functions() {
@@ -272,30 +192,40 @@ pub fn list(page: &mut Page) {
         page.wrap(0, 4, &[(Tone::Heading, function.name), (Tone::Plain, "  "), (Tone::Plain, function.says)]);
         page.line(2, Tone::Strong, "takes");
         for input in function.inputs {
-            field(page, input.name, input.unit, input.says, &limits(input));
+            parameter(page, 4, input);
         }
         page.line(2, Tone::Strong, "gives");
         for output in function.outputs {
-            field(page, output.name, output.unit, output.says, "");
+            field(page, 4, output.name, output.unit, output.says, "");
         }
     }
     page.gap();
 }
 
-fn field(page: &mut Page, name: &str, unit: &str, says: &str, limits: &str) {
-    let unit = if unit.is_empty() { String::new() } else { format!("[{unit}]") };
-    let head = format!("{name:<14} ");
-    page.wrap(
-        4,
-        19,
-        &[(Tone::Code, &head), (Tone::Plain, says), (Tone::Plain, " "), (Tone::Dim, &unit), (Tone::Dim, limits)],
-    );
+/// An input, and below it the fields of the records that it is made of.
+fn parameter(page: &mut Page, indent: usize, input: &Parameter) {
+    let (note, fields) = match input.kind {
+        Kind::Record(fields) => (", fields:".to_owned(), fields),
+        Kind::List { of: Kind::Record(fields), most } => {
+            (format!(", a list of up to {most} with the fields:"), *fields)
+        }
+        _ => (format!(", {}", input.domain()), &[][..]),
+    };
+    let default = input.default.map_or(String::new(), |default| format!(", {default} if left out"));
+    let also = input.aliases.iter().map(|alias| match alias.form {
+        Form::Same => alias.name.to_owned(),
+        Form::In(unit) | Form::Over(_, unit) => format!("{} [{unit}]", alias.name),
+    });
+    let also: Vec<_> = also.collect();
+    let also = if also.is_empty() { String::new() } else { format!("; or {}", also.join(", ")) };
+    field(page, indent, input.name, input.kind.unit(), input.says, &format!("{note}{default}{also}"));
+    fields.iter().for_each(|field| parameter(page, indent + 2, field));
 }
 
-fn limits(input: &Input) -> String {
-    let domain = input.domain.map_or(String::new(), |(min, max)| format!(", {}", range(min, max, input.unit, "")));
-    let default = input.default.map_or(String::new(), |value| format!(", {} if left out", setting::number(value)));
-    domain + &default
+fn field(page: &mut Page, indent: usize, name: &str, unit: &str, says: &str, note: &str) {
+    let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
+    let head = format!("{name:<14} ");
+    page.wrap(indent, 19, &[(Tone::Code, &head), (Tone::Plain, says), (Tone::Dim, &unit), (Tone::Dim, note)]);
 }
 
 /// The same as one JSON document.
@@ -306,10 +236,16 @@ pub fn list_json() -> String {
                 .inputs
                 .iter()
                 .map(|input| {
-                    let domain = input.domain.map(|(min, max)| [Number(min), Number(max)]);
+                    let domain = match input.kind {
+                        Kind::Number(range) if range.is_bounded() => Some([range.min, range.max].map(Number)),
+                        Kind::Count { min, max } => Some([min as f64, max as f64].map(Number)),
+                        _ => None,
+                    };
                     json!({
-                        "name": input.name, "says": input.says, "unit": input.unit,
-                        "domain": domain, "default": input.default,
+                        "name": input.name, "says": input.says, "unit": input.kind.unit(), "domain": domain,
+                        "default": input.default.and_then(|text| input.parse(text).ok()).map(|value| value.argument()),
+                        "kind": input.kind.name(), "symbol": input.symbol,
+                        "aliases": input.names().skip(1).collect::<Vec<_>>(), "takes": input.kind.describe(),
                     })
                 })
                 .collect();

@@ -12,6 +12,7 @@ mod stop;
 mod walk;
 
 use cli::Request;
+use std::io::{IsTerminal, stdout};
 use std::process::ExitCode;
 use stop::Stop;
 
@@ -40,7 +41,9 @@ fn serve(request: Request) -> Result<ExitCode, Stop> {
             views::coverage::table(&mut page);
             out::print(page.into_text().as_bytes())?;
         }
-        Request::Eval { function, arguments, json } => out::print(&eval::once(&function, &arguments, json)?)?,
+        Request::Eval { function, arguments, json } => {
+            out::print(&eval::once(&function, &arguments, json, stdout().is_terminal())?)?;
+        }
         Request::EvalLines { function } => return eval::lines(&function),
         Request::Functions { json: true } => out::print(eval::list_json().as_bytes())?,
         Request::Functions { json: false } => {

@@ -2,9 +2,7 @@
 
 use crate::stop::{Stop, plain};
 use chapters::lecture::{LECTURE, chapter_names};
-use chapters::setting::{
-    DEFAULT_WAVELENGTH, FREQUENCY, Fault, Kind, Parameter, Setting, Value, WAVELENGTH, excerpt, parse_medium,
-};
+use chapters::parameter::{FREQUENCY, Fault, Parameter, Setting, WAVELENGTH, excerpt};
 use chapters::vocabulary::Part;
 use chapters::{CURRICULUM, Chapter, Step};
 use views::report::Parts;
@@ -30,7 +28,10 @@ pub struct Chosen {
 /// A change that a step cannot take.
 #[derive(Debug)]
 struct Left {
+    /// As it was written.
     name: String,
+    /// As the step calls it.
+    own: &'static str,
     why: String,
     fault: Fault,
 }
@@ -45,8 +46,9 @@ impl Chosen {
         format!("{}/{}", self.chapter.id, self.step.id)
     }
 
+    /// The parameter that answers to `name`.
     fn parameter(&self, name: &str) -> Option<&'static Parameter> {
-        self.step.parameters().iter().find(|parameter| parameter.name == name)
+        self.step.parameters().iter().find(|parameter| parameter.form(name).is_some())
     }
 
     /// The setting with those of the `changes` that the step can take, and those that it has to leave.
@@ -59,30 +61,17 @@ impl Chosen {
                 Ok(setting) => return Ok((setting, left)),
                 Err(fault) => fault,
             };
-            let text = kept.iter().rev().find(|(name, _)| *name == fault.place).map(|(_, text)| text.as_str());
-            let must_be_clear =
-                self.parameter(&fault.place).is_some_and(|parameter| parameter.kind == Kind::ClearMedium);
-            let conducts = |place: &str| self.parameter(place).is_some_and(|known| known.kind == Kind::Conductor);
-            let sets = |name: &str| kept.iter().any(|(kept, _)| kept == name);
-            let (name, why) = match text {
-                Some(text) if must_be_clear && absorbs(text, wavelength(&kept)) => {
-                    (fault.place.clone(), format!("it needs a clear medium, not {text}"))
-                }
-                // A medium that is not known at the frequency at which this step starts out.
-                Some(text) if conducts(&fault.place) && !sets(FREQUENCY.name) => {
-                    (fault.place.clone(), format!("{text} is not known there: {fault}"))
-                }
-                None if conducts(&fault.place) && sets(FREQUENCY.name) => {
-                    (FREQUENCY.name.to_owned(), format!("there, {fault}"))
-                }
-                // Only the wavelength can have made a default invalid.
-                None if kept.iter().any(|(name, _)| name == WAVELENGTH.name) => {
-                    (WAVELENGTH.name.to_owned(), format!("there, {fault}"))
-                }
-                _ => return Err(fault),
+            // What is wrong with a default, the wavelength or frequency that it now stands beside has made wrong.
+            let at_fault = |(name, _): &&(String, String)| fault.is_of(name);
+            let of_light = |(name, _): &&(String, String)| {
+                self.parameter(name).is_some_and(|own| [WAVELENGTH.name, FREQUENCY.name].contains(&own.name))
             };
+            let blamed = kept.iter().find(at_fault).or_else(|| kept.iter().find(of_light));
+            let Some(name) = blamed.map(|(name, _)| name.clone()) else { return Err(fault) };
+            let why = if fault.is_of(&name) { fault.message.clone() } else { format!("there, {fault}") };
             kept.retain(|(kept, _)| *kept != name);
-            left.push(Left { name, why, fault });
+            let own = self.parameter(&name).map_or("", |own| own.name);
+            left.push(Left { name, own, why, fault });
         }
     }
 
@@ -97,8 +86,9 @@ impl Chosen {
     }
 }
 
-/// What `words` name: `all`, a chapter, a chapter and a step, or an address, whole or in parts.
-pub fn select(words: &[String]) -> Result<Selection, Stop> {
+/// What `words` name: `all`, a chapter, a chapter and a step, or an address, whole or in parts. Somebody who wrote one of
+/// the `commands` wrongly may be told of it.
+pub fn select(words: &[String], commands: &[String]) -> Result<Selection, Stop> {
     let parts: Vec<&str> = words.iter().flat_map(|word| word.split('/')).filter(|part| !part.is_empty()).collect();
     let Some((first, rest)) = parts.split_first() else {
         return Err(Stop::at("chapter", "missing; `lesson` lists them"));
@@ -109,7 +99,7 @@ pub fn select(words: &[String]) -> Result<Selection, Stop> {
             [extra, ..] => Err(Stop::at(excerpt(extra), "`all` takes no step")),
         };
     }
-    let chapter = find_chapter(first)?;
+    let chapter = find_chapter(first, commands)?;
     let Some((step, rest)) = rest.split_first() else {
         return Ok(Selection { steps: whole(chapter).collect() });
     };
@@ -131,7 +121,7 @@ fn whole(chapter: &'static Chapter) -> impl Iterator<Item = Chosen> {
     chapter.steps.iter().map(move |step| Chosen::whole(chapter, step))
 }
 
-fn find_chapter(word: &str) -> Result<&'static Chapter, Stop> {
+fn find_chapter(word: &str, commands: &[String]) -> Result<&'static Chapter, Stop> {
     let wanted = plain(word);
     if let Some(chapter) = CURRICULUM.iter().find(|chapter| plain(chapter.id) == wanted) {
         return Ok(chapter);
@@ -140,7 +130,7 @@ fn find_chapter(word: &str) -> Result<&'static Chapter, Stop> {
         let written: Vec<_> = CURRICULUM.iter().map(|chapter| chapter.id).collect();
         return Err(Stop::at(&wanted, format!("this chapter is not written yet; there is: {}", written.join(", "))));
     }
-    let names = chapter_names().into_iter().chain(COMMANDS).collect();
+    let names = chapter_names().into_iter().map(str::to_owned).chain(commands.iter().cloned());
     Err(Fault::unknown(excerpt(word), word, "no such chapter", names).into())
 }
 
@@ -165,9 +155,9 @@ fn find(what: &str, word: &str, place: &str, ids: &[&'static str]) -> Result<&'s
 
 impl Selection {
     /// Applies `--set`: each change goes to every selected step that has the name. Where it clashes with what the step
-    /// itself demands, a clear medium or a default that has no index at the wavelength set, the step keeps its own
-    /// value; the notes returned say so. A change that every step would have to leave is refused, and so is a second one
-    /// of the same parameter.
+    /// itself demands, another domain, a clear medium or a default that has no index at the wavelength set, the step
+    /// keeps its own value; the notes returned say so. A change that every step would have to leave is refused, and so is
+    /// a second one of the same parameter.
     pub fn set(&mut self, changes: &[(String, String)]) -> Result<Vec<String>, Stop> {
         for (at, (name, _)) in changes.iter().enumerate() {
             self.require(name)?;
@@ -194,7 +184,7 @@ impl Selection {
                 return Err(if alone { stop } else { stop.within(address) });
             }
         }
-        let note = |(address, left): &(String, Left)| format!("{address} keeps its own {}: {}", left.name, left.why);
+        let note = |(address, left): &(String, Left)| format!("{address} keeps its own {}: {}", left.own, left.why);
         Ok(all_left.iter().map(note).collect())
     }
 
@@ -219,13 +209,13 @@ impl Selection {
 
     /// Refuses a parameter name that no selected step has.
     fn require(&self, name: &str) -> Result<(), Stop> {
-        if self.parameters().any(|parameter| parameter.name == name) {
+        if self.parameters().any(|parameter| parameter.form(name).is_some()) {
             return Ok(());
         }
         let mut known = Vec::new();
-        for parameter in self.parameters() {
-            if !known.contains(&parameter.name) {
-                known.push(parameter.name);
+        for name in self.parameters().flat_map(Parameter::names) {
+            if !known.contains(&name) {
+                known.push(name);
             }
         }
         Err(Fault::unknown(excerpt(name), name, "no such parameter here", known).into())
@@ -235,20 +225,3 @@ impl Selection {
         self.steps.iter().flat_map(|chosen| chosen.step.parameters())
     }
 }
-
-/// The wavelength [m] that `changes` set, or the default.
-fn wavelength(changes: &[(String, String)]) -> f64 {
-    let text = changes.iter().rev().find(|(name, _)| name == WAVELENGTH.name).map(|(_, text)| text.as_str());
-    match WAVELENGTH.parse(text.unwrap_or(WAVELENGTH.default)) {
-        Ok(Value::Number(metres)) => metres,
-        _ => DEFAULT_WAVELENGTH,
-    }
-}
-
-/// Whether `text` names a medium that absorbs at `wavelength` [m].
-fn absorbs(text: &str, wavelength: f64) -> bool {
-    parse_medium("", text).is_ok_and(|medium| medium.index(wavelength).is_ok_and(|index| index.im > 0.0))
-}
-
-/// Words that stand where a chapter's name may stand.
-const COMMANDS: [&str; 5] = ["all", "coverage", "eval", "completions", "help"];

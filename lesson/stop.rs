@@ -1,6 +1,6 @@
 //! Why a run ends before its work is done.
 
-use chapters::setting::Fault;
+use chapters::parameter::Fault;
 use std::fmt::{self, Display};
 use std::io;
 
@@ -54,7 +54,7 @@ impl From<Fault> for Stop {
 }
 
 /// ` (did you mean …?)` if one of `names` resembles `word`, otherwise nothing.
-fn did_you_mean(word: &str, names: &[&str]) -> String {
+fn did_you_mean(word: &str, names: &[String]) -> String {
     let word = plain(word);
     let likeness = |name: &str| strsim::jaro_winkler(&word, &plain(name));
     let nearest = names.iter().map(|name| (likeness(name), name)).max_by(|a, b| a.0.total_cmp(&b.0));

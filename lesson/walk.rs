@@ -27,7 +27,7 @@ enum View {
 
 /// Runs what was asked for, shows it, and ends with the tally.
 pub fn serve(lesson: &Lesson) -> Result<ExitCode, Stop> {
-    let mut selection = select(&lesson.words)?;
+    let mut selection = select(&lesson.words, &lesson.commands)?;
     for note in selection.set(&lesson.changes)? {
         out::say(&format!("lesson: {note}"));
     }

@@ -2,7 +2,7 @@
 //! everything claimed must hold, and every planted mistake must be caught.
 
 use chapters::judge;
-use chapters::setting::Setting;
+use chapters::parameter::Setting;
 use chapters::vocabulary::{Derivation, Item, Race};
 use libtest_mimic::{Arguments, Failed, Trial};
 
@@ -15,7 +15,7 @@ fn main() {
     libtest_mimic::run(&arguments, trials.collect()).exit();
 }
 
-fn trials(item: Item, parameters: &'static [chapters::setting::Parameter], address: String) -> Vec<Trial> {
+fn trials(item: Item, parameters: &'static [chapters::parameter::Parameter], address: String) -> Vec<Trial> {
     let setting = move || Setting::defaults(parameters);
     let (there, place) = (address.clone(), address.clone());
     let can_fail = Trial::test(format!("{address} can fail"), move || {
@@ -33,7 +33,7 @@ fn trials(item: Item, parameters: &'static [chapters::setting::Parameter], addre
     }
 }
 
-fn lanes(race: &'static Race, parameters: &'static [chapters::setting::Parameter], place: &str) -> Vec<Trial> {
+fn lanes(race: &'static Race, parameters: &'static [chapters::parameter::Parameter], place: &str) -> Vec<Trial> {
     let trial = |lane: &'static chapters::vocabulary::Lane| {
         let address = format!("{place}/{}", lane.id);
         Trial::test(format!("{address} keeps its order"), move || {

@@ -1,7 +1,7 @@
 //! The list itself: what a chapter must have before anyone looks at it.
 
 use chapters::lecture::LECTURE;
-use chapters::setting::{Kind, Setting};
+use chapters::parameter::Setting;
 use chapters::vocabulary::{Exhibit, Item};
 use chapters::{CURRICULUM, Step, steps};
 use equation::derivation::{Chain, Claim};
@@ -102,17 +102,15 @@ fn defaults_are_valid_and_readouts_answer() {
 fn figures_and_readouts_answer_at_the_ends_of_every_parameter() {
     for (chapter, step) in steps() {
         for parameter in step.parameters() {
-            let ends = match parameter.kind {
-                Kind::Number { min, max, .. } => vec![format!("{min:e}"), format!("{max:e}")],
-                Kind::Count { min, max } => vec![min.to_string(), max.to_string()],
-                Kind::Medium | Kind::ClearMedium => vec!["1".into(), "4+9i".into()],
-                Kind::Conductor => vec!["vacuum".into(), "1e-9/1e-9/0".into(), "1e9/1e9/1e30".into()],
-            };
-            for end in ends {
+            for end in parameter.kind.ends() {
                 // Some ends are refused beside the defaults of the others, with a message.
-                let changes = [(parameter.name.to_owned(), end.clone())];
+                let changes = [(parameter.name.to_owned(), end.to_string())];
                 let Ok(setting) = Setting::defaults(step.parameters()).with(&changes) else { continue };
                 step.readout.map(|readout| readout(&setting));
+                for question in step.questions {
+                    let place = format!("{}/{}/{} at {end}", chapter.id, step.id, question.id);
+                    assert!(chapters::judge::question(question, &setting), "{place}");
+                }
                 for figure in step.exhibit.figures {
                     let plot = (figure.plot)(&setting);
                     assert!(!plot.panels.is_empty(), "{}/{}/{} at {end}", chapter.id, step.id, figure.id);

@@ -2,7 +2,7 @@
 
 use crate::report::*;
 use chapters::judge::{self, Checked, Clock, Derived, Raced, Stated, Timed, hop_holds, timed};
-use chapters::setting::{Kind, Setting, Value};
+use chapters::parameter::{Setting, Value};
 use chapters::vocabulary::{
     Bound, Claim, Derivation, Expects, Extreme, Item, Lane, Question, Race, Statement, Step, Stress, digits,
 };
@@ -228,29 +228,21 @@ pub fn found(verdict: &Hopped) -> HopReport {
 fn parameters(setting: &Setting) -> Vec<ParameterReport> {
     let wavelength = setting.wavelength();
     let entries = setting.entries().map(|(parameter, text, value)| {
-        let number = match value {
-            Value::Number(number) => Some(Number(*number)),
-            Value::Medium(_) | Value::Conductor(_) => None,
-        };
         let index = match value {
             Value::Medium(medium) => medium.index(wavelength).ok(),
-            Value::Number(_) | Value::Conductor(_) => None,
-        };
-        let unit = match parameter.kind {
-            Kind::Number { unit, .. } => unit,
-            Kind::Count { .. } => "1",
-            Kind::Medium | Kind::ClearMedium => "1",
-            // Three numbers, each with a unit of its own.
-            Kind::Conductor => "",
+            _ => None,
         };
         ParameterReport {
             name: parameter.name,
+            symbol: parameter.symbol,
             says: parameter.says,
-            text: text.to_owned(),
-            value: number,
+            text: text.into_owned(),
+            value: if let Value::Number(number) = value { Some(Number(*number)) } else { None },
             n: index.map(|index| Number(index.re)),
             k: index.map(|index| Number(index.im)),
-            unit,
+            unit: parameter.kind.unit(),
+            default: parameter.default,
+            domain: parameter.kind.describe(),
         }
     });
     entries.collect()

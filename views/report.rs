@@ -1,5 +1,6 @@
 //! What a run found, as plain data: terminal and JSON are views of it.
 
+use chapters::parameter::Argument;
 use chapters::vocabulary::Part;
 use equation::face::Block;
 use serde::{Serialize, Serializer};
@@ -89,6 +90,7 @@ pub struct StepReport {
 #[derive(Debug, Serialize)]
 pub struct ParameterReport {
     pub name: &'static str,
+    pub symbol: &'static str,
     pub says: &'static str,
     pub text: String,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -98,6 +100,10 @@ pub struct ParameterReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub k: Option<Number>,
     pub unit: &'static str,
+    /// As on the command line.
+    pub default: Option<&'static str>,
+    /// The description of its kind: ends, words or names, and what is valid in a sentence.
+    pub domain: Argument,
 }
 
 #[derive(Debug, Serialize)]

@@ -6,7 +6,7 @@ use super::snell::with_snell;
 use super::symbols::{E_1, E_1R, E_2, N_1, N_2, R_P, R_S, T_P, T_S, THETA_1, THETA_2};
 use super::{INTERFACE, extremes, incidence, interface, media, over_angle, over_angle_near};
 use crate::figure::{Axis, Chart, Hue, Plot};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::vocabulary::{
     ALLOWED_ULPS, Bench, Bound, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
     stress,

@@ -3,7 +3,7 @@
 use super::fields::{tangential_step, waves};
 use super::symbols::{E_1, E_1R, E_2, ELECTRIC, H_1, H_1R, H_2, MAGNETIC, N_1, N_2, NORMAL, THETA_1, THETA_2, Z_0};
 use super::{INTERFACE, extremes, incidence, sample_inputs};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, statement, step};
 use equation::derivation::Chain;
 use equation::expr::{cos, cross, sin, vector};

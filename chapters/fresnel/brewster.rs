@@ -5,7 +5,7 @@ use super::extremes::cases;
 use super::symbols::{N_1, N_2, THETA_1, THETA_2};
 use super::{INTERFACE, interface, pseudo_brewster};
 use crate::figure::{Axis, Chart, Hue, Plot};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::vocabulary::{
     Answer, Bench, Check, Exhibit, Measured, Quantity, Question, Step, check, derivation, exhibit, figure, question,
     statement, step, stress,

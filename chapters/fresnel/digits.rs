@@ -3,7 +3,7 @@
 use super::extremes::{families, ours, worst_cases};
 use super::{N_I, N_T, interface};
 use crate::figure::{Axis, Map, Panel, Plot, Ramp};
-use crate::setting::{Parameter, Setting, THETA, WAVELENGTH};
+use crate::parameter::{Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{
     ALLOWED_ULPS, Bench, Exhibit, Expects, Heat, Lane, Quantity, Race, Step, digits, exhibit, figure, lane, race, step,
     stress,
@@ -18,7 +18,7 @@ use yardstick::random::uniform;
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "digits",
-    &[N_I, Parameter { default: "1.000001", ..N_T }, THETA, WAVELENGTH],
+    &[N_I, N_T.default("1.000001"), THETA, WAVELENGTH],
     &[figure(
         "digits_lost",
         "Digits of R_n kept by the formula as written, by the cosines most renderers use, \

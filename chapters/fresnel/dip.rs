@@ -4,7 +4,7 @@ use super::amplitudes::contrast;
 use super::symbols::{N_1, N_2, N_REL, R_N, THETA_1, THETA_2};
 use super::{INTERFACE, golden_section, interface};
 use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::vocabulary::{
     Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
 };

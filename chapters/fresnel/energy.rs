@@ -5,7 +5,7 @@ use super::extremes::{self, cases_against, describe};
 use super::snell::with_snell;
 use super::symbols::{N_1, N_2, R_N, R_P, R_S, T_P, T_S, THETA_1, THETA_2};
 use super::{INTERFACE, incidence, interface};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::vocabulary::{
     Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, statement, step, stress,
 };

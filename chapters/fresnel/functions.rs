@@ -1,14 +1,16 @@
 //! What `lesson eval` offers from this chapter.
 
-use crate::function::{Argument, Arguments, Function, Input, Output, number};
-use crate::setting::{Fault, INDEX_MAX, INDEX_MIN, excerpt};
+use super::{N_I, N_T};
+use crate::parameter::{
+    Alias, BY_FREQUENCY, Fault, Function, INDEX_MAX, Kind, Output, Parameter, Setting, THETA, WAVELENGTH,
+};
 use light::Complex64;
 use light::Polarisation;
 use light::optics::film::{Layer, Stack};
 use light::optics::fresnel::{amplitudes, powers};
+use light::optics::material::Medium;
 use light::optics::schlick::{normal_reflectance, schlick_by_versine};
 use light::optics::{Direction, Incidence};
-use std::f64::consts::FRAC_PI_2;
 
 /// The functions, each with its inputs' units and domains.
 pub(super) const FUNCTIONS: &[Function] = &[FRESNEL, SCHLICK, THIN_FILM];
@@ -34,8 +36,8 @@ const FRESNEL: Function = Function {
         one("R_n", "reflected share of natural light"),
         one("T_n", "transmitted share of natural light"),
     ],
-    call: |arguments| {
-        let (incidence, n_1, n_2) = interface(arguments)?;
+    compute: |setting| {
+        let (incidence, n_1, n_2) = interface(setting)?;
         let (a, p) = (amplitudes(incidence, n_1, n_2), powers(incidence, n_1, n_2));
         Ok(vec![
             ("r_s_re", a.r_s.re),
@@ -62,38 +64,34 @@ const SCHLICK: Function = Function {
            from a denser medium it misses total reflection",
     inputs: INTERFACE,
     outputs: &[one("R", "approximate reflected share of natural light")],
-    call: |arguments| {
-        let (incidence, n_1, n_2) = interface(arguments)?;
+    compute: |setting| {
+        let (incidence, n_1, n_2) = interface(setting)?;
         Ok(vec![("R", schlick_by_versine(incidence.versine(), normal_reflectance(n_1, n_2)))])
     },
 };
 
-const INTERFACE: &[Input] = &[
-    index("n1", "index of the clear medium of incidence"),
-    index("n2", "real part of the index behind the interface"),
-    extinction("k2", "its imaginary part; positive absorbs"),
-    angle("theta1", "angle of incidence, from the normal; or give cos_theta1"),
-    cosine("cos_theta1", "its cosine, instead of theta1"),
+/// An interface, by the names that the chapter's steps use; the older ones are aliases.
+const INTERFACE: &[Parameter] = &[
+    N_I.required().aliases(&[Alias::same("n1")]),
+    N_T.required().aliases(&[Alias::same("n2")]),
+    extinction("k_t", "κ_2", "imaginary part of n_t where that is a plain number; positive absorbs")
+        .aliases(&[Alias::same("k2")]),
+    THETA.required().aliases(&[Alias::same("theta1")]),
+    COS_THETA.aliases(&[Alias::same("cos_theta1")]),
+    WAVELENGTH,
 ];
 
-const fn index(name: &'static str, says: &'static str) -> Input {
-    Input { name, says, unit: "1", domain: Some((INDEX_MIN, INDEX_MAX)), default: None }
-}
+/// The other way to give an angle of incidence: near grazing an angle has lost the digits that its cosine keeps.
+const COS_THETA: Parameter =
+    Parameter::new("cos_theta", "cos θ_1", "its cosine, instead of theta", Kind::number(0.0, 1.0, "1"))
+        .instead_of(&["theta"]);
 
-const fn extinction(name: &'static str, says: &'static str) -> Input {
-    Input { name, says, unit: "1", domain: Some((0.0, INDEX_MAX)), default: Some(0.0) }
-}
-
-const fn angle(name: &'static str, says: &'static str) -> Input {
-    Input { name, says, unit: "rad", domain: Some((0.0, FRAC_PI_2)), default: None }
-}
-
-const fn cosine(name: &'static str, says: &'static str) -> Input {
-    Input { name, says, unit: "1", domain: Some((0.0, 1.0)), default: None }
+const fn extinction(name: &'static str, symbol: &'static str, says: &'static str) -> Parameter {
+    Parameter::new(name, symbol, says, Kind::number(0.0, INDEX_MAX, "1")).default("0")
 }
 
 const fn one(name: &'static str, says: &'static str) -> Output {
-    Output { name, says, unit: "1" }
+    Output::new(name, says, "1")
 }
 
 const THIN_FILM: Function = Function {
@@ -101,13 +99,19 @@ const THIN_FILM: Function = Function {
     says: "a coherent stack of films: fields for e^(−iωt) (r of p as in `fresnel`, t at the substrate's surface), shares \
            of power, and ln T, which stays finite where T underflows",
     inputs: &[
-        Input { name: "lambda_nm", says: "vacuum wavelength", unit: "nm", domain: Some(WAVELENGTHS), default: None },
-        index("n0", "index of the clear medium that the light comes from"),
-        structured("layers", "list of {n, k = 0, d_nm}, in the order in which the light meets them; may be empty"),
-        structured("substrate", "{n, k = 0} of what lies behind"),
-        angle("theta0", "angle of incidence in n0, from the normal; or give cos_theta0"),
-        cosine("cos_theta0", "its cosine, instead of theta0"),
-        structured("pol", "polarisation: \"s\" or \"p\""),
+        Parameter { kind: Kind::number(WAVELENGTHS.0, WAVELENGTHS.1, "m"), ..WAVELENGTH.required() }
+            .aliases(&[Alias::counted_in("lambda_nm", "nm"), BY_FREQUENCY]),
+        N_I.required().aliases(&[Alias::same("n0")]),
+        Parameter::new(
+            "layers",
+            "",
+            "the films, in the order in which the light meets them; may be none",
+            Kind::List { of: &Kind::Record(LAYER), most: 100_000 },
+        ),
+        Parameter::new("substrate", "", "what lies behind", Kind::Record(SUBSTRATE)),
+        THETA.required().aliases(&[Alias::same("theta0")]),
+        COS_THETA.aliases(&[Alias::same("cos_theta0")]),
+        Parameter::new("pol", "", "polarisation", Kind::Choice(&["s", "p"])),
     ],
     outputs: &[
         one("r_re", "reflected over incident electric field, real part"),
@@ -123,15 +127,18 @@ const THIN_FILM: Function = Function {
         one("A", "share of power absorbed in the films"),
         one("ln_T", "natural logarithm of T; -inf if nothing propagates behind"),
     ],
-    call: |arguments| {
-        let wavelength = arguments.number("lambda_nm")? * 1e-9;
-        let n_i = arguments.number("n0")?;
-        let layers = layers(arguments)?;
-        let substrate = given(arguments, "substrate")?;
-        let substrate = medium("substrate", &fields("substrate", substrate, &["n", "k"])?)?;
-        let incidence = direction(arguments, "theta0", "cos_theta0")?;
-        let polarisation = polarisation(given(arguments, "pol")?)?;
-        let found = Stack { n_i, layers: &layers, substrate }.response(wavelength, incidence, polarisation);
+    compute: |setting| {
+        let wavelength = setting.wavelength();
+        let layer = |(at, fields): (usize, &Setting)| {
+            let index = index(fields, "n", "k", wavelength).map_err(|fault| fault.within(&format!("layers[{at}]")))?;
+            Ok(Layer { index, thickness: fields.number("d") })
+        };
+        let layers: Vec<Layer> = setting.records("layers").enumerate().map(layer).collect::<Result<_, Fault>>()?;
+        let substrate = index(setting.fields("substrate"), "n", "k", wavelength);
+        let substrate = substrate.map_err(|fault| fault.within("substrate"))?;
+        let polarisation = if setting.word("pol") == "s" { Polarisation::S } else { Polarisation::P };
+        let n_i = setting.index("n_i").re;
+        let found = Stack { n_i, layers: &layers, substrate }.response(wavelength, incidence(setting), polarisation);
         Ok(vec![
             ("r_re", found.r.re),
             ("r_im", found.r.im),
@@ -145,102 +152,57 @@ const THIN_FILM: Function = Function {
     },
 };
 
-/// Vacuum wavelengths taken [nm].
-const WAVELENGTHS: (f64, f64) = (1e-3, 1e12);
-/// Thicknesses taken [nm].
-const THICKNESSES: (f64, f64) = (0.0, 1e15);
-/// The longest stack taken.
-const MOST_LAYERS: usize = 100_000;
+/// A nanometre [m].
+const NM: f64 = 1e-9;
+/// Vacuum wavelengths taken [m], to the last bit those that a picometre and a kilometre are in nanometres.
+const WAVELENGTHS: (f64, f64) = (1e-3 * NM, 1e12 * NM);
 
-const fn structured(name: &'static str, says: &'static str) -> Input {
-    Input { name, says, unit: "", domain: None, default: None }
+const N: Parameter =
+    Parameter::new("n", "n", "index, or a medium by name", Kind::Medium).aliases(&[Alias::same("medium")]);
+const K: Parameter = extinction("k", "κ", "imaginary part of n where that is a plain number");
+const SUBSTRATE: &[Parameter] = &[N, K];
+const LAYER: &[Parameter] = &[
+    N,
+    K,
+    Parameter::new("d", "d", "thickness", Kind::number(0.0, 1e15 * NM, "m"))
+        .aliases(&[Alias::counted_in("d_nm", "nm")]),
+];
+
+fn interface(setting: &Setting) -> Result<(Incidence, f64, Complex64), Fault> {
+    let n_2 = index(setting, "n_t", "k_t", setting.wavelength())?;
+    Ok((incidence(setting), setting.index("n_i").re, n_2))
 }
 
-fn given<'a>(arguments: &Arguments<'a>, name: &str) -> Result<&'a Argument, Fault> {
-    arguments.get(name).ok_or_else(|| Fault::new(name, "missing"))
-}
-
-fn layers(arguments: &Arguments) -> Result<Vec<Layer>, Fault> {
-    let Argument::List(list) = given(arguments, "layers")? else {
-        return Err(Fault::new("layers", "must be a list of {n, k, d_nm}"));
-    };
-    if list.len() > MOST_LAYERS {
-        return Err(Fault::new("layers", format!("{} layers; valid: 0 to {MOST_LAYERS}", list.len())));
-    }
-    let layer = |(at, argument): (usize, &Argument)| {
-        let place = format!("layers[{at}]");
-        let fields = fields(&place, argument, &["n", "k", "d_nm"])?;
-        let thickness = required(&place, &fields, "d_nm", THICKNESSES)? * 1e-9;
-        Ok(Layer { index: medium(&place, &fields)?, thickness })
-    };
-    list.iter().enumerate().map(layer).collect()
-}
-
-/// The fields of the record at `place`, each of them `known` and given once.
-fn fields<'a>(place: &str, argument: &'a Argument, known: &[&str]) -> Result<Vec<(&'a str, &'a Argument)>, Fault> {
-    let Argument::Record(record) = argument else {
-        return Err(Fault::new(place, format!("must have the fields {}", known.join(", "))));
-    };
-    for (at, (name, _)) in record.iter().enumerate() {
-        let place = || format!("{place}.{}", excerpt(name));
-        if !known.contains(&name.as_str()) {
-            return Err(Fault::new(place(), format!("no such field; there are: {}", known.join(", "))));
+/// The index of the medium `n`, whose imaginary part may stand apart in `k`.
+fn index(setting: &Setting, n: &'static str, k: &'static str, wavelength: f64) -> Result<Complex64, Fault> {
+    let (medium, extinction) = (setting.medium(n), setting.number(k));
+    match medium {
+        Medium::Constant(index) if index.im == 0.0 => Ok(Complex64::new(index.re, extinction)),
+        _ if extinction != 0.0 => {
+            let (place, other) = (setting.given(k).unwrap_or(k), setting.given(n).unwrap_or(n));
+            Err(Fault::new(place, format!("given beside {other} = {}, which has its own", setting.text(n))))
         }
-        if record[..at].iter().any(|(earlier, _)| earlier == name) {
-            return Err(Fault::new(place(), "given twice"));
-        }
-    }
-    Ok(record.iter().map(|(name, argument)| (name.as_str(), argument)).collect())
-}
-
-/// The index n + ik of the record at `place`.
-fn medium(place: &str, fields: &[(&str, &Argument)]) -> Result<Complex64, Fault> {
-    let n = required(place, fields, "n", (INDEX_MIN, INDEX_MAX))?;
-    let k = optional(place, fields, "k", (0.0, INDEX_MAX))?.unwrap_or(0.0);
-    Ok(Complex64::new(n, k))
-}
-
-fn required(place: &str, fields: &[(&str, &Argument)], name: &str, domain: (f64, f64)) -> Result<f64, Fault> {
-    let missing = || Fault::new(format!("{place}.{name}"), format!("missing; valid: {} to {}", domain.0, domain.1));
-    optional(place, fields, name, domain)?.ok_or_else(missing)
-}
-
-fn optional(place: &str, fields: &[(&str, &Argument)], name: &str, domain: (f64, f64)) -> Result<Option<f64>, Fault> {
-    let found = fields.iter().find(|(given, _)| *given == name);
-    found.map(|(_, argument)| number(&format!("{place}.{name}"), argument, "1", Some(domain))).transpose()
-}
-
-fn polarisation(argument: &Argument) -> Result<Polarisation, Fault> {
-    match argument {
-        Argument::Text(text) if text == "s" => Ok(Polarisation::S),
-        Argument::Text(text) if text == "p" => Ok(Polarisation::P),
-        _ => Err(Fault::new("pol", "must be \"s\" or \"p\"")),
+        medium => medium.index(wavelength).map_err(|out| Fault::new(n, out.to_string())),
     }
 }
 
-fn interface(arguments: &Arguments) -> Result<(Incidence, f64, Complex64), Fault> {
-    let n_1 = arguments.number("n1")?;
-    let n_2 = Complex64::new(arguments.number("n2")?, arguments.number("k2")?);
-    Ok((direction(arguments, "theta1", "cos_theta1")?, n_1, n_2))
-}
-
-/// The direction from exactly one of its two fields.
-fn direction(arguments: &Arguments, angle: &str, cosine: &str) -> Result<Incidence, Fault> {
-    match (arguments.optional(angle)?, arguments.optional(cosine)?) {
-        (Some(theta), None) => Ok(Direction::Angle(theta).into()),
-        (None, Some(cos)) => Ok(Direction::Cos(cos).into()),
-        (None, None) => Err(Fault::new(angle, format!("missing; give {angle} or {cosine}"))),
-        (Some(_), Some(_)) => Err(Fault::new(cosine, format!("given beside {angle}; give one of them"))),
+/// The direction, by its angle or by its cosine.
+fn incidence(setting: &Setting) -> Incidence {
+    match setting.optional("cos_theta") {
+        Some(cos) => Direction::Cos(cos).into(),
+        None => Direction::Angle(setting.number("theta")).into(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::parameter::Argument;
+    use light::optics::material;
 
     fn call(function: &Function, given: &[(&str, Argument)]) -> Result<Vec<(&'static str, f64)>, Fault> {
         let given: Vec<_> = given.iter().map(|(name, argument)| ((*name).to_owned(), argument.clone())).collect();
-        (function.call)(&Arguments::new(function, &given)?)
+        function.call(&given)
     }
 
     fn record(fields: &[(&str, f64)]) -> Argument {
@@ -287,14 +249,33 @@ mod tests {
         let good = record(&[("n", 1.38), ("d_nm", 100.0)]);
         let place = |bad: Argument| thin_film(vec![good.clone(), bad]).unwrap_err().place;
         assert_eq!(place(record(&[("n", -1.0), ("d_nm", 1.0)])), "layers[1].n");
-        assert_eq!(place(record(&[("n", 1.5)])), "layers[1].d_nm");
+        assert_eq!(place(record(&[("n", 1.5)])), "layers[1].d");
         assert_eq!(place(record(&[("n", 1.5), ("d_nm", f64::NAN)])), "layers[1].d_nm");
         assert_eq!(place(record(&[("n", 1.5), ("d_nm", 1.0), ("colour", 1.0)])), "layers[1].colour");
         assert_eq!(place(Argument::Number(1.0)), "layers[1]");
-        assert_eq!(thin_film(vec![good; MOST_LAYERS + 1]).unwrap_err().place, "layers");
+        assert_eq!(thin_film(vec![good; 100_001]).unwrap_err().place, "layers");
         let both = [("n1", 1.0), ("n2", 1.5), ("theta1", 0.1), ("cos_theta1", 0.5)];
         assert_eq!(call(&FRESNEL, &both.map(|(name, x)| (name, Argument::Number(x)))).unwrap_err().place, "cos_theta1");
         let neither = [("n1", 1.0), ("n2", 1.5)].map(|(name, x)| (name, Argument::Number(x)));
-        assert_eq!(call(&SCHLICK, &neither).unwrap_err().place, "theta1");
+        assert_eq!(call(&SCHLICK, &neither).unwrap_err().place, "theta");
+    }
+
+    #[test]
+    fn media_stand_by_name_where_a_step_takes_them() {
+        let at = |medium: &[(&str, Argument)]| {
+            let rest = [("n_i", 1.0.into()), ("theta", "45deg".into()), ("wavelength", "550nm".into())];
+            call(&FRESNEL, &[&rest, medium].concat())
+        };
+        let index = Medium::Material(material::named("gold").unwrap()).index(550.0 * NM).unwrap();
+        let numbers = at(&[("n2", index.re.into()), ("k2", index.im.into())]);
+        assert_eq!(at(&[("n_t", "gold".into())]), numbers);
+        assert_eq!(at(&[("n_t", Argument::record([("n", index.re.into()), ("k", index.im.into())]))]), numbers);
+        assert_eq!(at(&[("n_t", "gold".into()), ("k2", 1.0.into())]).unwrap_err().place, "k2");
+        let film = |fields| thin_film(vec![Argument::record(fields)]).unwrap();
+        let numbers = film(vec![("n", index.re.into()), ("k", index.im.into()), ("d_nm", 20.0.into())]);
+        assert_eq!(film(vec![("medium", "gold".into()), ("d_nm", 20.0.into())]), numbers);
+        assert_eq!(film(vec![("n", "gold".into()), ("d", "20nm".into())]), numbers);
+        let both = Argument::record([("n", "gold".into()), ("k", 1.0.into()), ("d_nm", 1.0.into())]);
+        assert_eq!(thin_film(vec![both]).unwrap_err().place, "layers[0].k");
     }
 }

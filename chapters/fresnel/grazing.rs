@@ -3,7 +3,7 @@
 use super::amplitudes::contrast;
 use super::{INTERFACE, incidence, interface};
 use crate::figure::{Axis, Chart, Hue, Panel, Picture, Plot};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::vocabulary::{
     Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
 };

@@ -4,7 +4,7 @@ use super::fields::{flow, waves};
 use super::symbols::{N_1, N_2, Q_2, R_0, R_P, R_S, THETA_1};
 use super::{N_I, N_T, extremes, incidence, interface, over_angle, pseudo_brewster, sample_media};
 use crate::figure::{Axis, Chart, Hue, Plot};
-use crate::setting::{Parameter, Setting, THETA, WAVELENGTH};
+use crate::parameter::{Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{
     ALLOWED_ULPS, Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, exhibit, figure, statement, step,
     stress,
@@ -26,7 +26,7 @@ use yardstick::precise;
 use yardstick::random::uniform;
 
 /// The metal behind the interface.
-const METAL: Parameter = Parameter { default: "gold", ..N_T };
+const METAL: Parameter = N_T.default("gold");
 
 /// Real part of a complex index.
 const N: Symbol = Symbol::scalar("n", Dimension::ONE).real(0.1, 4.0);

@@ -19,7 +19,7 @@ mod snell;
 mod symbols;
 mod total_reflection;
 
-use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
+use crate::parameter::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{Chapter, Exhibit};
 use light::Complex64;
 use light::optics::{Direction, Incidence, fresnel};
@@ -78,17 +78,10 @@ pub const FIGURES: &[Exhibit] = &[
 ];
 
 /// The medium the light comes from.
-const N_I: Parameter = Parameter {
-    name: "n_i",
-    symbol: "n_1",
-    says: "medium of incidence (clear)",
-    default: "1",
-    kind: Kind::ClearMedium,
-};
+const N_I: Parameter = Parameter::new("n_i", "n_1", "medium of incidence (clear)", Kind::ClearMedium).default("1");
 
 /// The medium behind the interface.
-const N_T: Parameter =
-    Parameter { name: "n_t", symbol: "n_2", says: "medium behind the interface", default: "1.5", kind: Kind::Medium };
+const N_T: Parameter = Parameter::new("n_t", "n_2", "medium behind the interface", Kind::Medium).default("1.5");
 
 /// What most steps let the learner change.
 pub(crate) const INTERFACE: &[Parameter] = &[N_I, N_T, THETA, WAVELENGTH];

@@ -5,7 +5,7 @@ use super::extremes::cases;
 use super::symbols::{R_N, THETA_1, THETA_2};
 use super::{INTERFACE, incidence, interface, over_angle, over_angle_near, sample_inputs};
 use crate::figure::{Axis, Chart, Hue, Plot};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::vocabulary::{
     Bench, Check, Exhibit, Heat, Measured, Quantity, Race, Step, check, derivation, exhibit, figure, lane, race,
     statement, step, stress,

@@ -5,7 +5,7 @@ use super::extremes::{cases, describe};
 use super::fields::{flow, waves};
 use super::symbols::{E_1, E_1R, E_2, ELECTRIC, MAGNETIC, N_1, N_2, NORMAL, R_S, T_P, T_S, THETA_1, THETA_2, Z_0};
 use super::{INTERFACE, incidence, interface, sample_inputs};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::vocabulary::{
     Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, statement, step, stress,
 };

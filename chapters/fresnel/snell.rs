@@ -3,7 +3,7 @@
 use super::symbols::{C, K, K_1, K_2, N_1, N_2, OMEGA, T, THETA_1, THETA_1R, THETA_2, V_1, V_2, X, Z};
 use super::{INTERFACE, extremes, incidence};
 use crate::figure::{Axis, Chart, Hue, Plot};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::vocabulary::{
     Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
     stress,

@@ -5,7 +5,7 @@ use super::extremes::{cases, describe};
 use super::fields::{flow, waves};
 use super::{incidence, interface};
 use crate::figure::{Axis, Chart, Hue, Plot};
-use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
+use crate::parameter::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{
     Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step, stress,
 };
@@ -41,13 +41,12 @@ const FIELD: Symbol = Symbol::scalar("E", Dimension::VOLT_PER_METRE);
 /// The phase of a reflected wave.
 const DELTA: Symbol = Symbol::scalar("delta", Dimension::ONE).real(-2.5, -0.5);
 
-const N_I: Parameter = Parameter { default: "1.5", says: "the denser medium, where the light is", ..super::N_I };
-const N_T: Parameter =
-    Parameter { name: "n_t", symbol: "n_2", says: "the rarer medium", default: "1", kind: Kind::ClearMedium };
+const N_I: Parameter = Parameter { says: "the denser medium, where the light is", ..super::N_I.default("1.5") };
+const N_T: Parameter = Parameter::new("n_t", "n_2", "the rarer medium", Kind::ClearMedium).default("1");
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "total_reflection",
-    &[N_I, N_T, Parameter { default: "50deg", ..THETA }, WAVELENGTH],
+    &[N_I, N_T, THETA.default("50deg"), WAVELENGTH],
     &[
         figure("phase", "Phases of r_s and r_p and their difference beyond the critical angle.", phases),
         figure("depth", "How deep the evanescent field reaches, in wavelengths.", depths),

@@ -3,7 +3,7 @@
 use super::scattering::{Scene, exact_wave_number, wave_number_on_grid};
 use crate::figure::{Axis, Chart, Dash, Hue, Map, Mark, Panel, Plot, Ramp, Shape};
 use crate::fresnel::media;
-use crate::setting::{Kind, Parameter, Setting};
+use crate::parameter::{Alias, Kind, Parameter, Setting};
 use crate::vocabulary::{
     Bench, Bound, Check, Exhibit, Measured, Quantity, Step, check, exhibit, figure, fitted_order, statement, step,
 };
@@ -18,20 +18,16 @@ use light::optics::Incidence;
 use light::optics::fresnel::powers;
 use yardstick::statistics::rms;
 
-const INDEX: Parameter = Parameter {
-    name: "n",
-    symbol: "n_2",
-    says: "index behind the interface",
-    default: "1.5",
-    kind: Kind::Number { min: 1.0, max: 4.0, unit: "1" },
-};
-const TANGENT: Parameter = Parameter {
-    name: "loss_tangent",
-    symbol: "σ/(ωε)",
-    says: "conduction over displacement current, of the conductor",
-    default: "10",
-    kind: Kind::Number { min: 0.1, max: 100.0, unit: "1" },
-};
+const INDEX: Parameter = Parameter::new("n_t", "n_2", "index behind the interface", Kind::number(1.0, 4.0, "1"))
+    .default("1.5")
+    .aliases(&[Alias::same("n")]);
+const TANGENT: Parameter = Parameter::new(
+    "loss_tangent",
+    "σ/(ωε)",
+    "conduction over displacement current, of the conductor",
+    Kind::number(0.1, 100.0, "1"),
+)
+.default("10");
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "agreement",
@@ -289,7 +285,7 @@ fn decay(_: &mut Bench, exact: fn(f64) -> light::Complex64) -> Measured {
 }
 
 fn glass(setting: &Setting, theta: f64, polarisation: Polarisation) -> Scene {
-    Scene { theta, polarisation, films: vec![], substrate: Medium::dielectric(setting.number("n").powi(2)) }
+    Scene { theta, polarisation, films: vec![], substrate: Medium::dielectric(setting.number("n_t").powi(2)) }
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
@@ -307,7 +303,7 @@ fn space_time(setting: &Setting) -> Plot {
     const CELLS: usize = 600;
     const FRAMES: usize = 220;
     const SHOWN: std::ops::Range<usize> = 40..CELLS - 40;
-    let n = setting.number("n");
+    let n = setting.number("n_t");
     // Cells of 1/30 of a unit of length; time is counted in the same units, ct.
     let spacing = 1.0 / 30.0;
     let setup = Setup {
@@ -339,7 +335,7 @@ fn space_time(setting: &Setting) -> Plot {
 }
 
 fn reflectance(setting: &Setting) -> Plot {
-    let n = setting.number("n");
+    let n = setting.number("n_t");
     let chart = Chart::new(
         "",
         Axis::linear("angle of incidence", "°").range(0.0, 90.0).tick(15.0),

@@ -1,7 +1,7 @@
 //! C2: conduction makes Ampère's law stiff in every cell.
 
 use crate::figure::{Axis, Chart, Dash, Hue, Mark, Plot, Shape};
-use crate::setting::{Kind, Parameter, Setting};
+use crate::parameter::{Alias, Kind, Parameter, Setting};
 use crate::symbols::{E, EPSILON, H, SIGMA, T};
 use crate::vocabulary::{
     Exhibit, Expects, Extreme, Heat, Lane, Quantity, Race, Step, derivation, exhibit, figure, lane, race, statement,
@@ -15,20 +15,12 @@ use light::references::waves as exact;
 use light::waves::conduction::{Cell, Scheme, Update};
 use yardstick::precise;
 
-const TANGENT: Parameter = Parameter {
-    name: "tau",
-    symbol: "σ/(ωε)",
-    says: "conduction over displacement current",
-    default: "100",
-    kind: Kind::Number { min: 1e-6, max: 1e12, unit: "1" },
-};
-const STEPS: Parameter = Parameter {
-    name: "steps",
-    symbol: "N",
-    says: "steps from ωt = 0 to 5",
-    default: "64",
-    kind: Kind::Count { min: 1, max: 100_000 },
-};
+const TANGENT: Parameter =
+    Parameter::new("loss_tangent", "σ/(ωε)", "conduction over displacement current", Kind::number(1e-6, 1e12, "1"))
+        .default("100")
+        .aliases(&[Alias::same("tau")]);
+const STEPS: Parameter =
+    Parameter::new("steps", "N", "steps from ωt = 0 to 5", Kind::Count { min: 1, max: 100_000 }).default("64");
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "conduction",
@@ -126,7 +118,7 @@ fn error_after(scheme: Scheme, tau: f64, steps: u64) -> f64 {
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
-    let (tau, steps) = (setting.number("tau"), setting.number("steps"));
+    let (tau, steps) = (setting.number("loss_tangent"), setting.number("steps"));
     let x = tau * END / steps;
     let value = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
     let keys = ["forward_euler", "semi_implicit", "exponential", "backward_euler"];
@@ -277,12 +269,12 @@ fn stiffness(setting: &Setting) -> Plot {
 }
 
 fn ringing(setting: &Setting) -> Plot {
-    let tangent = setting.number("tau");
+    let tangent = setting.number("loss_tangent");
     let of = cell(tangent);
     let (start, step) = (1.5, 0.25);
     let fine = (0..=600).map(|at| f64::from(at) / 100.0).map(|theta| [theta, of.exact(start, theta)]);
     let mut chart = Chart::new(
-        format!("σ/(ωε) = {}", crate::setting::number(tangent)),
+        format!("σ/(ωε) = {}", crate::parameter::number(tangent)),
         Axis::linear("ωt", "rad").range(0.0, 6.0),
         Axis::linear("E over its final amplitude", "").range(-2.0, 2.0),
     )

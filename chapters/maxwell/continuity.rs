@@ -1,6 +1,6 @@
 //! E2: charge is conserved, because a curl has no divergence.
 
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::symbols::{D, E, EPSILON, H, J, RHO, SIGMA, T};
 use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, statement, step};
 use equation::derivation::Chain;

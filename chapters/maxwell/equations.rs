@@ -1,7 +1,7 @@
 //! E1: the four laws, and a solution that carries charge and current.
 
 use crate::figure::{Axis, Dash, Hue, Map, Mark, Panel, Plot, Ramp};
-use crate::setting::{Kind, Parameter, Setting};
+use crate::parameter::{Kind, Parameter, Setting};
 use crate::symbols::{B, D, E, H, J, RHO, T};
 use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, exhibit, figure, statement, step};
 use equation::Equation;
@@ -13,13 +13,9 @@ use std::f64::consts::{PI, TAU};
 use yardstick::quadrature::{gauss, gauss_legendre};
 use yardstick::random::uniform;
 
-const BETA: Parameter = Parameter {
-    name: "beta",
-    symbol: "β",
-    says: "speed of the charge over that of light",
-    default: "0.9",
-    kind: Kind::Number { min: -0.99, max: 0.99, unit: "1" },
-};
+const BETA: Parameter =
+    Parameter::new("beta", "β", "speed of the charge over that of light", Kind::number(-0.99, 0.99, "1"))
+        .default("0.9");
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "equations",

@@ -1,7 +1,6 @@
 //! What `lesson eval` offers from this chapter.
 
-use crate::function::{Arguments, Function, Input, Output};
-use crate::setting::Fault;
+use crate::parameter::{Fault, Function, Kind, Output, Parameter, Range};
 use light::em::line::{Ends, Line, Setup};
 use light::em::theory::{growth_per_step, phase_per_step};
 use light::em::{C, Medium, Stepping, Z_0};
@@ -13,17 +12,24 @@ pub(super) const FUNCTIONS: &[Function] = &[YEE];
 const YEE: Function = Function {
     name: "yee",
     says: "a ring of cells of one medium on the Yee grid, on which a wave of 1 V/m runs round; the solver itself refuses \
-           unphysical media, steps beyond the Courant limit (unless unstable = 1) and grids beyond its memory",
+           steps beyond the Courant limit (unless unstable = 1) and grids beyond its memory",
     inputs: &[
-        input("eps_r", "relative permittivity", "1", Some(1.0)),
-        input("mu_r", "relative permeability", "1", Some(1.0)),
-        input("sigma", "conductivity", "S/m", Some(0.0)),
-        input("spacing", "size of a cell", "m", Some(1e-3)),
-        input("cells", "cells of the ring", "1", Some(100.0)),
-        input("waves", "whole waves round the ring", "1", Some(5.0)),
-        input("courant", "Courant number cΔt/Δ, with c of the vacuum", "1", Some(0.5)),
-        input("steps", "time steps", "1", Some(1000.0)),
-        input("unstable", "1 to take a Courant number beyond the limit", "1", Some(0.0)),
+        Parameter::new("eps_r", "ε_r", "relative permittivity", Kind::Number(Range::positive(MOST, "1"))).default("1"),
+        Parameter::new("mu_r", "μ_r", "relative permeability", Kind::Number(Range::positive(MOST, "1"))).default("1"),
+        Parameter::new("sigma", "σ", "conductivity", Kind::number(0.0, MOST, "S/m")).default("0"),
+        Parameter::new("spacing", "Δ", "size of a cell", Kind::number(1.0 / MOST, MOST, "m")).default("0.001"),
+        Parameter::new("cells", "N", "cells of the ring", COUNT).default("100"),
+        Parameter::new("waves", "m", "whole waves round the ring", COUNT).default("5"),
+        Parameter::new(
+            "courant",
+            "S",
+            "Courant number cΔt/Δ, with c of the vacuum",
+            Kind::Number(Range::positive(MOST, "1")),
+        )
+        .default("0.5"),
+        Parameter::new("steps", "", "time steps", COUNT).default("1000"),
+        Parameter::new("unstable", "", "1 to take a Courant number beyond the limit", Kind::Count { min: 0, max: 1 })
+            .default("0"),
     ],
     outputs: &[
         Output { name: "dt", says: "time step", unit: "s" },
@@ -45,14 +51,15 @@ const YEE: Function = Function {
             unit: "V/m",
         },
     ],
-    call: |arguments| {
-        let number = |name| arguments.number(name);
-        let medium = Medium { eps_r: number("eps_r")?, mu_r: number("mu_r")?, sigma: number("sigma")?, drude: None };
-        let stepping = Stepping { unstable: flag(arguments, "unstable")?, ..Stepping::at(number("courant")?) };
-        let (cells, steps) = (whole(arguments, "cells")?, whole(arguments, "steps")?);
+    compute: |setting| {
+        let number = |name| setting.number(name);
+        let whole = |name| setting.number(name) as u64;
+        let medium = Medium { eps_r: number("eps_r"), mu_r: number("mu_r"), sigma: number("sigma"), drude: None };
+        let stepping = Stepping { unstable: whole("unstable") == 1, ..Stepping::at(number("courant")) };
+        let (cells, steps) = (whole("cells"), whole("steps"));
         let refused = |refusal: light::em::Refusal| Fault::new("yee", refusal.to_string());
         let setup =
-            Setup { background: medium, ..Setup::vacuum(cells as usize, number("spacing")?, Ends::Periodic, stepping) };
+            Setup { background: medium, ..Setup::vacuum(cells as usize, number("spacing"), Ends::Periodic, stepping) };
         let mut line = Line::new(setup).map_err(refused)?;
         if cells.saturating_add(OVERHEAD).saturating_mul(steps) > MOST_WORK {
             return Err(Fault::new(
@@ -60,7 +67,7 @@ const YEE: Function = Function {
                 format!("{steps} are too many for {cells} cells; valid: up to {}", MOST_WORK / (cells + OVERHEAD)),
             ));
         }
-        let waves = whole(arguments, "waves")?;
+        let waves = whole("waves");
         if !(1..=cells / 2).contains(&waves) {
             return Err(Fault::new("waves", format!("{waves} do not fit; valid: 1 to half the cells, {}", cells / 2)));
         }
@@ -87,27 +94,7 @@ const YEE: Function = Function {
 const MOST_WORK: u64 = 100_000_000_000;
 const OVERHEAD: u64 = 100;
 
-const fn input(name: &'static str, says: &'static str, unit: &'static str, default: Option<f64>) -> Input {
-    Input { name, says, unit, domain: None, default }
-}
-
-/// The input `name`, 0 or 1.
-fn flag(arguments: &Arguments, name: &str) -> Result<bool, Fault> {
-    match whole(arguments, name)? {
-        0 => Ok(false),
-        1 => Ok(true),
-        other => Err(Fault::new(name, format!("{other} is out of range; valid: 0 or 1"))),
-    }
-}
-
-/// The input `name`, which counts something.
-fn whole(arguments: &Arguments, name: &str) -> Result<u64, Fault> {
-    let value = arguments.number(name)?;
-    if (0.0..=1e15).contains(&value) && value.fract() == 0.0 {
-        return Ok(value as u64);
-    }
-    Err(Fault::new(
-        name,
-        format!("{} is out of range; valid: whole numbers from 0 to 1e15", crate::setting::number(value)),
-    ))
-}
+/// The largest number that the solver takes: beyond every number of physics in SI units.
+const MOST: f64 = 1e30;
+/// At least one; a double holds them all.
+const COUNT: Kind = Kind::Count { min: 1, max: 1_000_000_000_000_000 };

@@ -1,7 +1,7 @@
 //! C2: the four laws on a grid: speed of waves, and the Courant limit.
 
 use crate::figure::{Axis, Chart, Hue, Map, Mark, Panel, Plot, Ramp, Shape};
-use crate::setting::{Kind, Parameter, Setting};
+use crate::parameter::{Fault, Kind, Parameter, Setting};
 use crate::vocabulary::{
     Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
 };
@@ -17,28 +17,26 @@ use light::em::{Stepping, Z_0};
 use std::f64::consts::{PI, TAU};
 use yardstick::random::uniform;
 
-const COURANT: Parameter = Parameter {
-    name: "courant",
-    symbol: "S",
-    says: "Courant number cΔt/Δ",
-    default: "0.5",
-    kind: Kind::Number { min: 0.01, max: 1.5, unit: "1" },
-};
-const CELLS: Parameter = Parameter {
-    name: "per_wave",
-    symbol: "λ/Δ",
-    says: "cells to a wavelength",
-    default: "20",
-    kind: Kind::Number { min: 2.0, max: 1e6, unit: "1" },
-};
+const COURANT: Parameter = Parameter::new("courant", "S", "Courant number cΔt/Δ", Kind::number(0.01, 1.5, "1"))
+    .default("0.5")
+    .validate(blow_up_on_demand);
+const CELLS: Parameter =
+    Parameter::new("per_wave", "λ/Δ", "cells to a wavelength", Kind::number(2.0, 1e6, "1")).default("20");
 
-const UNSTABLE: Parameter = Parameter {
-    name: "unstable",
-    symbol: "",
-    says: "1 to take a Courant number beyond the limit",
-    default: "0",
-    kind: Kind::Count { min: 0, max: 1 },
-};
+const UNSTABLE: Parameter =
+    Parameter::new("unstable", "", "1 to take a Courant number beyond the limit", Kind::Count { min: 0, max: 1 })
+        .default("0");
+
+/// A time step that blows up must be asked for.
+fn blow_up_on_demand(setting: &Setting) -> Result<(), Fault> {
+    let courant = setting.number(COURANT.name);
+    if courant <= 1.0 || setting.number(UNSTABLE.name) == 1.0 {
+        return Ok(());
+    }
+    let message =
+        format!("{courant} is beyond the Courant limit of 1 and would blow up; `--unstable` takes it all the same");
+    Err(Fault::new(COURANT.name, message))
+}
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "grid",

@@ -4,7 +4,7 @@ use super::symbols::{B_1, B_2, D_1, D_2, E_1, E_2, H_1, H_2, NORMAL};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::fresnel::fields::{Wave, waves};
 use crate::fresnel::{INTERFACE, interface, sample_inputs};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::vocabulary::{
     Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
     stress,

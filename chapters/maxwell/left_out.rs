@@ -2,7 +2,7 @@
 
 use super::throughput::{ROUNDED, THROUGHPUT};
 use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
-use crate::setting::{Kind, Parameter, Setting};
+use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
     Bench, Check, Exhibit, Heat, Lane, Measured, Quantity, Step, check, exhibit, figure, lane, race, statement, step,
 };
@@ -11,13 +11,8 @@ use light::em::line::{Ends, Line, Setup};
 use light::em::{C, Medium, Pulse, Stepping, Z_0};
 use std::f64::consts::TAU;
 
-const CELLS: Parameter = Parameter {
-    name: "cells",
-    symbol: "N",
-    says: "cells of the line",
-    default: "10000",
-    kind: Kind::Count { min: 100, max: 1_000_000 },
-};
+const CELLS: Parameter =
+    Parameter::new("cells", "N", "cells of the line", Kind::Count { min: 100, max: 1_000_000 }).default("10000");
 
 pub(super) const EXHIBIT: Exhibit =
     exhibit("left_out", &[CELLS], &[figure("savings", "What four scenes left out, per cell and step.", savings)]);

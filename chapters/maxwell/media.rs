@@ -1,7 +1,7 @@
 //! E3: what matter adds, as numbers or as tensors.
 
 use crate::figure::{Axis, Chart, Hue, Plot};
-use crate::setting::{Kind, Parameter, Setting};
+use crate::parameter::{Kind, Parameter, Setting};
 use crate::symbols::{B, D, E, EPSILON, H, J, MU, SIGMA};
 use crate::vocabulary::{
     Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
@@ -14,15 +14,11 @@ use light::fields::{Vector, cross, dot};
 use yardstick::initial_value::runge_kutta;
 use yardstick::random::uniform;
 
-const ORDINARY: Parameter = Parameter {
-    name: "n_o",
-    symbol: "n_o",
-    says: "index across the crystal's axis (calcite, 589 nm)",
-    default: "1.6584",
-    kind: Kind::Number { min: 1.0, max: 5.0, unit: "1" },
-};
+const ORDINARY: Parameter =
+    Parameter::new("n_o", "n_o", "index across the crystal's axis (calcite, 589 nm)", Kind::number(1.0, 5.0, "1"))
+        .default("1.6584");
 const EXTRAORDINARY: Parameter =
-    Parameter { name: "n_e", symbol: "n_e", says: "index along the crystal's axis", default: "1.4864", ..ORDINARY };
+    Parameter { name: "n_e", symbol: "n_e", says: "index along the crystal's axis", ..ORDINARY.default("1.4864") };
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "media",

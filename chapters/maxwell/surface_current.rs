@@ -3,7 +3,7 @@
 use super::interface::{HEIGHT, turn_across};
 use super::symbols::{D_1, D_2, H_1, H_2, K_S, NORMAL, RHO_S, Z_0};
 use crate::figure::{Axis, Chart, Hue, Plot};
-use crate::setting::{Kind, Parameter, Setting};
+use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
     Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, fitted_order, statement, step,
 };
@@ -18,13 +18,9 @@ use light::optics::film::{Layer, Stack};
 use light::waves::constants;
 use std::f64::consts::{PI, TAU};
 
-const SHEET: Parameter = Parameter {
-    name: "sheet",
-    symbol: "1/G",
-    says: "resistance of a square of the sheet",
-    default: "188.365156706Ω",
-    kind: Kind::Number { min: 1e-6, max: 1e12, unit: "Ω" },
-};
+const SHEET: Parameter =
+    Parameter::new("sheet", "1/G", "resistance of a square of the sheet", Kind::number(1e-6, 1e12, "Ω"))
+        .default("188.365156706Ω");
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "surface_current",

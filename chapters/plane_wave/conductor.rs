@@ -5,7 +5,7 @@ use super::transverse::{oblique, solves_maxwell};
 use super::wave_equation::twice;
 use super::{described, quantity, wave};
 use crate::figure::{Axis, Chart, Dash, Hue, Mark, Plot};
-use crate::setting::{Conductor, FREQUENCY, MEDIUM, Setting};
+use crate::parameter::{Conductor, FREQUENCY, MEDIUM, Setting};
 use crate::symbols::{AMPLITUDE, B, DELTA, E, EPSILON, H, J, K, K_VECTOR, MU, OMEGA, SIGMA, T, Z, Z_C};
 use crate::vocabulary::{
     Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,

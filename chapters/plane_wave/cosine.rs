@@ -5,7 +5,7 @@ use super::transverse::oblique;
 use super::wave_equation::twice;
 use super::{GREEN, VACUUM, described, quantity, wave};
 use crate::figure::Plot;
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::symbols::{AMPLITUDE, AMPLITUDE_B, E, EPSILON, K, K_VECTOR, LAMBDA, MU, OMEGA, T, V, WAVE, Z};
 use crate::vocabulary::{
     Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,

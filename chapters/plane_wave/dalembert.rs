@@ -3,7 +3,7 @@
 use super::rms_difference;
 use super::wave_equation::twice;
 use crate::figure::{Axis, Chart, Hue, Map, Plot, Ramp};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::symbols::{E, EPSILON, F_1, F_2, MU, T, WAVE, Z};
 use crate::vocabulary::{
     Bench, Check, Exhibit, Measured, Step, check, derivation, exhibit, figure, fitted_order, statement, step,

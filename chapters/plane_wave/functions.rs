@@ -1,7 +1,8 @@
 //! What `lesson eval` offers from this chapter.
 
-use crate::function::{Arguments, Function, Input, Output};
-use crate::setting::{CONDUCTIVITY, Fault, RELATIVE};
+use crate::parameter::{
+    Alias, BY_WAVELENGTH, CONDUCTIVITY, FREQUENCY, Fault, Function, Kind, MEDIUM, Output, Parameter, RELATIVE, Setting,
+};
 use light::references::waves::{NAMES, flat};
 use light::waves::constants::{EPSILON_0, MU_0};
 use light::waves::{Invalid, Medium, Wave};
@@ -18,80 +19,79 @@ pub(crate) const FREQUENCIES: (f64, f64) = (1e-12, 1e24);
 
 const PLANE_WAVE: Function = Function {
     name: "plane-wave",
-    says: "a plane wave e^(i(kz − ωt)) of 1 V/m at z = 0 in a uniform medium; give eps_r mu_r sigma freq_hz, or the \
-           absolute eps mu sigma omega",
+    says: "a plane wave e^(i(kz − ωt)) of 1 V/m at z = 0 in a uniform medium; give eps_r mu_r sigma freq, or the \
+           absolute eps mu sigma omega, or a medium by name",
     inputs: &[
-        input("eps_r", "relative permittivity; or give eps", "1", RELATIVE),
-        input("mu_r", "relative permeability; or give mu", "1", RELATIVE),
-        input("eps", "permittivity, instead of eps_r", "F/m", ABSOLUTE),
-        input("mu", "permeability, instead of mu_r", "H/m", ABSOLUTE),
-        input("sigma", "conductivity", "S/m", CONDUCTIVITY),
-        input("freq_hz", "frequency; or give omega", "Hz", FREQUENCIES),
-        input("omega", "angular frequency, instead of freq_hz", "rad/s", FREQUENCIES),
+        EPS_R,
+        MU_R,
+        Parameter::new("eps", "ε", "permittivity, instead of eps_r", Kind::number(ABSOLUTE.0, ABSOLUTE.1, "F/m"))
+            .instead_of(&["eps_r"]),
+        Parameter::new("mu", "μ", "permeability, instead of mu_r", Kind::number(ABSOLUTE.0, ABSOLUTE.1, "H/m"))
+            .instead_of(&["mu_r"]),
+        SIGMA,
+        NAMED,
+        FREQ,
+        Parameter::new(
+            "omega",
+            "ω",
+            "angular frequency, instead of freq",
+            Kind::number(FREQUENCIES.0, FREQUENCIES.1, "rad/s"),
+        )
+        .instead_of(&["freq"]),
     ],
     outputs: &[
-        output("k_re", "wave number: phase per metre", "rad/m"),
-        output("k_im", "decay of the field per metre", "1/m"),
-        output("Z_re", "impedance E/H, real part", "Ω"),
-        output("Z_im", "imaginary part; negative where H lags", "Ω"),
-        output("skin_depth", "1/k_im; inf without loss", "m"),
-        output("phase_lag", "by which H lags E", "rad"),
-        output("wavelength", "2π/k_re", "m"),
-        output("v_phase", "ω/k_re", "m/s"),
-        output("S_avg", "mean energy flow at z = 0", "W/m²"),
+        Output::new("k_re", "wave number: phase per metre", "rad/m"),
+        Output::new("k_im", "decay of the field per metre", "1/m"),
+        Output::new("Z_re", "impedance E/H, real part", "Ω"),
+        Output::new("Z_im", "imaginary part; negative where H lags", "Ω"),
+        Output::new("skin_depth", "1/k_im; inf without loss", "m"),
+        Output::new("phase_lag", "by which H lags E", "rad"),
+        Output::new("wavelength", "2π/k_re", "m"),
+        Output::new("v_phase", "ω/k_re", "m/s"),
+        Output::new("S_avg", "mean energy flow at z = 0", "W/m²"),
     ],
-    call: |arguments| {
-        let wave = wave(arguments)?;
+    compute: |setting| {
+        let wave = wave(setting)?;
         Ok(NAMES.into_iter().zip(flat(&wave)).collect())
     },
 };
 
-pub(crate) const fn input(name: &'static str, says: &'static str, unit: &'static str, domain: (f64, f64)) -> Input {
-    Input { name, says, unit, domain: Some(domain), default: None }
-}
+/// ε_r of a medium.
+pub(crate) const EPS_R: Parameter =
+    Parameter::new("eps_r", "ε_r", "relative permittivity", Kind::number(RELATIVE.0, RELATIVE.1, "1"));
+/// μ_r of a medium.
+pub(crate) const MU_R: Parameter =
+    Parameter::new("mu_r", "μ_r", "relative permeability", Kind::number(RELATIVE.0, RELATIVE.1, "1"));
+/// σ of a medium.
+pub(crate) const SIGMA: Parameter =
+    Parameter::new("sigma", "σ", "conductivity", Kind::number(CONDUCTIVITY.0, CONDUCTIVITY.1, "S/m"));
+/// All three by name.
+pub(crate) const NAMED: Parameter = MEDIUM.required().instead_of(&["eps_r", "mu_r", "sigma"]);
+/// The frequency, which is part of the question here.
+pub(crate) const FREQ: Parameter =
+    Parameter { kind: Kind::number(FREQUENCIES.0, FREQUENCIES.1, "Hz"), ..FREQUENCY.required() }
+        .aliases(&[Alias::same("freq_hz"), BY_WAVELENGTH]);
 
-pub(crate) const fn output(name: &'static str, says: &'static str, unit: &'static str) -> Output {
-    Output { name, says, unit }
-}
-
-fn wave(arguments: &Arguments) -> Result<Wave, Fault> {
-    let epsilon = either(arguments, ["eps_r", "eps"])?;
-    let mu = either(arguments, ["mu_r", "mu"])?;
-    let sigma = arguments.number("sigma")?;
-    let frequency = either(arguments, ["freq_hz", "omega"])?;
-    let absolute = |value: Either, unit: f64| match value {
-        Either::First(relative) => relative * unit,
-        Either::Second(absolute) => absolute,
-    };
-    let invalid = |found: Invalid| Fault::new(found.place, found.to_string());
-    let medium = Medium::new(absolute(epsilon, EPSILON_0), absolute(mu, MU_0), sigma).map_err(invalid)?;
-    Wave::new(&medium, absolute(frequency, TAU)).map_err(invalid)
-}
-
-/// Which of two names a number was given under.
-enum Either {
-    First(f64),
-    Second(f64),
-}
-
-/// The number given under exactly one of two names.
-fn either(arguments: &Arguments, [first, second]: [&'static str; 2]) -> Result<Either, Fault> {
-    match (arguments.optional(first)?, arguments.optional(second)?) {
-        (Some(value), None) => Ok(Either::First(value)),
-        (None, Some(value)) => Ok(Either::Second(value)),
-        (None, None) => Err(Fault::new(first, format!("missing; give {first} or {second}"))),
-        (Some(_), Some(_)) => Err(Fault::new(second, format!("given beside {first}; give one of them"))),
+fn wave(setting: &Setting) -> Result<Wave, Fault> {
+    if setting.given("medium").is_some() {
+        return setting.conductor("medium").wave(setting.frequency()).map_err(|why| Fault::new("medium", why));
     }
+    let absolute =
+        |name, relative, unit: f64| setting.optional(name).unwrap_or_else(|| setting.number(relative) * unit);
+    let (epsilon, mu) = (absolute("eps", "eps_r", EPSILON_0), absolute("mu", "mu_r", MU_0));
+    let invalid = |found: Invalid| Fault::new(found.place, found.to_string());
+    let medium = Medium::new(epsilon, mu, setting.number("sigma")).map_err(invalid)?;
+    Wave::new(&medium, absolute("omega", "freq", TAU)).map_err(invalid)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::function::{Argument, Outcome};
+    use crate::parameter::{Argument, Outcome};
 
     fn call(given: &[(&str, f64)]) -> Outcome {
         let given: Vec<_> = given.iter().map(|(name, x)| ((*name).to_owned(), Argument::Number(*x))).collect();
-        (PLANE_WAVE.call)(&Arguments::new(&PLANE_WAVE, &given)?)
+        PLANE_WAVE.call(&given)
     }
 
     const COPPER: [(&str, f64); 4] = [("eps_r", 1.0), ("mu_r", 1.0), ("sigma", 5.8e7), ("freq_hz", 50.0)];
@@ -108,6 +108,25 @@ mod tests {
     fn absolute_and_relative_inputs_agree() {
         let absolute = [("eps", EPSILON_0), ("mu", MU_0), ("sigma", 5.8e7), ("omega", TAU * 50.0)];
         assert_eq!(call(&absolute), call(&COPPER));
+    }
+
+    #[test]
+    fn names_and_wavelengths_give_the_same_wave() {
+        let call = |given: &[(&str, &str)]| {
+            let given: Vec<_> = given.iter().map(|(name, x)| ((*name).to_owned(), Argument::from(*x))).collect();
+            PLANE_WAVE.call(&given)
+        };
+        let named = call(&[("medium", "copper"), ("freq", "50Hz")]);
+        assert_eq!(named, call(&[("medium", "1/1/5.8e7"), ("freq_hz", "50")]));
+        assert_eq!(call(&[("medium", "gold"), ("wavelength", "550nm")]).unwrap()[6].0, "wavelength");
+        // Water's ions are known at this frequency only, not at the default one.
+        assert!(call(&[("medium", "water"), ("omega", "1e3")]).is_ok());
+        assert_eq!(call(&[("medium", "copper"), ("freq", "1GHz"), ("sigma", "1")]).unwrap_err().place, "medium");
+        assert_eq!(call(&[("medium", "copper"), ("freq", "1e13")]).unwrap_err().place, "medium");
+        assert_eq!(
+            call(&[("medium", "copper"), ("freq", "1e9"), ("wavelength", "1")]).unwrap_err().place,
+            "wavelength"
+        );
     }
 
     #[test]

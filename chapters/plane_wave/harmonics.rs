@@ -3,7 +3,7 @@
 use super::rms_difference;
 use crate::figure::Mark;
 use crate::figure::{Axis, Chart, Hue, Plot, Shape};
-use crate::setting::{Kind, Parameter, Setting};
+use crate::parameter::{Kind, Parameter, Setting};
 use crate::symbols::{K, OMEGA, T, WAVE, Z};
 use crate::vocabulary::{
     Bench, Check, Exhibit, Expects, Heat, Measured, Quantity, Race, Step, check, exhibit, figure, lane, race,
@@ -18,15 +18,12 @@ use yardstick::quadrature::gauss_legendre;
 /// What a wave holds of each frequency.
 const SPECTRUM: Symbol = Symbol::scalar("a", Dimension::VOLT_PER_METRE.times(Dimension::SECOND));
 
+const HARMONICS: Parameter =
+    Parameter::new("harmonics", "M", "how many harmonics are kept", Kind::Count { min: 1, max: 2000 }).default("15");
+
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "harmonics",
-    &[Parameter {
-        name: "harmonics",
-        symbol: "M",
-        says: "how many harmonics are kept",
-        default: "15",
-        kind: Kind::Count { min: 1, max: 2000 },
-    }],
+    &[HARMONICS],
     &[
         figure(
             "partial_sums",

@@ -2,7 +2,7 @@
 
 use super::rms_difference;
 use crate::figure::{Axis, Chart, Hue, Plot};
-use crate::setting::{Kind, Parameter, Setting};
+use crate::parameter::{Kind, Parameter, Setting};
 use crate::symbols::{C, T, WAVE, Z};
 use crate::vocabulary::{
     Bench, Exhibit, Expects, Heat, Lane, Quantity, Race, Step, exhibit, figure, lane, race, statement, step,
@@ -14,13 +14,8 @@ use std::f64::consts::TAU;
 use yardstick::precise;
 use yardstick::random::uniform;
 
-const CELLS: Parameter = Parameter {
-    name: "cells",
-    symbol: "N",
-    says: "cells of the line",
-    default: "128",
-    kind: Kind::Count { min: 8, max: 1024 },
-};
+const CELLS: Parameter =
+    Parameter::new("cells", "N", "cells of the line", Kind::Count { min: 8, max: 1024 }).default("128");
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "methods",

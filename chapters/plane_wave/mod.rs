@@ -14,7 +14,7 @@ mod speed;
 pub(crate) mod transverse;
 mod wave_equation;
 
-use crate::setting::{FREQUENCY, MEDIUM, Parameter, Setting};
+use crate::parameter::{FREQUENCY, MEDIUM, Parameter, Setting};
 use crate::vocabulary::{Chapter, Exhibit, Quantity};
 use light::waves::Wave;
 use yardstick::statistics::rms;
@@ -57,9 +57,9 @@ pub const FIGURES: &[Exhibit] = &[
 ];
 
 /// The medium of the steps where nothing is lost.
-pub(crate) const VACUUM: Parameter = Parameter { default: "vacuum", ..MEDIUM };
+pub(crate) const VACUUM: Parameter = MEDIUM.default("vacuum");
 /// The frequency of green light, 550 nm.
-pub(crate) const GREEN: Parameter = Parameter { default: "545THz", ..FREQUENCY };
+pub(crate) const GREEN: Parameter = FREQUENCY.default("545THz");
 
 /// The wave of the setting's frequency in its medium.
 pub(crate) fn wave(setting: &Setting) -> Wave {

@@ -3,7 +3,7 @@
 use super::fields::{Plane, direction};
 use super::one_way::at_one_cell_a_step;
 use super::{VACUUM, quantity};
-use crate::setting::{FREQUENCY, Setting};
+use crate::parameter::{FREQUENCY, Setting};
 use crate::symbols::{A_VECTOR, AMPLITUDE, B, E, EPSILON, H, K, K_VECTOR, MU, OMEGA, R, T, V, Z, Z_C};
 use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, statement, step};
 use equation::derivation::{Chain, Claim};

@@ -1,9 +1,9 @@
 //! E20: the Poynting vector.
 
 use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::parameter::Setting;
 use crate::plane_wave::fields::Dipole;
 use crate::plane_wave::{GREEN, VACUUM, described, quantity, wave};
-use crate::setting::Setting;
 use crate::symbols::{B, E, MU, S};
 use crate::vocabulary::{Bench, Check, Exhibit, Measured, Step, check, exhibit, figure, statement, step};
 use equation::Equation;

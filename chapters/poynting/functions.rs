@@ -1,9 +1,8 @@
 //! What `lesson eval` offers from this chapter.
 
 use super::window::worst;
-use crate::function::Function;
-use crate::plane_wave::functions::{FREQUENCIES, input, output};
-use crate::setting::{CONDUCTIVITY, Fault, RELATIVE};
+use crate::parameter::{Fault, Function, Kind, Output, Parameter};
+use crate::plane_wave::functions::{EPS_R, FREQ, MU_R, NAMED, SIGMA};
 use light::waves::constants::{EPSILON_0, MU_0};
 use light::waves::flux::{Flux, Window};
 use light::waves::{Invalid, Medium, Wave};
@@ -17,29 +16,35 @@ const POYNTING: Function = Function {
     says: "the energy of a plane wave E = Re A e^(i(kz − ωt)) at the depth z in a uniform medium, averaged over whole \
            periods, and how far a detector that looks for a number of periods may be off",
     inputs: &[
-        input("eps_r", "relative permittivity", "1", RELATIVE),
-        input("mu_r", "relative permeability", "1", RELATIVE),
-        input("sigma", "conductivity", "S/m", CONDUCTIVITY),
-        input("freq_hz", "frequency", "Hz", FREQUENCIES),
-        input("amplitude", "amplitude A of E at z = 0", "V/m", (0.0, 1e30)),
-        input("z", "depth", "m", (0.0, 1e30)),
-        input("periods", "how many periods the detector looks", "1", (1e-3, 1e15)),
+        EPS_R,
+        MU_R,
+        SIGMA,
+        NAMED,
+        FREQ,
+        Parameter::new("amplitude", "A", "amplitude A of E at z = 0", Kind::number(0.0, 1e30, "V/m")),
+        Parameter::new("z", "z", "depth", Kind::number(0.0, 1e30, "m")),
+        Parameter::new("periods", "N", "how many periods the detector looks", Kind::number(1e-3, 1e15, "1")),
     ],
     outputs: &[
-        output("S_avg", "mean flow along z", "W/m²"),
-        output("heat", "mean power turned to heat, σ⟨E²⟩ = −d⟨S⟩/dz", "W/m³"),
-        output("energy", "mean energy of the fields, ¼(ε|E|² + μ|H|²)", "J/m³"),
-        output("error_box", "a shutter's error over S_avg, at the worst opening", "1"),
-        output("error_hann", "the same of a window 1 − cos", "1"),
+        Output::new("S_avg", "mean flow along z", "W/m²"),
+        Output::new("heat", "mean power turned to heat, σ⟨E²⟩ = −d⟨S⟩/dz", "W/m³"),
+        Output::new("energy", "mean energy of the fields, ¼(ε|E|² + μ|H|²)", "J/m³"),
+        Output::new("error_box", "a shutter's error over S_avg, at the worst opening", "1"),
+        Output::new("error_hann", "the same of a window 1 − cos", "1"),
     ],
-    call: |arguments| {
+    compute: |setting| {
         let invalid = |found: Invalid| Fault::new(found.place, found.to_string());
-        let [epsilon_r, mu_r, sigma] =
-            [arguments.number("eps_r")?, arguments.number("mu_r")?, arguments.number("sigma")?];
-        let medium = Medium::new(epsilon_r * EPSILON_0, mu_r * MU_0, sigma).map_err(invalid)?;
-        let wave = Wave::new(&medium, TAU * arguments.number("freq_hz")?).map_err(invalid)?;
-        let (depth, periods) = (arguments.number("z")?, arguments.number("periods")?);
-        let amplitude = arguments.number("amplitude")?;
+        let frequency = setting.number("freq");
+        let medium = if setting.given("medium").is_some() {
+            // Heat and energy are told by ε, μ and σ: an index alone does not know them.
+            setting.conductor("medium").medium(frequency).map_err(|why| Fault::new("medium", why))?
+        } else {
+            let number = |name| setting.number(name);
+            Medium::new(number("eps_r") * EPSILON_0, number("mu_r") * MU_0, number("sigma")).map_err(invalid)?
+        };
+        let wave = Wave::new(&medium, TAU * frequency).map_err(invalid)?;
+        let (depth, periods) = (setting.number("z"), setting.number("periods"));
+        let amplitude = setting.number("amplitude");
         let electric = amplitude * (-wave.k.im * depth).exp();
         let magnetic = electric / wave.impedance.norm();
         // Over the mean, so that the depth does not matter, not even where nothing is left of the flow.
@@ -47,7 +52,7 @@ const POYNTING: Function = Function {
         let [shutter, hann] = [Window::Box, Window::Hann].map(|window| worst(&surface, window, periods));
         Ok(vec![
             ("S_avg", Flux::at_depth(&wave, amplitude, depth).mean),
-            ("heat", 0.5 * sigma * electric * electric),
+            ("heat", 0.5 * medium.sigma() * electric * electric),
             ("energy", 0.25 * (medium.epsilon() * electric * electric + medium.mu() * magnetic * magnetic)),
             ("error_box", shutter),
             ("error_hann", hann),
@@ -58,7 +63,7 @@ const POYNTING: Function = Function {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::function::{Argument, Arguments, Outcome};
+    use crate::parameter::{Argument, Outcome};
 
     fn call(sigma: f64, depth: f64, periods: f64) -> Outcome {
         let given = [
@@ -71,7 +76,7 @@ mod tests {
             ("periods", periods),
         ];
         let given = given.map(|(name, value)| (name.to_owned(), Argument::Number(value)));
-        (POYNTING.call)(&Arguments::new(&POYNTING, &given)?)
+        POYNTING.call(&given)
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! E23: the mean over a period.
 
 use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::parameter::Setting;
 use crate::plane_wave::transverse::harmonic;
 use crate::plane_wave::{GREEN, VACUUM, described, quantity, wave};
-use crate::setting::Setting;
 use crate::symbols::{AMPLITUDE, E, EPSILON, H, K, OMEGA, PERIOD, S, T, V, Z};
 use crate::vocabulary::{
     Bench, Check, Exhibit, Extreme, Heat, Measured, Race, Step, check, derivation, exhibit, figure, lane, race,

@@ -8,8 +8,8 @@ mod phasor;
 mod theorem;
 mod window;
 
+use crate::parameter::Setting;
 use crate::plane_wave::wave;
-use crate::setting::Setting;
 use crate::vocabulary::{Chapter, Exhibit};
 use light::waves::flux::Flux;
 

@@ -1,7 +1,7 @@
 //! E24: the mean from complex amplitudes.
 
+use crate::parameter::{FREQUENCY, MEDIUM};
 use crate::plane_wave::{quantity, wave};
-use crate::setting::{FREQUENCY, MEDIUM};
 use crate::symbols::{AMPLITUDE, OMEGA, PERIOD, S, T};
 use crate::vocabulary::{Bench, Check, Exhibit, Measured, Step, check, derivation, exhibit, statement, step};
 use equation::derivation::Chain;

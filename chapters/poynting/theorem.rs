@@ -1,9 +1,9 @@
 //! C3: which way the energy flows, and that none is lost on the books.
 
+use crate::parameter::{FREQUENCY, MEDIUM, Setting};
 use crate::plane_wave::fields::{Plane, crowd, direction, outflows, over_time};
 use crate::plane_wave::transverse::across_k;
 use crate::plane_wave::{quantity, wave};
-use crate::setting::{FREQUENCY, MEDIUM, Setting};
 use crate::symbols::{A_VECTOR, B, E, EPSILON, H, J, K_VECTOR, MU, OMEGA, S, T, U_DENSITY};
 use crate::vocabulary::{
     Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, statement, step, stress,

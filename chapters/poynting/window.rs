@@ -1,8 +1,8 @@
 //! C5: a detector averages over many periods, but not over a whole number of them.
 
 use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
+use crate::parameter::{Kind, Parameter, Setting};
 use crate::plane_wave::{GREEN, VACUUM, described, quantity};
-use crate::setting::{Kind, Parameter, Setting};
 use crate::vocabulary::{
     Bench, Check, Exhibit, Expects, Heat, Measured, Race, Step, check, exhibit, figure, fitted_order, lane, race, step,
 };
@@ -11,13 +11,8 @@ use light::waves::flux::{Flux, Window};
 use yardstick::precise;
 use yardstick::quadrature::gauss_legendre;
 
-const PERIODS: Parameter = Parameter {
-    name: "periods",
-    symbol: "N",
-    says: "how many periods the detector looks",
-    default: "2.3",
-    kind: Kind::Number { min: 0.1, max: 1e12, unit: "1" },
-};
+const PERIODS: Parameter =
+    Parameter::new("periods", "N", "how many periods the detector looks", Kind::number(0.1, 1e12, "1")).default("2.3");
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "window",
@@ -202,7 +197,7 @@ fn windows(setting: &Setting) -> Plot {
         .at_y(seen / peak, "reads")
         .into()
     };
-    let number = crate::setting::number;
+    let number = crate::parameter::number;
     let title = match number(set) {
         drawn if periods == set => format!("{drawn} periods in {}", described(setting)),
         all => format!("{all} periods in {}, drawn as {}", described(setting), number(periods)),

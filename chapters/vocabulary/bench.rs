@@ -1,6 +1,6 @@
 //! What a measurement may use, and the quantities that a step shows.
 
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use yardstick::random::{Stream, stream};
 
 /// The seed of every random stream of the lecture.

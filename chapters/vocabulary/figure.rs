@@ -1,7 +1,7 @@
 //! Pictures of a step, apart from its evidence: whoever only draws (a browser) need not load what proves.
 
 use crate::figure::Plot;
-use crate::setting::{Parameter, Setting};
+use crate::parameter::{Parameter, Setting};
 
 /// A picture of a step at a setting.
 #[derive(Clone, Copy, Debug)]

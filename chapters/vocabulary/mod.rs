@@ -35,8 +35,8 @@ pub use race::{Entrant, Expects, Heat, Judge, Lane, Race, Run, fitted_order, lan
 pub use statement::{Statement, statement};
 pub use stress::{ALLOWED_ULPS, Extreme, Stress, digits, stress};
 
-use crate::function::Function;
-use crate::setting::{Parameter, Setting};
+use crate::parameter::Function;
+use crate::parameter::{Parameter, Setting};
 
 /// One chapter of the lecture.
 #[derive(Debug)]

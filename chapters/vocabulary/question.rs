@@ -1,7 +1,7 @@
 //! What a step asks before it shows its evidence. The right answer is computed by the program at the setting, never
 //! typed; whoever answers wrongly is told which idea leads there.
 
-use crate::setting::{Fault, Setting, excerpt, parse_quantity};
+use crate::parameter::{Fault, Setting, excerpt, parse_quantity};
 
 /// A question.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,7 @@
 //! Error against run time.
 
 use super::{Bench, SEED};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use yardstick::order;
 
 /// Several methods for one number, each at growing work: error against run time.

@@ -1,6 +1,6 @@
 //! Families of extreme inputs.
 
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use yardstick::precise::{self, Real};
 
 /// A family of inputs chosen to break formulas. Beside each stands what the textbook form makes of it:

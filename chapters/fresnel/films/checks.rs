@@ -1,7 +1,7 @@
 //! What could refute the film formulas: bounces, admittances, reversal, energy, Parratt.
 
 use super::{BOTH, Films, film, quarter_film};
-use crate::setting::DEFAULT_WAVELENGTH;
+use crate::parameter::DEFAULT_WAVELENGTH;
 use crate::vocabulary::{ALLOWED_ULPS, Bench, Check, Measured, check};
 use light::Complex64;
 use light::Polarisation;

@@ -2,7 +2,7 @@
 
 use super::checks::quarter_wave_mirror;
 use super::{Films, film};
-use crate::setting::DEFAULT_WAVELENGTH;
+use crate::parameter::DEFAULT_WAVELENGTH;
 use crate::vocabulary::Extreme;
 use light::Polarisation;
 use light::optics::film::textbook::{characteristic_matrix, recursion};

@@ -3,7 +3,7 @@
 use super::extremes::between;
 use super::{Films, film, mirror};
 use crate::figure::{Axis, Chart, Hue, Map, Plot, Ramp};
-use crate::setting::{DEFAULT_WAVELENGTH, Setting};
+use crate::parameter::{DEFAULT_WAVELENGTH, Setting};
 use light::Polarisation;
 use light::optics::film::Layer;
 use light::optics::material::{self, Medium};

@@ -9,10 +9,10 @@ use self::checks::{BOUNCES, ENERGY, PARRATT, QUARTER_WAVES, REVERSAL};
 use self::extremes::{critical, many, opaque};
 use self::figures::{antireflection, frustrated, mirror_band, mirror_map};
 use self::races::{FIVE_FILMS, ONE_FILM, OPAQUE_FILM, ORDINARY, TWENTY_ONE_FILMS};
+use super::N_I;
 use super::amplitudes::{contrast, r_p, r_s, t_p, t_s};
 use super::symbols::{K_0, N_1, N_2, THETA_1, THETA_2};
-use super::{N_I, N_T};
-use crate::setting::{Kind, Parameter, Setting, THETA, WAVELENGTH};
+use crate::parameter::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{Exhibit, Quantity, Step, derivation, exhibit, figure, statement, step, stress};
 use equation::derivation::Chain;
 use equation::expr::{cos, exp, i, pi, sin, sqrt};
@@ -23,19 +23,19 @@ use light::optics::Incidence;
 use light::optics::film::{Layer, Stack};
 
 /// Substrate.
-const N_S: Parameter = Parameter { name: "n_s", symbol: "n_s", says: "substrate", default: "bk7", ..N_T };
+const N_S: Parameter = Parameter::new("n_s", "n_s", "substrate", Kind::Medium).default("bk7");
 /// High-index film.
-const N_H: Parameter = Parameter { name: "n_h", symbol: "n_H", says: "high-index film", default: "tio2", ..N_T };
+const N_H: Parameter = Parameter::new("n_h", "n_H", "high-index film", Kind::Medium).default("tio2");
 /// Low-index film.
-const N_L: Parameter = Parameter { name: "n_l", symbol: "n_L", says: "low-index film", default: "mgf2", ..N_T };
+const N_L: Parameter = Parameter::new("n_l", "n_L", "low-index film", Kind::Medium).default("mgf2");
 /// Length of the mirror.
-const PAIRS: Parameter = Parameter {
-    name: "pairs",
-    symbol: "N",
-    says: "low–high pairs under the mirror's first high film: 2N + 1 films",
-    default: "10",
-    kind: Kind::Count { min: 0, max: 200 },
-};
+const PAIRS: Parameter = Parameter::new(
+    "pairs",
+    "N",
+    "low–high pairs under the mirror's first high film: 2N + 1 films",
+    Kind::Count { min: 0, max: 200 },
+)
+.default("10");
 /// The wavelength that the films are a quarter of.
 const DESIGN: Parameter =
     Parameter { says: "vacuum wavelength: each film is a quarter of it thick, in its own medium", ..WAVELENGTH };

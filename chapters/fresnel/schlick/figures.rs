@@ -3,7 +3,7 @@
 use super::super::{interface, over_angle, over_angle_near};
 use super::GLASS_INDEX;
 use crate::figure::{Axis, Chart, Hue, Map, Panel, Plot, Ramp};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use light::Complex64;
 use light::optics::fresnel::{critical_angle, powers};
 use light::optics::schlick::{Dipped, normal_reflectance, schlick, schlick_rarer_side};

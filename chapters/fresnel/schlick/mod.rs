@@ -10,7 +10,7 @@ use self::races::{SPEED, TABLE};
 use super::amplitudes::contrast;
 use super::symbols::{N_1, N_2, R_0, R_N, THETA_1, THETA_2};
 use super::{INTERFACE, extremes, incidence, interface};
-use crate::setting::Setting;
+use crate::parameter::Setting;
 use crate::vocabulary::{Exhibit, Extreme, Quantity, Step, derivation, exhibit, figure, statement, step, stress};
 use equation::derivation::Chain;
 use equation::expr::{cos, d, pi, ratio};

@@ -2,7 +2,7 @@
 
 use super::GLASS_INDEX;
 use super::checks::{DIPPED_ERROR, GLASS_ERROR};
-use crate::setting::DEFAULT_WAVELENGTH;
+use crate::parameter::DEFAULT_WAVELENGTH;
 use crate::vocabulary::{Expects, Heat, Measured, Race, lane, race};
 use light::Complex64;
 use light::optics::fresnel::{natural_reflectance, natural_reflectance_absorbing, powers};

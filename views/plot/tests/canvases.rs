@@ -4,7 +4,7 @@ use super::super::canvas::{Plain, WithPlotters};
 use super::super::sheet::{Image, Item, Path, Sheet, Text};
 use super::gallery;
 use chapters::figure::Plot;
-use chapters::setting::Setting;
+use chapters::parameter::Setting;
 
 /// How far apart two coordinates may be [px]: a step of the sheet, of which there are 64 to a pixel, and an f32.
 const NEAR: f32 = 0.02;
