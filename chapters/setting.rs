@@ -1,8 +1,7 @@
 //! The parameters of a step and the values in force: what `--set name=value` changes.
 
 use light::Complex64;
-use light::optics::material::{self, Medium};
-use light::waves::substance::{self, Substance};
+use light::media::{self, Medium, Substance};
 use light::waves::{self, Wave};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::fmt;
@@ -430,12 +429,16 @@ fn suffixes(unit: &str) -> &'static [(&'static str, f64)] {
 /// A fault at `place`, which names the materials there are if `text` is neither an index nor one of them.
 pub fn parse_medium(place: &str, text: &str) -> Result<Medium, Fault> {
     let text = text.trim();
-    if let Some(material) = material::named(text) {
-        return Ok(Medium::Material(material));
+    let known = media::named(text);
+    if let Some(found) = known.filter(|known| known.optics.is_some()) {
+        return Ok(Medium::Named(found));
     }
     let index = parse_index(text).ok_or_else(|| {
-        let names = material::MATERIALS.iter().map(|material| material.name).collect();
-        let message = format!("`{}` is neither an index (1.5, 0.2+3.4i) nor a material", excerpt(text));
+        let names = media::optical().map(|known| known.name).collect();
+        let message = match known {
+            Some(known) => format!("the refractive index of {} is not known here", known.name),
+            None => format!("`{}` is neither an index (1.5, 0.2+3.4i) nor a material", excerpt(text)),
+        };
         Fault::unknown(place, text, message, names)
     })?;
     if !(index.re.is_finite() && index.im.is_finite()) {
@@ -453,13 +456,17 @@ pub fn parse_medium(place: &str, text: &str) -> Result<Medium, Fault> {
 /// A fault at `place`, which says what would be valid.
 pub fn parse_conductor(place: &str, text: &str) -> Result<Conductor, Fault> {
     let text = text.trim();
-    if let Some(found) = substance::named(text) {
+    let known = media::named(text);
+    if let Some(found) = known.filter(|known| known.electric.is_some()) {
         return Ok(Conductor::Substance(found));
     }
     let numbers: Option<Vec<f64>> = text.split('/').map(|part| part.trim().parse().ok()).collect();
     let Some(&[epsilon_r, mu_r, sigma]) = numbers.as_deref() else {
-        let names = substance::SUBSTANCES.iter().map(|found| found.name).collect();
-        let message = format!("`{}` is neither ε_r/μ_r/σ (80/1/4) nor a medium", excerpt(text));
+        let names = media::electric().map(|known| known.name).collect();
+        let message = match known {
+            Some(known) => format!("ε, μ, σ of {} are not known here", known.name),
+            None => format!("`{}` is neither ε_r/μ_r/σ (80/1/4) nor a medium", excerpt(text)),
+        };
         return Err(Fault::unknown(place, text, message, names));
     };
     let held = |value: f64, (min, max): (f64, f64)| (min..=max).contains(&value);

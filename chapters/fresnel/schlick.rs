@@ -14,8 +14,8 @@ use equation::expr::{cos, d, pi, ratio};
 use equation::value::Bindings;
 use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
+use light::media;
 use light::optics::fresnel::{critical_angle, natural_reflectance, natural_reflectance_absorbing, powers};
-use light::optics::material;
 use light::optics::schlick::{Dipped, normal_reflectance, schlick, schlick_rarer_side};
 use light::optics::{Direction, Incidence};
 use light::references::fresnel::{Exact, Input, NAMES};
@@ -302,7 +302,7 @@ fn for_metals(at_82: fn(f64, f64) -> f64) -> Measured {
     let wavelengths = [400e-9, 450e-9, 500e-9, 550e-9, 600e-9, 650e-9, 700e-9];
     let cases = metals.into_iter().flat_map(|name| wavelengths.map(|wavelength| (name, wavelength)));
     Measured::worst(cases.flat_map(|(name, wavelength)| {
-        let index = material::named(name).and_then(|metal| metal.index(wavelength).ok());
+        let index = media::named(name).and_then(|metal| metal.index(wavelength).ok());
         let n_t = index.unwrap_or(Complex64::new(f64::NAN, 0.0));
         let exact = move |cos_i| powers(Incidence::from_cos(cos_i), 1.0, n_t).r_n();
         let r_0 = normal_reflectance(1.0, n_t);
@@ -343,7 +343,7 @@ const GLASS_INDEX: f64 = 1.511_857_892_036_909;
 
 /// The metal of the races, chosen for its deep dip.
 fn metal() -> Complex64 {
-    material::named("chromium").and_then(|metal| metal.index(DEFAULT_WAVELENGTH).ok()).expect("a listed metal")
+    media::named("chromium").and_then(|metal| metal.index(DEFAULT_WAVELENGTH).ok()).expect("a listed metal")
 }
 
 const EVALUATIONS: &[u64] = &[1 << 10, 1 << 12, 1 << 14];
@@ -622,7 +622,7 @@ fn error_panel(title: &str, approximate: impl Fn(f64, f64) -> f64) -> Panel {
 
 fn curves(setting: &Setting) -> Plot {
     let own = interface(setting);
-    let aluminium = material::named("aluminium").and_then(|metal| metal.index(800e-9).ok()).expect("a listed metal");
+    let aluminium = media::named("aluminium").and_then(|metal| metal.index(800e-9).ok()).expect("a listed metal");
     let panels = vec![
         panel("the setting", own.n_i, own.n_t),
         panel("out of glass", GLASS_INDEX, 1.0.into()),
