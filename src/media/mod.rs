@@ -66,7 +66,10 @@ impl Substance {
     /// # Errors
     /// Outside the band, or if there is none.
     pub fn medium(&self, frequency: f64) -> Result<waves::Medium, OutOfBand> {
-        self.electric.as_ref().and_then(|electric| electric.medium(frequency)).ok_or_else(|| self.out_of_band(frequency))
+        self.electric
+            .as_ref()
+            .and_then(|electric| electric.medium(frequency))
+            .ok_or_else(|| self.out_of_band(frequency))
     }
 
     /// The wave of a `frequency` [Hz] in it: by ε, μ and σ within the band, by its refractive index where that was

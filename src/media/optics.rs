@@ -59,7 +59,10 @@ impl fmt::Display for OutOfRange {
                 write!(f, "its data ({source}) run from {} to {}", Nanometres(shortest), Nanometres(longest))
             }
             (None, Some((lowest, highest))) => {
-                write!(f, "its refractive index is not known here, only its ε, μ, σ from {lowest:e} Hz to {highest:e} Hz")
+                write!(
+                    f,
+                    "its refractive index is not known here, only its ε, μ, σ from {lowest:e} Hz to {highest:e} Hz"
+                )
             }
             (None, None) => write!(f, "its refractive index is not known here"),
         }

@@ -6,8 +6,7 @@ use std::f64::consts::TAU;
 #[test]
 fn skin_depths_are_the_published_ones() {
     // Copper at 50 Hz and 1 GHz (Pozar, Microwave Engineering, example 1.2, scaled to 58 MS/m), sea water at 10 kHz.
-    for (name, frequency, depth) in [("copper", 50.0, 9.35e-3), ("copper", 1e9, 2.09e-6), ("sea-water", 1e4, 2.30)]
-    {
+    for (name, frequency, depth) in [("copper", 50.0, 9.35e-3), ("copper", 1e9, 2.09e-6), ("sea-water", 1e4, 2.30)] {
         let found = named(name).unwrap().wave(frequency).unwrap().skin_depth;
         assert!((found / depth - 1.0).abs() < 3e-3, "{name} {frequency}: {found}");
     }

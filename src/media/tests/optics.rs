@@ -268,11 +268,7 @@ fn interpolation_has_no_kink_at_a_row() {
                 let chords = [(before, row), (row, after)].map(|(a, b)| ((b[c + 1] - a[c + 1]) / (b[0] - a[0])).abs());
                 let turn = ((right[c] - here[c]) - (here[c] - left[c])).abs() / step;
                 let rounding = 1e-14 * here[c] / step;
-                assert!(
-                    turn <= 0.01 * (chords[0] + chords[1]) + rounding,
-                    "{name} at {} µm: {turn}",
-                    row[0]
-                );
+                assert!(turn <= 0.01 * (chords[0] + chords[1]) + rounding, "{name} at {} µm: {turn}", row[0]);
             }
         }
     }
