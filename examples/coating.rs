@@ -2,8 +2,8 @@
 
 use light::Complex64;
 use light::Polarisation;
+use light::media::named;
 use light::optics::film::{Layer, Stack};
-use light::optics::material::named;
 use light::optics::{Incidence, fresnel};
 
 /// The wavelength [m] that the films are a quarter of.

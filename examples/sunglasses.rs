@@ -1,10 +1,11 @@
 //! How much of the glare off a wet road a polarising filter takes away, by the height of the sun.
 
 use light::Complex64;
-use light::optics::{Incidence, fresnel, material};
+use light::media;
+use light::optics::{Incidence, fresnel};
 
 fn main() {
-    let water = material::named("water").and_then(|water| water.index(550e-9).ok()).unwrap_or(Complex64::from(1.33));
+    let water = media::named("water").and_then(|water| water.index(550e-9).ok()).unwrap_or(Complex64::from(1.33));
     println!("sun above the horizon    glare    through the filter");
     for height in (5..=85).step_by(10).map(f64::from) {
         let incidence = Incidence::from_angle((90.0 - height).to_radians());

@@ -24,16 +24,18 @@
 //! | the same as the lecture writes it | [`optics::textbook`] | `fresnel/digits` |
 //! | Schlick and its descendants | [`optics::schlick`] | `fresnel/schlick` |
 //! | stacks of films | [`optics::film`] | `fresnel/films` |
-//! | real media | [`optics::material`] | every step, by name |
-//! | plane waves in lossy media, by name too | [`waves::plane`], [`waves::substance`] | `plane-wave` |
+//! | media by name: indices, (ε, μ, σ) | [`media`] | every step, by name |
+//! | plane waves in lossy media | [`waves::plane`] | `plane-wave` |
 //! | pulses by their spectra | [`waves::harmonics`] | `plane-wave` |
 //! | energy flow, its averages and its balance | [`waves::flux`], [`waves::energy`] | `poynting` |
 //! | phases after any number of periods | [`waves::phase`] | `poynting` |
-//! | conduction, a stiff equation | [`waves::conduction`] | `maxwell` |
+//! | conduction, a stiff equation, and its solver | [`waves::conduction`], [`waves::radau`] | `maxwell/conduction` |
+//! | s and p | [`Polarisation`] | everywhere |
 //! | references in arbitrary precision, condition numbers | `references` | every stress |
 
 pub mod em;
 pub mod fields;
+pub mod media;
 pub mod optics;
 mod polarisation;
 #[cfg(any(test, feature = "references"))]

@@ -271,7 +271,7 @@ const METALS: Check<fn(&Powers) -> f64> =
 
 fn dip_of_metals(_: &mut Bench, share: fn(&Powers) -> f64) -> Measured {
     Measured::worst(["aluminium", "chromium"].into_iter().map(|name| {
-        let index = light::optics::material::named(name).and_then(|material| material.index(550e-9).ok());
+        let index = light::media::named(name).and_then(|material| material.index(550e-9).ok());
         let index = index.unwrap_or(Complex64::new(f64::NAN, 0.0));
         let at = |degrees: u32| share(&powers(Incidence::from_angle(f64::from(degrees).to_radians()), 1.0, index));
         let least = (1..90).map(at).fold(f64::INFINITY, |least, share| if share < least { share } else { least });
@@ -310,7 +310,7 @@ fn dips(setting: &Setting) -> Plot {
     let own = interface(setting);
     let mut absorbing = axes("absorbing media at 550 nm, and the setting");
     for (at, name) in ["gold", "aluminium", "chromium", "silicon"].into_iter().enumerate() {
-        let medium = light::optics::material::named(name).and_then(|material| material.index(550e-9).ok());
+        let medium = light::media::named(name).and_then(|material| material.index(550e-9).ok());
         if let Some(index) = medium {
             absorbing = absorbing.line(Hue::Nth(at as u8), name, relative(1.0, index));
         }

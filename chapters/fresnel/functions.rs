@@ -6,9 +6,9 @@ use crate::parameter::{
 };
 use light::Complex64;
 use light::Polarisation;
+use light::media::Medium;
 use light::optics::film::{Layer, Stack};
 use light::optics::fresnel::{amplitudes, powers};
-use light::optics::material::Medium;
 use light::optics::schlick::{normal_reflectance, schlick_by_versine};
 use light::optics::{Direction, Incidence};
 
@@ -198,7 +198,7 @@ fn incidence(setting: &Setting) -> Incidence {
 mod tests {
     use super::*;
     use crate::parameter::Argument;
-    use light::optics::material;
+    use light::media;
 
     fn call(function: &Function, given: &[(&str, Argument)]) -> Result<Vec<(&'static str, f64)>, Fault> {
         let given: Vec<_> = given.iter().map(|(name, argument)| ((*name).to_owned(), argument.clone())).collect();
@@ -266,7 +266,7 @@ mod tests {
             let rest = [("n_i", 1.0.into()), ("theta", "45deg".into()), ("wavelength", "550nm".into())];
             call(&FRESNEL, &[&rest, medium].concat())
         };
-        let index = Medium::Material(material::named("gold").unwrap()).index(550.0 * NM).unwrap();
+        let index = Medium::Named(media::named("gold").unwrap()).index(550.0 * NM).unwrap();
         let numbers = at(&[("n2", index.re.into()), ("k2", index.im.into())]);
         assert_eq!(at(&[("n_t", "gold".into())]), numbers);
         assert_eq!(at(&[("n_t", Argument::record([("n", index.re.into()), ("k", index.im.into())]))]), numbers);

@@ -124,7 +124,7 @@ fn approach(setting: &Setting) -> Plot {
             .collect()
     };
     let mut chart = Chart::new("", Axis::log("cos θ_1", ""), Axis::log("1 − R_n", ""));
-    let at = |name: &str| light::optics::material::named(name).and_then(|material| material.index(550e-9).ok());
+    let at = |name: &str| light::media::named(name).and_then(|material| material.index(550e-9).ok());
     for (hue, name) in ["bk7", "silicon", "gold", "silver"].into_iter().enumerate() {
         if let Some(index) = at(name) {
             chart = chart.line(Hue::Nth(hue as u8), name, curve(1.0, index));

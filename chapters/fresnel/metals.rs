@@ -14,9 +14,9 @@ use equation::value::Bindings;
 use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
 use light::Polarisation;
+use light::media::{self, Medium};
 use light::optics::fresnel::{Amplitudes, Powers, amplitudes, brewster_angle, critical_angle, powers};
 use light::optics::incidence::{normal_squared, outgoing_root};
-use light::optics::material::{self, Medium};
 use light::optics::schlick::normal_reflectance;
 use light::optics::{Direction, Incidence};
 use light::references::fresnel::{Exact, Input, NAMES};
@@ -284,7 +284,7 @@ const MEASURED_MIRRORS: [(&str, f64, f64); 12] = [
 
 fn against_mirrors(_: &mut Bench, reflectance: fn(Complex64) -> f64) -> Measured {
     Measured::worst(MEASURED_MIRRORS.map(|(name, nanometres, measured)| {
-        let index = material::named(name).and_then(|metal| metal.index(nanometres * 1e-9).ok());
+        let index = media::named(name).and_then(|metal| metal.index(nanometres * 1e-9).ok());
         (index.map_or(f64::NAN, reflectance) - measured, format!("{name}, {nanometres} nm"))
     }))
 }
@@ -342,10 +342,10 @@ fn traces(_: &Setting) -> Vec<Extreme> {
 /// Curves of normal-incidence reflectance: four metals, and the setting's medium if it is another.
 fn over_the_visible(setting: &Setting) -> Plot {
     let (from, own) = (setting.medium("n_i"), setting.medium("n_t"));
-    let metals = ["silver", "aluminium", "gold", "copper"].map(|name| material::named(name).expect("a listed metal"));
-    let mut media: Vec<(&str, Medium)> = metals.iter().map(|metal| (metal.name, Medium::Material(metal))).collect();
+    let metals = ["silver", "aluminium", "gold", "copper"].map(|name| media::named(name).expect("a listed metal"));
+    let mut media: Vec<(&str, Medium)> = metals.iter().map(|metal| (metal.name, Medium::Named(metal))).collect();
     if media.iter().all(|(_, medium)| *medium != own) {
-        media.push((if let Medium::Material(material) = own { material.name } else { "n_2" }, own));
+        media.push((if let Medium::Named(known) = own { known.name } else { "n_2" }, own));
     }
     let mut chart = Chart::new(
         "",

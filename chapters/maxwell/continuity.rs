@@ -11,8 +11,8 @@ use light::em::ledger::Balance;
 use light::em::line::{self, Ends};
 use light::em::plane::{Plane, Region, Setup, Sides};
 use light::em::{C, Line, Medium, Pulse, Stepping, Z_0};
+use light::media;
 use light::waves::constants::EPSILON_0;
-use light::waves::substance;
 use yardstick::random::uniform;
 
 pub(super) const EXHIBIT: Exhibit = exhibit("continuity", &[], &[]);
@@ -69,7 +69,7 @@ fn readout(_: &Setting) -> Vec<Quantity> {
             key, symbol: "ε/σ", says, value: epsilon / sigma, unit: "s"
         };
     let named = |key, says, name| {
-        let medium = substance::named(name).and_then(|substance| substance.medium(50.0).ok()).expect("known at 50 Hz");
+        let medium = media::named(name).and_then(|substance| substance.medium(50.0).ok()).expect("known at 50 Hz");
         forgets(key, says, medium.epsilon(), medium.sigma())
     };
     vec![

@@ -4,7 +4,7 @@ use super::argument::Argument;
 use super::medium::{CONDUCTIVITY, CONDUCTOR_DOMAIN, INDEX_MAX, INDEX_MIN, RELATIVE, Taken, read_conductor};
 use super::quantity::{Range, Scale, number, suffixes};
 use super::{Fault, Parameter, Setting, Value, excerpt};
-use light::waves::substance::SUBSTANCES;
+use light::media;
 
 /// What a parameter may be.
 #[derive(Clone, Copy, Debug)]
@@ -174,7 +174,7 @@ impl Kind {
                 ("eps_r", pair(RELATIVE)),
                 ("mu_r", pair(RELATIVE)),
                 ("sigma", pair(CONDUCTIVITY)),
-                ("names", Argument::words(SUBSTANCES.iter().map(|substance| substance.name))),
+                ("names", Argument::words(media::electric().map(|known| known.name))),
             ]),
             Self::List { of, most } => fields.extend([("most", (*most as f64).into()), ("of", of.describe())]),
             Self::Record(parameters) => {

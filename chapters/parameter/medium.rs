@@ -3,8 +3,7 @@
 use super::argument::{Argument, shortest};
 use super::{Fault, excerpt};
 use light::Complex64;
-use light::optics::material::{self, Medium};
-use light::waves::substance::{self, Substance};
+use light::media::{self, Medium, Substance};
 use light::waves::{self, Wave};
 use std::f64::consts::TAU;
 use std::fmt;
@@ -117,13 +116,14 @@ impl Taken {
     /// The materials that may be meant by name. Clear at every wavelength at which they were measured: both ends and
     /// the middle tell, since the sources give clear media no absorption at all.
     pub fn names(self) -> impl Iterator<Item = &'static str> {
-        let is_clear = |material: &material::Material| {
-            let (shortest, longest) = material.range;
-            let at = [shortest, (shortest * longest).sqrt(), longest];
-            at.iter().all(|wavelength| material.index(*wavelength).is_ok_and(|index| index.im == 0.0))
+        let is_clear = |known: &Substance| {
+            known.optics.as_ref().is_some_and(|optics| {
+                let (shortest, longest) = optics.range;
+                let at = [shortest, (shortest * longest).sqrt(), longest];
+                at.iter().all(|wavelength| optics.index(*wavelength).is_some_and(|index| index.im == 0.0))
+            })
         };
-        let taken = move |material: &&material::Material| self == Self::All || is_clear(material);
-        material::MATERIALS.iter().filter(taken).map(|material| material.name)
+        media::optical().filter(move |known| self == Self::All || is_clear(known)).map(|known| known.name)
     }
 
     /// Reads an index (a number, a text, or the fields n and k) or a name. Whether a named medium absorbs is judged at
@@ -142,11 +142,15 @@ impl Taken {
 
     fn parse(self, text: &str) -> Result<Medium, Fault> {
         let text = text.trim();
-        if let Some(material) = material::named(text) {
-            return Ok(Medium::Material(material));
+        let known = media::named(text);
+        if let Some(found) = known.filter(|known| known.optics.is_some()) {
+            return Ok(Medium::Named(found));
         }
         let index = parse_index(text).ok_or_else(|| {
-            let message = format!("`{}` is neither an index nor a material; {}", excerpt(text), self.words());
+            let message = match known {
+                Some(known) => format!("the refractive index of {} is not known here; {}", known.name, self.words()),
+                None => format!("`{}` is neither an index nor a material; {}", excerpt(text), self.words()),
+            };
             Fault::unknown("", text, message, self.names())
         })?;
         self.constant(index, text)
@@ -227,7 +231,7 @@ fn parse_index(text: &str) -> Option<Complex64> {
 /// A medium as it would stand on a command line, and as a number where it is one.
 pub(super) fn write_medium(medium: Medium) -> Argument {
     match medium {
-        Medium::Material(material) => material.name.into(),
+        Medium::Named(known) => known.name.into(),
         Medium::Constant(index) if index.im == 0.0 => index.re.into(),
         Medium::Constant(index) => format!("{}+{}i", shortest(index.re), shortest(index.im)).into(),
     }
@@ -239,14 +243,18 @@ pub(super) fn write_medium(medium: Medium) -> Argument {
 /// A fault at `place`, which says what would be valid.
 pub fn parse_conductor(place: &str, text: &str) -> Result<Conductor, Fault> {
     let text = text.trim();
-    if let Some(found) = substance::named(text) {
+    let known = media::named(text);
+    if let Some(found) = known.filter(|known| known.electric.is_some()) {
         return Ok(Conductor::Substance(found));
     }
     let mut parts = text.split('/').map(|part| part.trim().parse::<f64>().ok());
     let numbers = [parts.next().flatten(), parts.next().flatten(), parts.next().flatten()];
     let ([Some(epsilon_r), Some(mu_r), Some(sigma)], None) = (numbers, parts.next()) else {
-        let names = substance::SUBSTANCES.iter().map(|found| found.name);
-        let message = format!("`{}` is neither ε_r/μ_r/σ (80/1/4) nor a medium", excerpt(text));
+        let names = media::electric().map(|known| known.name);
+        let message = match known {
+            Some(known) => format!("ε, μ, σ of {} are not known here", known.name),
+            None => format!("`{}` is neither ε_r/μ_r/σ (80/1/4) nor a medium", excerpt(text)),
+        };
         return Err(Fault::unknown(place, text, message, names));
     };
     conductor([epsilon_r, mu_r, sigma], text).map_err(|fault| fault.within(place))

@@ -5,7 +5,7 @@ use super::{
     excerpt,
 };
 use light::Complex64;
-use light::optics::material::Medium;
+use light::media::Medium;
 use light::waves::constants::C;
 use std::borrow::Cow;
 use std::f64::consts::TAU;

@@ -2,7 +2,7 @@
 
 use super::medium::write_medium;
 use super::{Argument, Conductor, Setting};
-use light::optics::material::Medium;
+use light::media::Medium;
 
 /// A value in force.
 #[derive(Clone, Debug, PartialEq)]

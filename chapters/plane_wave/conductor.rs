@@ -15,9 +15,9 @@ use equation::derivation::Chain;
 use equation::expr::{curl, divergence, dot, exp, i, laplacian, partial, pi, ratio, sqrt, tan, vector};
 use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
+use light::media;
 use light::references::waves::{NAMES, PlaneWave, flat};
 use light::waves::constants::EPSILON_0;
-use light::waves::substance::{self, SUBSTANCES};
 use light::waves::{Medium, Wave, textbook};
 use std::f64::consts::{PI, TAU};
 use yardstick::initial_value::runge_kutta;
@@ -272,7 +272,7 @@ fn families() -> Vec<Family> {
     let metals: Vec<_> = powers(4, 12).flat_map(|sigma| [(1.0, 1.0, sigma), (1.0, 5000.0, sigma)]).collect();
     let beyond: Vec<_> = powers(20, 300).step_by(40).map(|sigma| (1.0, 1.0, sigma)).collect();
     let known =
-        SUBSTANCES.iter().flat_map(|known| frequencies.map(|f| Some((known.medium(f).ok()?, TAU * f)))).flatten();
+        media::electric().flat_map(|known| frequencies.map(|f| Some((known.medium(f).ok()?, TAU * f)))).flatten();
     vec![
         ("a trace of conduction", with(&traces)),
         ("neither one nor the other", with(&between)),
@@ -386,7 +386,7 @@ fn skin_depths(setting: &Setting) -> Plot {
         Axis::log("frequency f", "Hz").range(1.0, 1e15),
         Axis::log("skin depth δ", "m").range(1e-9, 1e4),
     );
-    let known: Vec<_> = DRAWN.iter().filter_map(|name| substance::named(name)).collect();
+    let known: Vec<_> = DRAWN.iter().filter_map(|name| media::named(name)).collect();
     for (at, known) in known.iter().enumerate() {
         chart = chart.line(Hue::Nth(at as u8), known.name, depths(Conductor::Substance(known)));
     }

@@ -1,9 +1,8 @@
-//! Optics of plane waves: interfaces, films, and the media they are made of.
+//! Optics of plane waves: interfaces and films.
 
 pub mod film;
 pub mod fresnel;
 pub mod incidence;
-pub mod material;
 pub mod schlick;
 pub mod textbook;
 

@@ -10,7 +10,6 @@ pub mod phase;
 pub mod plane;
 pub mod radau;
 mod scaled;
-pub mod substance;
 pub mod textbook;
 
 pub use plane::{Invalid, Medium, Wave};

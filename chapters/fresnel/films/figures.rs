@@ -5,8 +5,8 @@ use super::{Films, film, mirror};
 use crate::figure::{Axis, Chart, Hue, Map, Plot, Ramp};
 use crate::parameter::{DEFAULT_WAVELENGTH, Setting};
 use light::Polarisation;
+use light::media::{self, Medium};
 use light::optics::film::Layer;
-use light::optics::material::{self, Medium};
 use light::optics::{Direction, Incidence};
 use std::f64::consts::FRAC_PI_2;
 
@@ -41,7 +41,7 @@ pub(super) fn antireflection(setting: &Setting) -> Plot {
 /// The setting's substrate under films of the named materials, `quarters` quarter waves of 550 nm thick.
 fn coated(setting: &Setting, coats: &[(&str, f64)], wavelength: f64) -> Option<Films> {
     let layers = coats.iter().map(|&(name, quarters)| {
-        let medium = Medium::Material(material::named(name)?);
+        let medium = Medium::Named(media::named(name)?);
         let design = medium.index(DEFAULT_WAVELENGTH).ok()?.re;
         Some(Layer { index: medium.index(wavelength).ok()?, thickness: quarters * DEFAULT_WAVELENGTH / (4.0 * design) })
     });

@@ -8,9 +8,10 @@ use equation::Expr;
 use equation::expr::cos;
 use equation::value::Bindings;
 use light::Complex64;
+use light::media;
+use light::optics::Incidence;
 use light::optics::fresnel::powers;
 use light::optics::schlick::{Dipped, normal_reflectance, schlick, schlick_rarer_side};
-use light::optics::{Incidence, material};
 use yardstick::precise;
 use yardstick::random::uniform;
 
@@ -150,7 +151,7 @@ fn for_metals(_: &mut Bench, at_82: fn(f64, f64) -> f64) -> Measured {
     let wavelengths = [400e-9, 450e-9, 500e-9, 550e-9, 600e-9, 650e-9, 700e-9];
     let cases = metals.into_iter().flat_map(|name| wavelengths.map(|wavelength| (name, wavelength)));
     Measured::worst(cases.flat_map(|(name, wavelength)| {
-        let index = material::named(name).and_then(|metal| metal.index(wavelength).ok());
+        let index = media::named(name).and_then(|metal| metal.index(wavelength).ok());
         let n_t = index.unwrap_or(Complex64::new(f64::NAN, 0.0));
         let exact = move |cos_i| powers(Incidence::from_cos(cos_i), 1.0, n_t).r_n();
         let r_0 = normal_reflectance(1.0, n_t);

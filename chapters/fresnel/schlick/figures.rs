@@ -5,9 +5,10 @@ use super::GLASS_INDEX;
 use crate::figure::{Axis, Chart, Hue, Map, Panel, Plot, Ramp};
 use crate::parameter::Setting;
 use light::Complex64;
+use light::media;
+use light::optics::Incidence;
 use light::optics::fresnel::{critical_angle, powers};
 use light::optics::schlick::{Dipped, normal_reflectance, schlick, schlick_rarer_side};
-use light::optics::{Incidence, material};
 use std::f64::consts::FRAC_PI_2;
 
 /// Relative indices shown, from a quarter to four.
@@ -51,7 +52,7 @@ fn error_panel(title: &str, approximate: impl Fn(f64, f64) -> f64) -> Panel {
 
 pub(super) fn curves(setting: &Setting) -> Plot {
     let own = interface(setting);
-    let aluminium = material::named("aluminium").and_then(|metal| metal.index(800e-9).ok()).expect("a listed metal");
+    let aluminium = media::named("aluminium").and_then(|metal| metal.index(800e-9).ok()).expect("a listed metal");
     let panels = vec![
         panel("the setting", own.n_i, own.n_t),
         panel("out of glass", GLASS_INDEX, 1.0.into()),

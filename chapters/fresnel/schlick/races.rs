@@ -5,16 +5,17 @@ use super::checks::{DIPPED_ERROR, GLASS_ERROR};
 use crate::parameter::DEFAULT_WAVELENGTH;
 use crate::vocabulary::{Expects, Heat, Measured, Race, lane, race};
 use light::Complex64;
+use light::media;
 use light::optics::fresnel::{natural_reflectance, natural_reflectance_absorbing, powers};
 use light::optics::schlick::{Dipped, normal_reflectance, schlick, schlick_rarer_side};
-use light::optics::{Direction, Incidence, material};
+use light::optics::{Direction, Incidence};
 use light::references::fresnel::{Exact, Input, NAMES};
 use std::hint::black_box;
 use yardstick::precise;
 
 /// The metal of the races, chosen for its deep dip.
 fn metal() -> Complex64 {
-    material::named("chromium").and_then(|metal| metal.index(DEFAULT_WAVELENGTH).ok()).expect("a listed metal")
+    media::named("chromium").and_then(|metal| metal.index(DEFAULT_WAVELENGTH).ok()).expect("a listed metal")
 }
 
 const EVALUATIONS: &[u64] = &[1 << 10, 1 << 12, 1 << 14];

@@ -7,6 +7,12 @@
 //! Brewster's angle. They never appear here; with q_i² − q_t² = n_i² − n_t² each is replaced by a product whose
 //! factors are differences of *inputs*, which are exact. Sums of products of one sign need no such care.
 
+mod angles;
+mod natural;
+
+pub use angles::{Dip, brewster_angle, critical_angle, dip, evanescent_depth, refract};
+pub use natural::{diffuse_reflectance, natural_reflectance, natural_reflectance_absorbing};
+
 use super::incidence::{Incidence, brewster_balance, normal_squared, outgoing_root};
 use num_complex::Complex64;
 
@@ -229,153 +235,20 @@ fn upward_root(square: Complex64) -> Complex64 {
     Complex64::new(-root.re, root.im)
 }
 
-/// Angle of incidence [rad] at which p is not reflected at all between clear media: tan θ_B = n_t/n_i.
-pub fn brewster_angle(n_i: f64, n_t: f64) -> f64 {
-    n_t.atan2(n_i)
-}
-
-/// Angle of incidence [rad] from which on everything is reflected, sin θ_c = n_t/n_i; `None` into the denser medium.
-pub fn critical_angle(n_i: f64, n_t: f64) -> Option<f64> {
-    // atan2 keeps the digits that asin would lose at n_t ≈ n_i, where cos θ_c = √((n_i − n_t)(n_i + n_t))/n_i.
-    (n_t < n_i).then(|| n_t.atan2(((n_i - n_t) * (n_i + n_t)).sqrt()))
-}
-
-/// Snell's law (E33): sin θ_t = n_i sin θ_i / n_t between clear media, as the refracted direction;
-/// `None` beyond the critical angle. Cosine and sine both keep their digits.
-pub fn refract(incidence: Incidence, n_i: f64, n_t: f64) -> Option<(f64, f64)> {
-    let q2 = normal_squared(incidence, n_i, Complex64::new(n_t, 0.0)).re;
-    (q2 >= 0.0).then(|| (n_i * incidence.sin() / n_t, q2.sqrt() / n_t))
-}
-
-/// 1/e depth of the *field* behind a totally reflecting interface over the vacuum wavelength [1]:
-/// 1/(2π |q_t|); infinite at and below the critical angle (E33, C13).
-pub fn evanescent_depth(incidence: Incidence, n_i: f64, n_t: f64) -> f64 {
-    let q_t = outgoing_root(normal_squared(incidence, n_i, Complex64::new(n_t, 0.0)));
-    1.0 / (std::f64::consts::TAU * q_t.im)
-}
-
-/// The least reflectance of natural light, where that is not at normal incidence.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Dip {
-    /// Angle of incidence [rad].
-    pub theta: f64,
-    /// R_n there [1].
-    pub r_n: f64,
-}
-
-/// The dip of R_n between clear media of relative index `n` = n_t/n_i (C11); `None` for 2−√3 ≤ n ≤ 2+√3, where R_n
-/// rises from normal incidence on. In x = q_t/q_i, R_n is stationary at x + n²/x = (n⁴ − 6n² + 1)/(n² + 1), and
-/// there equals ½ − 2n²/(n² − 1)².
-pub fn dip(n: f64) -> Option<Dip> {
-    let n2 = n * n;
-    let sum = (n2 * n2 - 6.0 * n2 + 1.0) / (n2 + 1.0);
-    // (n² + 1)(sum − 2n) = (n² − 4n + 1)(n + 1)²: what is under the root vanishes at the threshold.
-    let excess = (n2 - 4.0 * n + 1.0) * (n + 1.0) * (n + 1.0) / (n2 + 1.0);
-    if excess <= 0.0 {
-        return None;
-    }
-    let root = (excess * (sum + 2.0 * n)).sqrt();
-    // tan² θ = (x² − n²)/(n² − 1) with x − n = (excess + root)/2 from outside; from inside x is n² over that one.
-    let (beyond, outer) = (0.5 * (excess + root), 0.5 * (sum + root));
-    let difference = if n > 1.0 { beyond * (outer + n) } else { n * beyond / outer * (n + n2 / outer) };
-    let contrast = (n - 1.0) * (n + 1.0);
-    Some(Dip { theta: (difference / contrast.abs()).sqrt().atan(), r_n: 0.5 - 2.0 * n2 / (contrast * contrast) })
-}
-
-/// Reflectance [1] of a plane interface under diffuse light from a rarer clear medium, 2∫R_n cos θ d(cos θ), for the
-/// relative index n > 1 in closed form (Walsh 1926, *The reflection factor of a polished glass surface for diffused
-/// light*; Duntley 1942, J. Opt. Soc. Am. 32, 61). A reference: it cancels as n → 1.
-pub fn diffuse_reflectance(n: f64) -> f64 {
-    let n2 = n * n;
-    let (sum, fourth) = (n2 + 1.0, n2 * n2 - 1.0);
-    0.5 + (n - 1.0) * (3.0 * n + 1.0) / (6.0 * (n + 1.0) * (n + 1.0))
-        + n2 * (n2 - 1.0) * (n2 - 1.0) / (sum * sum * sum) * ((n - 1.0) / (n + 1.0)).ln()
-        - 2.0 * n2 * n * (n2 + 2.0 * n - 1.0) / (sum * fourth)
-        + 8.0 * n2 * n2 * (n2 * n2 + 1.0) / (sum * fourth * fourth) * n.ln()
-}
-
-/// R_n [1] of natural light between clear media, for many cosines of incidence (0 … 1) at once.
-///
-/// # Panics
-/// If the slices differ in length.
-pub fn natural_reflectance(cos_i: &[f64], n_i: f64, n_t: f64, out: &mut [f64]) {
-    fill::<false>(cos_i, n_i, n_t.into(), out);
-}
-
-/// R_n [1] of natural light into an absorbing medium, for many cosines of incidence (0 … 1) at once.
-///
-/// # Panics
-/// If the slices differ in length.
-pub fn natural_reflectance_absorbing(cos_i: &[f64], n_i: f64, n_t: Complex64, out: &mut [f64]) {
-    fill::<true>(cos_i, n_i, n_t, out);
-}
-
-/// The products of [`powers`] over n_i², with one division each and no branch, so that the compiler can work on
-/// several at a time. A clear medium leaves out what absorption would add.
-fn fill<const ABSORBING: bool>(cos_i: &[f64], n_i: f64, n_t: Complex64, out: &mut [f64]) {
-    assert_eq!(cos_i.len(), out.len());
-    let index2 = square(n_t / n_i);
-    let kappa = n_t.im / n_i;
-    let contrast = Complex64::new(((n_t.re - n_i) / n_i) * ((n_t.re + n_i) / n_i) - kappa * kappa, index2.im);
-    let contrast2 = contrast.norm_sqr();
-    if contrast2 == 0.0 && !ABSORBING {
-        return out.fill(0.0);
-    }
-    // As in `normal_squared`.
-    let normal_squared = |cos2: f64, sin2: f64| if cos2 < 0.5 { contrast.re + cos2 } else { index2.re - sin2 };
-    let outwards = 0.0 < index2.re && index2.re < 1.0;
-    for (out, &cos) in out.iter_mut().zip(cos_i) {
-        let (cos2, sin2) = (cos * cos, (1.0 - cos) * (1.0 + cos));
-        let q2 = normal_squared(cos2, sin2);
-        // As in `brewster_balance`.
-        let balance = if outwards { q2 - index2.re * sin2 } else { index2.re * cos2 - sin2 };
-        let (s, p, balance2);
-        if ABSORBING {
-            let modulus = (q2 * q2 + index2.im * index2.im).sqrt();
-            let larger = ((q2.abs() + modulus) * 0.5).sqrt();
-            let smaller = 0.5 * index2.im / larger.max(f64::MIN_POSITIVE);
-            let q = if q2 >= 0.0 { (larger, smaller) } else { (smaller, larger) };
-            let (s_re, p_re, p_im) = (cos + q.0, index2.re * cos + q.0, index2.im * cos + q.1);
-            (s, p) = (s_re * s_re + q.1 * q.1, p_re * p_re + p_im * p_im);
-            let turned = index2.im * cos2;
-            balance2 = balance * balance + turned * turned;
-        } else {
-            let root = q2.max(0.0).sqrt();
-            let (s_re, p_re) = (cos + root, index2.re * cos + root);
-            (s, p, balance2) = (s_re * s_re, p_re * p_re, balance * balance);
-        }
-        let both = s * p;
-        let share = 0.5 * contrast2 * (p * p + balance2 * (s * s)) / (both * both);
-        *out = if ABSORBING || q2 > 0.0 { share } else { 1.0 };
-    }
-    if ABSORBING {
-        // A trace of absorption near the critical angle, or at the faintest grazing contrast, needs the care that
-        // a batch has no room for.
-        for (out, &cos) in out.iter_mut().zip(cos_i) {
-            let (cos2, sin2) = (cos * cos, (1.0 - cos) * (1.0 + cos));
-            let q2 = normal_squared(cos2, sin2).abs();
-            let size = if cos2 < 0.5 { contrast.re.abs() } else { index2.re.abs() };
-            if q2 < size / 64.0 || q2 + cos2 < 1e-60 {
-                *out = powers(Incidence::from_cos(cos), n_i, n_t).r_n();
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn index() -> impl Strategy<Value = f64> {
+    pub fn index() -> impl Strategy<Value = f64> {
         prop_oneof![0.3..5.0, Just(1.0), Just(1.5)]
     }
 
-    fn extinction() -> impl Strategy<Value = f64> {
+    pub fn extinction() -> impl Strategy<Value = f64> {
         prop_oneof![Just(0.0), 1e-12..1e-3, 0.0..8.0]
     }
 
-    fn angle() -> impl Strategy<Value = f64> {
+    pub fn angle() -> impl Strategy<Value = f64> {
         prop_oneof![
             Just(0.0),
             0.0..1.57,
@@ -422,24 +295,6 @@ mod tests {
         }
 
         #[test]
-        fn batches_agree_with_single_evaluations(theta in angle(), n_i in index(), n in index(), k in extinction()) {
-            let incidence = Incidence::from_cos(theta.cos());
-            let (mut clear, mut absorbing) = ([0.0], [0.0]);
-            natural_reflectance(&[incidence.cos()], n_i, n, &mut clear);
-            natural_reflectance_absorbing(&[incidence.cos()], n_i, Complex64::new(n, k), &mut absorbing);
-            let one_by_one = powers(incidence, n_i, Complex64::new(n, k)).r_n();
-            if k > 1e-3 {
-                prop_assert!((absorbing[0] / one_by_one - 1.0).abs() < 1e-12, "{} {one_by_one}", absorbing[0]);
-            }
-            let exact = powers(incidence, n_i, Complex64::from(n)).r_n();
-            // Both are within a few ε(1 + κ); κ of R near the critical angle goes as 1/|q_t|².
-            let q2 = normal_squared(incidence, n_i, Complex64::from(n)).re.abs() / (n_i * n_i);
-            let contrast = (n / n_i - 1.0).abs();
-            let tolerance = 16.0 * f64::EPSILON * (1.0 + 10.0 / q2 + 10.0 / contrast.max(1e-300));
-            prop_assert!((clear[0] - exact).abs() <= tolerance * exact.max(f64::MIN_POSITIVE), "{} {exact}", clear[0]);
-        }
-
-        #[test]
         fn vanishing_absorption_changes_nothing(theta in angle(), n_i in index(), n in index()) {
             let incidence = Incidence::from_angle(theta);
             let clear = amplitudes(incidence, n_i, Complex64::from(n));
@@ -447,37 +302,6 @@ mod tests {
             for (a, b) in [(clear.r_s, traced.r_s), (clear.t_s, traced.t_s), (clear.r_p, traced.r_p), (clear.t_p, traced.t_p)] {
                 prop_assert!(close(a, b, 1e-15), "{a} {b}");
             }
-        }
-    }
-
-    #[test]
-    fn the_critical_angle_is_crossed_without_a_step() {
-        for (n_i, n_t) in [(1.5, 1.0), (2.4, 1.0), (1.5, 1.33), (1.0, 0.999)] {
-            let critical = critical_angle(n_i, n_t).unwrap();
-            for offset in [1e-15, 1e-12, 1e-9, 1e-6] {
-                let [below, above] = [critical - offset, critical + offset]
-                    .map(|theta| amplitudes(Incidence::from_angle(theta), n_i, Complex64::from(n_t)));
-                // r − r_c goes as the square root of the distance, times 1/cos θ_c and, for p, (n_i/n_t)².
-                let allowed = 12.0 * (offset + 2e-16).sqrt() / critical.cos().powf(1.5) * (n_i / n_t).powi(2);
-                assert!((below.r_s - above.r_s).norm() <= allowed, "{n_i} {n_t} {offset}");
-                assert!((below.r_p - above.r_p).norm() <= allowed, "{n_i} {n_t} {offset}");
-            }
-        }
-    }
-
-    #[test]
-    fn diffuse_reflectance_has_the_published_values() {
-        // Walsh's factor for n = 1.5 as tabulated by Duntley (1942): 0.092.
-        assert!((diffuse_reflectance(1.5) - 0.0918).abs() < 5e-5);
-        for n in [1.1, 1.33, 1.5, 2.4] {
-            let rule = yardstick::quadrature::gauss_legendre(64);
-            let integral: f64 = rule
-                .iter()
-                .map(|&(cos, weight)| {
-                    weight * 2.0 * cos * powers(Incidence::from_cos(cos), 1.0, Complex64::from(n)).r_n()
-                })
-                .sum();
-            assert!((integral - diffuse_reflectance(n)).abs() < 1e-12, "{n}");
         }
     }
 

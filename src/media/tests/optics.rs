@@ -1,7 +1,9 @@
 //! Every family against two sources that share no numbers: another laboratory, another formula, a catalogue's own lines.
 
-use super::dispersion::Dispersion::{Gas, LorentzDrude, Sellmeier, Table};
-use super::*;
+use crate::media::Dispersion::{Gas, LorentzDrude, Sellmeier, Table};
+use crate::media::optics::Nanometres;
+use crate::media::{Dispersion, Medium, Optics, Oscillator, Row, Substance, named, optical};
+use num_complex::Complex64;
 use proptest::prelude::*;
 
 /// Spectral lines [m] as catalogues name them.
@@ -205,29 +207,34 @@ fn oscillators_are_summed_as_elsewhere() {
     }
 }
 
-fn tables() -> impl Iterator<Item = (&'static Material, &'static [Row])> {
-    MATERIALS.iter().filter_map(|material| match material.dispersion {
-        Table(rows) => Some((material, rows)),
+/// Every medium of which an index is known, with it.
+fn indices() -> impl Iterator<Item = (&'static str, &'static Optics)> {
+    optical().filter_map(|known| Some((known.name, known.optics.as_ref()?)))
+}
+
+fn tables() -> impl Iterator<Item = (&'static str, &'static Optics, &'static [Row])> {
+    indices().filter_map(|(name, optics)| match optics.dispersion {
+        Table(rows) => Some((name, optics, rows)),
         _ => None,
     })
 }
 
 #[test]
 fn tables_rise_in_wavelength_and_hold_their_range() {
-    for (material, rows) in tables() {
-        assert!(rows.is_sorted_by(|a, b| a[0] < b[0]), "{}", material.name);
+    for (name, optics, rows) in tables() {
+        assert!(rows.is_sorted_by(|a, b| a[0] < b[0]), "{name}");
         let (shortest, longest) = (rows[0][0] * 1e-6, rows[rows.len() - 1][0] * 1e-6);
         let slack = 1.0 + 4.0 * f64::EPSILON;
-        assert!(material.range.0 * slack >= shortest && material.range.1 <= longest * slack, "{}", material.name);
+        assert!(optics.range.0 * slack >= shortest && optics.range.1 <= longest * slack, "{name}");
     }
 }
 
 #[test]
 fn interpolation_passes_its_rows_and_invents_no_extremum() {
-    for (material, rows) in tables() {
+    for (name, optics, rows) in tables() {
         for [left, right] in rows.windows(2).map(|pair| [pair[0], pair[1]]) {
             for (k, t) in (0..=20).map(|k| (k, f64::from(k) / 20.0)) {
-                let index = material.dispersion.index((left[0] + t * (right[0] - left[0])) * 1e-6);
+                let index = optics.dispersion.index((left[0] + t * (right[0] - left[0])) * 1e-6);
                 for (y, a, b) in [(index.re, left[1], right[1]), (index.im, left[2], right[2])] {
                     let (low, high) = if k == 0 {
                         (a, a)
@@ -239,8 +246,7 @@ fn interpolation_passes_its_rows_and_invents_no_extremum() {
                     let rounding = 1e-13 * a.max(b) + 1e-25;
                     assert!(
                         (low - rounding..=high + rounding).contains(&y),
-                        "{}: {y} at {t} of the way from {left:?} to {right:?}",
-                        material.name
+                        "{name}: {y} at {t} of the way from {left:?} to {right:?}"
                     );
                 }
             }
@@ -250,24 +256,19 @@ fn interpolation_passes_its_rows_and_invents_no_extremum() {
 
 #[test]
 fn interpolation_has_no_kink_at_a_row() {
-    for (material, rows) in tables() {
+    for (name, optics, rows) in tables() {
         for [before, row, after] in rows.windows(3).map(|three| [three[0], three[1], three[2]]) {
             let part = |index: Complex64| [index.re, index.im];
             // Over a thousandth of the shorter side a smooth curve turns by thousandths of its chords; a kink, by their
             // difference, whatever the step.
             let step = 1e-3 * (row[0] - before[0]).min(after[0] - row[0]);
             let [left, here, right] =
-                [-step, 0.0, step].map(|offset| part(material.dispersion.index((row[0] + offset) * 1e-6)));
+                [-step, 0.0, step].map(|offset| part(optics.dispersion.index((row[0] + offset) * 1e-6)));
             for c in 0..2 {
                 let chords = [(before, row), (row, after)].map(|(a, b)| ((b[c + 1] - a[c + 1]) / (b[0] - a[0])).abs());
                 let turn = ((right[c] - here[c]) - (here[c] - left[c])).abs() / step;
                 let rounding = 1e-14 * here[c] / step;
-                assert!(
-                    turn <= 0.01 * (chords[0] + chords[1]) + rounding,
-                    "{} at {} µm: {turn}",
-                    material.name,
-                    row[0]
-                );
+                assert!(turn <= 0.01 * (chords[0] + chords[1]) + rounding, "{name} at {} µm: {turn}", row[0]);
             }
         }
     }
@@ -292,27 +293,26 @@ fn rows_left_out_of_the_titania_table_lie_on_the_interpolant() {
 
 #[test]
 fn every_material_covers_the_visible() {
-    for material in MATERIALS {
+    for known in optical() {
         for wavelength in visible() {
-            material.index(wavelength).unwrap_or_else(|error| panic!("{error}"));
+            known.index(wavelength).unwrap_or_else(|error| panic!("{error}"));
         }
     }
 }
 
 #[test]
 fn ends_of_a_range_belong_to_it_however_they_are_rounded() {
-    for material in MATERIALS {
-        for end in [material.range.0, material.range.1] {
+    for (name, optics) in indices() {
+        let (shortest, longest) = optics.range;
+        for end in [shortest, longest] {
             let nanometres = (end * 1e9 * 1e3).round() / 1e3;
-            assert!(material.index(end).is_ok() && material.index(nanometres * 1e-9).is_ok(), "{}", material.name);
+            assert!(optics.index(end).is_some() && optics.index(nanometres * 1e-9).is_some(), "{name}");
         }
-        for outside in
-            [material.range.0 * 0.999, material.range.1 * 1.001].into_iter().filter(|_| material.name != "vacuum")
-        {
-            assert!(material.index(outside).is_err(), "{}", material.name);
+        for outside in [shortest * 0.999, longest * 1.001].into_iter().filter(|_| name != "vacuum") {
+            assert!(optics.index(outside).is_none(), "{name}");
         }
         for nonsense in [f64::NAN, -550e-9] {
-            assert!(material.index(nonsense).is_err(), "{}", material.name);
+            assert!(optics.index(nonsense).is_none(), "{name}");
         }
     }
 }
@@ -331,55 +331,32 @@ fn a_wavelength_out_of_range_is_told_with_the_source() {
     );
     assert!(message("bk7", 1.0).starts_with("bk7 at 1e9 nm: "));
     assert!(message("bk7", f64::NAN).starts_with("bk7 at NaN nm: "));
+    assert_eq!(
+        message("sea-water", 550e-9),
+        "sea-water at 550 nm: its refractive index is not known here, only its ε, μ, σ from 0e0 Hz to 1e9 Hz"
+    );
 }
 
-#[test]
-fn names_and_aliases_are_told_apart_and_found_in_any_writing() {
-    let words: Vec<_> =
-        MATERIALS.iter().flat_map(|m| std::iter::once(m.name).chain(m.aliases.iter().copied())).collect();
-    for (i, word) in words.iter().enumerate() {
-        assert!(words[..i].iter().all(|other| !same(word, other)), "{word} twice");
-    }
-    let written = [
-        ("Fused_Silica", "fused-silica"),
-        ("fused silica", "fused-silica"),
-        ("SiO2", "fused-silica"),
-        ("glass", "bk7"),
-        ("N-BK7", "bk7"),
-        ("n_sf11", "sf11"),
-        ("TiO2", "tio2"),
-        ("Au", "gold"),
-        ("AG", "silver"),
-        ("Cu", "copper"),
-        ("Al", "aluminium"),
-        ("aluminum", "aluminium"),
-        ("Cr", "chromium"),
-        ("si", "silicon"),
-    ];
-    for (word, name) in written {
-        assert_eq!(named(word).map(|material| material.name), Some(name), "{word}");
-    }
-    assert!(["", "-", "unobtainium", "1.5"].iter().all(|word| named(word).is_none()));
-}
-
-/// A material and a wavelength [m] anywhere in its range, spread evenly over the logarithm.
-fn anywhere() -> impl Strategy<Value = (&'static Material, f64)> {
-    (0..MATERIALS.len(), 0.0..=1.0_f64).prop_map(|(i, t)| {
-        let (shortest, longest) = (MATERIALS[i].range.0.max(1e-12), MATERIALS[i].range.1.min(1e3));
-        (&MATERIALS[i], (shortest.ln() + t * (longest.ln() - shortest.ln())).exp().clamp(shortest, longest))
+/// A medium and a wavelength [m] anywhere in its range, spread evenly over the logarithm.
+fn anywhere() -> impl Strategy<Value = (&'static Substance, f64)> {
+    (0..optical().count(), 0.0..=1.0_f64).prop_map(|(i, t)| {
+        let known = optical().nth(i).unwrap();
+        let (shortest, longest) = known.optics.as_ref().unwrap().range;
+        let (shortest, longest) = (shortest.max(1e-12), longest.min(1e3));
+        (known, (shortest.ln() + t * (longest.ln() - shortest.ln())).exp().clamp(shortest, longest))
     })
 }
 
 proptest! {
     #[test]
-    fn an_index_is_finite_with_n_above_zero_and_absorbs_in_the_metals_alone((material, wavelength) in anywhere()) {
-        let index = material.index(wavelength).unwrap();
-        prop_assert!(index.is_finite() && index.re > 0.0, "{} at {wavelength}: {index}", material.name);
-        match material.name {
+    fn an_index_is_finite_with_n_above_zero_and_absorbs_in_the_metals_alone((known, wavelength) in anywhere()) {
+        let index = known.index(wavelength).unwrap();
+        prop_assert!(index.is_finite() && index.re > 0.0, "{} at {wavelength}: {index}", known.name);
+        match known.name {
             "gold" | "silver" | "copper" | "aluminium" | "chromium" | "silicon" => prop_assert!(index.im > 0.0),
             "tio2" => prop_assert!(index.im >= 0.0),
             _ => prop_assert_eq!(index.im, 0.0),
         }
-        prop_assert_eq!(Medium::Material(material).index(wavelength), Ok(index));
+        prop_assert_eq!(Medium::Named(known).index(wavelength), Ok(index));
     }
 }

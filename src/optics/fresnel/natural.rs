@@ -1,0 +1,129 @@
+//! Natural light: its reflectance at many angles at once, and at all of them together.
+
+use super::{powers, square};
+use crate::optics::incidence::Incidence;
+use num_complex::Complex64;
+
+/// Reflectance [1] of a plane interface under diffuse light from a rarer clear medium, 2∫R_n cos θ d(cos θ), for the
+/// relative index n > 1 in closed form (Walsh 1926, *The reflection factor of a polished glass surface for diffused
+/// light*; Duntley 1942, J. Opt. Soc. Am. 32, 61). A reference: it cancels as n → 1.
+pub fn diffuse_reflectance(n: f64) -> f64 {
+    let n2 = n * n;
+    let (sum, fourth) = (n2 + 1.0, n2 * n2 - 1.0);
+    0.5 + (n - 1.0) * (3.0 * n + 1.0) / (6.0 * (n + 1.0) * (n + 1.0))
+        + n2 * (n2 - 1.0) * (n2 - 1.0) / (sum * sum * sum) * ((n - 1.0) / (n + 1.0)).ln()
+        - 2.0 * n2 * n * (n2 + 2.0 * n - 1.0) / (sum * fourth)
+        + 8.0 * n2 * n2 * (n2 * n2 + 1.0) / (sum * fourth * fourth) * n.ln()
+}
+
+/// R_n [1] of natural light between clear media, for many cosines of incidence (0 … 1) at once.
+///
+/// # Panics
+/// If the slices differ in length.
+pub fn natural_reflectance(cos_i: &[f64], n_i: f64, n_t: f64, out: &mut [f64]) {
+    fill::<false>(cos_i, n_i, n_t.into(), out);
+}
+
+/// R_n [1] of natural light into an absorbing medium, for many cosines of incidence (0 … 1) at once.
+///
+/// # Panics
+/// If the slices differ in length.
+pub fn natural_reflectance_absorbing(cos_i: &[f64], n_i: f64, n_t: Complex64, out: &mut [f64]) {
+    fill::<true>(cos_i, n_i, n_t, out);
+}
+
+/// The products of [`powers`] over n_i², with one division each and no branch, so that the compiler can work on
+/// several at a time. A clear medium leaves out what absorption would add.
+fn fill<const ABSORBING: bool>(cos_i: &[f64], n_i: f64, n_t: Complex64, out: &mut [f64]) {
+    assert_eq!(cos_i.len(), out.len());
+    let index2 = square(n_t / n_i);
+    let kappa = n_t.im / n_i;
+    let contrast = Complex64::new(((n_t.re - n_i) / n_i) * ((n_t.re + n_i) / n_i) - kappa * kappa, index2.im);
+    let contrast2 = contrast.norm_sqr();
+    if contrast2 == 0.0 && !ABSORBING {
+        return out.fill(0.0);
+    }
+    // As in `normal_squared`.
+    let normal_squared = |cos2: f64, sin2: f64| if cos2 < 0.5 { contrast.re + cos2 } else { index2.re - sin2 };
+    let outwards = 0.0 < index2.re && index2.re < 1.0;
+    for (out, &cos) in out.iter_mut().zip(cos_i) {
+        let (cos2, sin2) = (cos * cos, (1.0 - cos) * (1.0 + cos));
+        let q2 = normal_squared(cos2, sin2);
+        // As in `brewster_balance`.
+        let balance = if outwards { q2 - index2.re * sin2 } else { index2.re * cos2 - sin2 };
+        let (s, p, balance2);
+        if ABSORBING {
+            let modulus = (q2 * q2 + index2.im * index2.im).sqrt();
+            let larger = ((q2.abs() + modulus) * 0.5).sqrt();
+            let smaller = 0.5 * index2.im / larger.max(f64::MIN_POSITIVE);
+            let q = if q2 >= 0.0 { (larger, smaller) } else { (smaller, larger) };
+            let (s_re, p_re, p_im) = (cos + q.0, index2.re * cos + q.0, index2.im * cos + q.1);
+            (s, p) = (s_re * s_re + q.1 * q.1, p_re * p_re + p_im * p_im);
+            let turned = index2.im * cos2;
+            balance2 = balance * balance + turned * turned;
+        } else {
+            let root = q2.max(0.0).sqrt();
+            let (s_re, p_re) = (cos + root, index2.re * cos + root);
+            (s, p, balance2) = (s_re * s_re, p_re * p_re, balance * balance);
+        }
+        let both = s * p;
+        let share = 0.5 * contrast2 * (p * p + balance2 * (s * s)) / (both * both);
+        *out = if ABSORBING || q2 > 0.0 { share } else { 1.0 };
+    }
+    if ABSORBING {
+        // A trace of absorption near the critical angle, or at the faintest grazing contrast, needs the care that
+        // a batch has no room for.
+        for (out, &cos) in out.iter_mut().zip(cos_i) {
+            let (cos2, sin2) = (cos * cos, (1.0 - cos) * (1.0 + cos));
+            let q2 = normal_squared(cos2, sin2).abs();
+            let size = if cos2 < 0.5 { contrast.re.abs() } else { index2.re.abs() };
+            if q2 < size / 64.0 || q2 + cos2 < 1e-60 {
+                *out = powers(Incidence::from_cos(cos), n_i, n_t).r_n();
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{angle, extinction, index};
+    use super::*;
+    use crate::optics::incidence::normal_squared;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn batches_agree_with_single_evaluations(theta in angle(), n_i in index(), n in index(), k in extinction()) {
+            let incidence = Incidence::from_cos(theta.cos());
+            let (mut clear, mut absorbing) = ([0.0], [0.0]);
+            natural_reflectance(&[incidence.cos()], n_i, n, &mut clear);
+            natural_reflectance_absorbing(&[incidence.cos()], n_i, Complex64::new(n, k), &mut absorbing);
+            let one_by_one = powers(incidence, n_i, Complex64::new(n, k)).r_n();
+            if k > 1e-3 {
+                prop_assert!((absorbing[0] / one_by_one - 1.0).abs() < 1e-12, "{} {one_by_one}", absorbing[0]);
+            }
+            let exact = powers(incidence, n_i, Complex64::from(n)).r_n();
+            // Both are within a few ε(1 + κ); κ of R near the critical angle goes as 1/|q_t|².
+            let q2 = normal_squared(incidence, n_i, Complex64::from(n)).re.abs() / (n_i * n_i);
+            let contrast = (n / n_i - 1.0).abs();
+            let tolerance = 16.0 * f64::EPSILON * (1.0 + 10.0 / q2 + 10.0 / contrast.max(1e-300));
+            prop_assert!((clear[0] - exact).abs() <= tolerance * exact.max(f64::MIN_POSITIVE), "{} {exact}", clear[0]);
+        }
+    }
+
+    #[test]
+    fn diffuse_reflectance_has_the_published_values() {
+        // Walsh's factor for n = 1.5 as tabulated by Duntley (1942): 0.092.
+        assert!((diffuse_reflectance(1.5) - 0.0918).abs() < 5e-5);
+        for n in [1.1, 1.33, 1.5, 2.4] {
+            let rule = yardstick::quadrature::gauss_legendre(64);
+            let integral: f64 = rule
+                .iter()
+                .map(|&(cos, weight)| {
+                    weight * 2.0 * cos * powers(Incidence::from_cos(cos), 1.0, Complex64::from(n)).r_n()
+                })
+                .sum();
+            assert!((integral - diffuse_reflectance(n)).abs() < 1e-12, "{n}");
+        }
+    }
+}
