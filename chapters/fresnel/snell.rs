@@ -20,11 +20,18 @@ use yardstick::precise;
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "snell",
     INTERFACE,
-    &[figure(
-        "refraction",
-        "The angle of refraction against the angle of incidence, into and out of the medium.",
-        refraction,
-    )],
+    &[
+        figure(
+            "geometry",
+            "The three waves at the interface: their directions and wavelengths, and which way E_s and E_p count.",
+            super::geometry::plot,
+        ),
+        figure(
+            "refraction",
+            "The angle of refraction against the angle of incidence, into and out of the medium.",
+            refraction,
+        ),
+    ],
 );
 
 pub(super) const STEP: Step = step(

@@ -206,6 +206,39 @@ fn svg_holds_every_label_as_text() {
     }
 }
 
+/// The colours of a page reach every shape but those on a map, and where there are none the attributes say the same.
+#[test]
+fn colours_can_be_set_by_the_page_and_hold_without_it() {
+    for (name, plot) in gallery::all() {
+        let written = svg(&plot);
+        let document = roxmltree::Document::parse(&written).unwrap();
+        let style = document.descendants().find(|node| node.has_tag_name("style")).expect("a style");
+        let style = style.text().unwrap();
+        assert!(style.starts_with("@supports(color:var(--a))"), "readers without variables drop it whole");
+        for node in document.descendants().filter(|node| node.is_element()) {
+            let painted = ["fill", "stroke"].into_iter().find_map(|property| {
+                let colour = node.attribute(property).filter(|colour| *colour != "none")?;
+                Some((property, colour))
+            });
+            let Some((property, colour)) = painted else { continue };
+            match node.attribute("class") {
+                Some(class) => {
+                    let role = &class[2..];
+                    let rule = format!(".lesson-figure .{class}{{{property}:var(--lesson-{role},{colour})}}");
+                    assert!(style.contains(&rule), "{name}: {class} is not {rule}");
+                    assert!(
+                        super::colours().any(|(variable, hex)| variable == format!("--lesson-{role}") && hex == colour)
+                    );
+                }
+                None => assert!(
+                    [Colour::Hatch, Colour::Blank].iter().any(|plain| plain.hex() == colour),
+                    "{name}: {colour} has no role"
+                ),
+            }
+        }
+    }
+}
+
 #[test]
 fn markup_characters_do_not_break_the_svg() {
     let hostile = "a<b & \"c\" > 'd'\u{7}]]>";
