@@ -120,9 +120,10 @@ mod tests {
     use crate::setting::Setting;
     use yardstick::statistics::{kolmogorov, sidak};
 
-    const TESTS: [fn(&mut Bench, fn(f64, f64) -> f64) -> Measured; 2] = [mean_reflectance, polar_histogram];
+    type Sample = fn(f64, f64) -> f64;
+    const TESTS: [fn(&mut Bench, Sample) -> Measured; 2] = [mean_reflectance, polar_histogram];
 
-    fn p_value(test: usize, seed: u64, sample: fn(f64, f64) -> f64) -> f64 {
+    fn p_value(test: usize, seed: u64, sample: Sample) -> f64 {
         let setting = Setting::defaults(&[]);
         TESTS[test](&mut Bench::new(&setting, seed, &format!("hemisphere/{test}")), sample).value
     }
