@@ -101,6 +101,10 @@ mod tests {
         let weights: Moments = (0..10_000).map(|k| 1.0 + f64::EPSILON * f64::from(1 + k % 2)).collect();
         assert_eq!(t_test(&weights, 1.0).p, 1.0);
         assert_eq!(t_test(&weights, 1.0 + 1e-13).p, 0.0);
+        // What is beyond rounding counts, and only that: 24 of 40 units.
+        let weights: Moments = (0..1000).map(|k| 1.0 + f64::EPSILON * f64::from(1000 * (k % 2) - 500)).collect();
+        let test = t_test(&weights, 1.0 - 40.0 * f64::EPSILON);
+        assert!((test.statistic * weights.standard_error() / f64::EPSILON - 24.0).abs() < 2.0, "{test:?}");
     }
 
     #[test]
