@@ -1,13 +1,12 @@
 //! A frame with ticks, grid, axis labels, and the names of reference lines.
 
-use super::canvas::{Anchor, Canvas, Frame, Place};
+use super::canvas::{Across, Anchor, Canvas, Down, Frame, Place};
 use super::label::Label;
 use super::marks::{Beyond, Plane};
-use super::palette::{AID, BROKEN, GRID, INK};
+use super::palette::Colour;
 use super::ticks::{Extent, Tick};
 use super::{TEXT, text};
 use chapters::figure::{Axis, Mark, Scale};
-use plotters::style::text_anchor::{HPos, VPos};
 use std::borrow::Cow;
 
 const TICK: f64 = 6.0;
@@ -118,29 +117,29 @@ impl<'a> Axes<'a> {
     }
 
     /// Grid lines, for behind the curves.
-    pub fn draw_grid(&self, canvas: &Canvas) {
+    pub fn draw_grid(&self, canvas: &dyn Canvas) {
         let frame = &self.frame;
         for tick in self.x_ticks.iter().filter(|tick| tick.label.is_some()) {
-            canvas.line(frame.place(tick.at, 0.0), frame.place(tick.at, 1.0), GRID, 1.0);
+            canvas.line(frame.place(tick.at, 0.0), frame.place(tick.at, 1.0), Colour::Grid, 1.0);
         }
         for tick in self.y_ticks.iter().filter(|tick| tick.label.is_some()) {
-            canvas.line(frame.place(0.0, tick.at), frame.place(1.0, tick.at), GRID, 1.0);
+            canvas.line(frame.place(0.0, tick.at), frame.place(1.0, tick.at), Colour::Grid, 1.0);
         }
     }
 
     /// Frame, ticks, labels and names, for over the curves.
-    pub fn draw(&self, canvas: &Canvas) {
+    pub fn draw(&self, canvas: &dyn Canvas) {
         let frame = &self.frame;
         if !self.is_bare {
-            canvas.outline(frame, INK, 1.0);
+            canvas.outline(frame, Colour::Ink, 1.0);
         }
         let foot = self.zeros.map_or(frame.bottom, |zeros| zeros.bottom);
         for tick in &self.x_ticks {
             let (x, y) = (frame.place(tick.at, 0.0).0, foot);
-            canvas.line((x, y), (x, y + tick_length(tick)), INK, 1.0);
+            canvas.line((x, y), (x, y + tick_length(tick)), Colour::Ink, 1.0);
             if let Some(label) = &tick.label {
-                let anchor = Anchor(HPos::Center, VPos::Bottom);
-                canvas.text(label, (x, y + TICK + GAP + LINE - GAP), anchor, TEXT, INK);
+                let anchor = Anchor(Across::Middle, Down::Bottom);
+                canvas.text(label, (x, y + TICK + GAP + LINE - GAP), anchor, TEXT, Colour::Ink);
             }
         }
         for tick in &self.y_ticks {
@@ -160,16 +159,16 @@ impl<'a> Axes<'a> {
         for name in &self.names {
             // The line of a name in a higher row goes on through the lower ones, which keep clear of it.
             if name.row > 0 && !name.is_beyond {
-                canvas.line((name.x, top), (name.x, top - name.row as f64 * LINE), AID, 1.2);
+                canvas.line((name.x, top), (name.x, top - name.row as f64 * LINE), Colour::Aid, 1.2);
             }
             let place = (name.place.left, name.place.bottom);
-            canvas.text(&name.label, place, Anchor(HPos::Left, VPos::Bottom), TEXT, AID);
+            canvas.text(&name.label, place, Anchor(Across::Left, Down::Bottom), TEXT, Colour::Aid);
         }
     }
 
-    fn draw_band(&self, canvas: &Canvas, band: &Frame, beyond: Beyond) {
-        canvas.fill(band, BROKEN.1, 1.0);
-        canvas.outline(band, INK, 1.0);
+    fn draw_band(&self, canvas: &dyn Canvas, band: &Frame, beyond: Beyond) {
+        canvas.fill(band, Colour::Band, 1.0);
+        canvas.outline(band, Colour::Ink, 1.0);
         let tick = Tick { at: 0.5, label: Some(beyond.name().into()) };
         draw_y_tick(canvas, band.place(0.0, tick.at), &tick, -1.0);
         beyond.draw(canvas, band, &self.plane, self.marks);
@@ -213,11 +212,11 @@ pub fn tick_room(ticks: &[Tick]) -> f64 {
 }
 
 /// A tick and its label to the left (−1) or right (+1) of a vertical axis.
-pub fn draw_y_tick(canvas: &Canvas, (x, y): Place, tick: &Tick, side: f64) {
-    canvas.line((x, y), (x + side * tick_length(tick), y), INK, 1.0);
+pub fn draw_y_tick(canvas: &dyn Canvas, (x, y): Place, tick: &Tick, side: f64) {
+    canvas.line((x, y), (x + side * tick_length(tick), y), Colour::Ink, 1.0);
     if let Some(label) = &tick.label {
-        let align = if side < 0.0 { HPos::Right } else { HPos::Left };
-        canvas.text(label, (x + side * (TICK + GAP), y), Anchor(align, VPos::Center), TEXT, INK);
+        let align = if side < 0.0 { Across::Right } else { Across::Left };
+        canvas.text(label, (x + side * (TICK + GAP), y), Anchor(align, Down::Middle), TEXT, Colour::Ink);
     }
 }
 

@@ -1,16 +1,14 @@
 //! Charts: curves and points on axes, with a key that hides none of them.
 
 use super::axes::{Axes, Spare};
-use super::canvas::{Anchor, Canvas, Frame, Place};
+use super::canvas::{Across, Anchor, Canvas, Down, Frame, Place};
 use super::ink::{Ink, Survey};
 use super::key::{Key, Side};
 use super::marks::{self, Beyond, Plane};
-use super::palette::{AID, PAPER};
+use super::palette::Colour;
 use super::ticks::Extent;
 use super::{TEXT, text};
 use chapters::figure::{Axis, Chart, Mark};
-use plotters::style::RGBColor;
-use plotters::style::text_anchor::{HPos, VPos};
 
 /// Free space around a key or a name.
 const CLEARANCE: f64 = 5.0;
@@ -21,13 +19,13 @@ const KEY_BESIDE: f64 = 0.28;
 const NAMES_BESIDE: f64 = 0.36;
 
 /// Draws a chart as arranged.
-pub fn draw(canvas: &Canvas, chart: &Chart, arrangement: &Arrangement) {
+pub fn draw(canvas: &dyn Canvas, chart: &Chart, arrangement: &Arrangement) {
     let Arrangement { axes, names, key } = arrangement;
     axes.draw_grid(canvas);
     axes.draw(canvas);
     marks::draw(canvas, &axes.frame, &axes.plane, &chart.marks, false);
     for (label, place) in names {
-        draw_name(canvas, label, *place, AID);
+        draw_name(canvas, label, *place, Colour::Aid);
     }
     if let Some((key, place)) = key {
         key.draw(canvas, *place);
@@ -154,9 +152,9 @@ pub fn beside_line(height: f64) -> [f64; 2] {
 }
 
 /// Writes a name on a white plate, which keeps it readable over grid lines and maps.
-pub fn draw_name(canvas: &Canvas, label: &str, place: Place, colour: RGBColor) {
-    canvas.fill(&name_box(place, text::width(label, TEXT)).grown(2.0), PAPER, 0.85);
-    canvas.text(label, place, Anchor(HPos::Left, VPos::Bottom), TEXT, colour);
+pub fn draw_name(canvas: &dyn Canvas, label: &str, place: Place, colour: Colour) {
+    canvas.fill(&name_box(place, text::width(label, TEXT)).grown(2.0), Colour::Paper, 0.85);
+    canvas.text(label, place, Anchor(Across::Left, Down::Bottom), TEXT, colour);
 }
 
 /// A place for a name just over or under its line, as far to the right as can be; none if all are taken.

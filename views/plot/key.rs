@@ -1,11 +1,10 @@
 //! The key to the curves.
 
-use super::canvas::{Anchor, Canvas, Frame, Place};
+use super::canvas::{Across, Anchor, Canvas, Down, Frame, Place};
 use super::marks;
-use super::palette::{EDGE, INK, PAPER};
+use super::palette::Colour;
 use super::{TEXT, text};
 use chapters::figure::Mark;
-use plotters::style::text_anchor::{HPos, VPos};
 
 const PAD: f64 = 8.0;
 const ROW: f64 = 21.0;
@@ -84,19 +83,19 @@ impl<'a> Key<'a> {
     }
 
     /// Draws it with its top left corner at a place.
-    pub fn draw(&self, canvas: &Canvas, place: Place) {
+    pub fn draw(&self, canvas: &dyn Canvas, place: Place) {
         let (width, height) = self.size();
         if self.side == Side::Inside {
             let frame = Frame::at(place, width, height);
-            canvas.fill(&frame, PAPER, 0.92);
-            canvas.outline(&frame, EDGE, 1.0);
+            canvas.fill(&frame, Colour::Paper, 0.92);
+            canvas.outline(&frame, Colour::Edge, 1.0);
         }
         let mut x = place.0 + PAD;
         for (column, wide) in self.entries.chunks(self.rows().max(1)).zip(self.widths()) {
             for (row, (mark, label)) in column.iter().enumerate() {
                 let y = place.1 + PAD / 2.0 + (row as f64 + 0.5) * ROW;
                 marks::draw_sample(canvas, mark, (x, y), self.sample);
-                canvas.text(label, (x + self.sample + GAP, y), Anchor(HPos::Left, VPos::Center), TEXT, INK);
+                canvas.text(label, (x + self.sample + GAP, y), Anchor(Across::Left, Down::Middle), TEXT, Colour::Ink);
             }
             x += wide + BETWEEN;
         }

@@ -1,10 +1,9 @@
 //! The label of an axis, in as many lines as it needs.
 
-use super::canvas::{Anchor, Canvas};
-use super::palette::INK;
+use super::canvas::{Across, Anchor, Canvas, Down};
+use super::palette::Colour;
 use super::{TEXT, text};
 use chapters::figure::Axis;
-use plotters::style::text_anchor::{HPos, VPos};
 
 /// Distance of baselines.
 const LINE: f64 = 18.0;
@@ -28,22 +27,22 @@ impl Label {
     }
 
     /// Writes it under `top`, around `middle` but between `ends`.
-    pub fn draw_under(&self, canvas: &Canvas, top: f64, middle: f64, ends: (f64, f64)) {
+    pub fn draw_under(&self, canvas: &dyn Canvas, top: f64, middle: f64, ends: (f64, f64)) {
         let mut baseline = top - 2.0;
         for line in &self.lines {
             baseline += LINE;
             let place = (between(middle, text::width(line, TEXT), ends), baseline);
-            canvas.text(line, place, Anchor(HPos::Center, VPos::Bottom), TEXT, INK);
+            canvas.text(line, place, Anchor(Across::Middle, Down::Bottom), TEXT, Colour::Ink);
         }
     }
 
     /// Writes it upwards to the right of `left`, around `middle` but between `ends`.
-    pub fn draw_upwards(&self, canvas: &Canvas, left: f64, middle: f64, ends: (f64, f64)) {
+    pub fn draw_upwards(&self, canvas: &dyn Canvas, left: f64, middle: f64, ends: (f64, f64)) {
         let mut baseline = left - 4.0;
         for line in &self.lines {
             baseline += LINE;
             let place = (baseline, between(middle, text::width(line, TEXT), ends));
-            canvas.text_upwards(line, place, Anchor(HPos::Center, VPos::Bottom), TEXT, INK);
+            canvas.text_upwards(line, place, Anchor(Across::Middle, Down::Bottom), TEXT, Colour::Ink);
         }
     }
 }

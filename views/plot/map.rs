@@ -1,17 +1,15 @@
 //! Colour maps with their colour bar.
 
 use super::axes::{self, Axes, Direction, Spare};
-use super::canvas::{Anchor, Canvas, Frame, Place};
+use super::canvas::{Across, Anchor, Canvas, Down, Frame, Place};
 use super::chart;
 use super::key::Key;
 use super::label::Label;
 use super::marks::{self, Plane};
-use super::palette::{self, BROKEN, INK};
+use super::palette::{self, Colour};
 use super::ticks::{Extent, Tick};
 use super::{TEXT, text};
 use chapters::figure::{Map, Mark, Ramp};
-use plotters::style::RGBColor;
-use plotters::style::text_anchor::{HPos, VPos};
 
 /// Width of the colour bar and its distance from the frame.
 const BAR: f64 = 18.0;
@@ -42,7 +40,7 @@ pub fn arrange<'a>(map: &'a Map, room: &Frame) -> Arrangement<'a> {
 }
 
 /// Draws a map into `room` as arranged.
-pub fn draw(canvas: &Canvas, map: &Map, Arrangement { axes, bar, key }: &Arrangement, room: &Frame) {
+pub fn draw(canvas: &dyn Canvas, map: &Map, Arrangement { axes, bar, key }: &Arrangement, room: &Frame) {
     let plane = axes.plane;
     let cells = Cells { values: &map.values, columns: map.columns };
     cells.draw(canvas, &axes.frame, &bar.extent, map.ramp);
@@ -56,13 +54,13 @@ pub fn draw(canvas: &Canvas, map: &Map, Arrangement { axes, bar, key }: &Arrange
 }
 
 /// Names horizontal reference lines over their right ends: on a map there is no place without ink.
-fn name_lines(canvas: &Canvas, frame: &Frame, plane: &Plane, marks: &[Mark]) {
+fn name_lines(canvas: &dyn Canvas, frame: &Frame, plane: &Plane, marks: &[Mark]) {
     for (y, label) in marks.iter().filter_map(|mark| chart::at_y(plane, mark)) {
         let (right, height) = frame.place(1.0, y);
         let width = text::width(label, TEXT);
         let [over, under] = chart::beside_line(height).map(|baseline| (right - 8.0 - width, baseline));
         let place = if chart::name_box(over, width).top > frame.top { over } else { under };
-        chart::draw_name(canvas, label, place, INK);
+        chart::draw_name(canvas, label, place, Colour::Ink);
     }
 }
 
@@ -77,9 +75,9 @@ impl Cells<'_> {
         self.values.len().checked_div(self.columns).unwrap_or(0)
     }
 
-    fn draw(&self, canvas: &Canvas, frame: &Frame, extent: &Extent, ramp: Ramp) {
-        let (RGBColor(red, green, blue), rows) = (BROKEN.1, self.rows());
-        let colour = |value: &f64| shade(extent, ramp, *value).unwrap_or([red, green, blue]);
+    fn draw(&self, canvas: &dyn Canvas, frame: &Frame, extent: &Extent, ramp: Ramp) {
+        let rows = self.rows();
+        let colour = |value: &f64| shade(extent, ramp, *value).unwrap_or(Colour::Blank.rgb());
         let from_top = (0..rows).rev().flat_map(|row| &self.values[row * self.columns..][..self.columns]);
         canvas.image(frame, self.columns, from_top.map(colour).collect());
         if rows > 0 {
@@ -96,7 +94,7 @@ fn shade(extent: &Extent, ramp: Ramp, value: f64) -> Option<[u8; 3]> {
 }
 
 /// Strokes at 45° over the cells that are broken, on one lattice for the whole frame so that they join.
-fn hatch(canvas: &Canvas, frame: &Frame, columns: usize, rows: usize, is_broken: impl Fn(usize, usize) -> bool) {
+fn hatch(canvas: &dyn Canvas, frame: &Frame, columns: usize, rows: usize, is_broken: impl Fn(usize, usize) -> bool) {
     let (width, height) = (frame.width(), frame.height());
     let (wide, high) = (width / columns as f64, height / rows as f64);
     let cell = |at: f64, size: f64, count: usize| ((at / size) as usize).min(count - 1);
@@ -115,7 +113,7 @@ fn hatch(canvas: &Canvas, frame: &Frame, columns: usize, rows: usize, is_broken:
         };
         let parts: Vec<(&[f64], bool)> = stops.windows(2).map(|pair| (pair, is_broken(pair))).collect();
         for run in parts.chunk_by(|a, b| a.1 == b.1).filter(|run| run[0].1) {
-            canvas.line(place(run[0].0[0]), place(run[run.len() - 1].0[1]), BROKEN.0, 1.0);
+            canvas.line(place(run[0].0[0]), place(run[run.len() - 1].0[1]), Colour::Hatch, 1.0);
         }
     }
 }
@@ -148,14 +146,14 @@ impl Bar {
         axes::tick_room(&self.ticks).max(sign)
     }
 
-    fn draw(&self, canvas: &Canvas, frame: &Frame) {
+    fn draw(&self, canvas: &dyn Canvas, frame: &Frame) {
         let under = if self.is_broken { SIGN } else { 0.0 };
         let left = frame.right + APART;
         let bar =
             Frame { left, right: left + BAR, top: frame.top, bottom: (frame.bottom - under).max(frame.top + 1.0) };
         let shades = (0..256).rev().filter_map(|k| palette::ramp(self.ramp, (f64::from(k) + 0.5) / 256.0));
         canvas.image(&bar, 1, shades.collect());
-        canvas.outline(&bar, INK, 1.0);
+        canvas.outline(&bar, Colour::Ink, 1.0);
         for tick in &self.ticks {
             axes::draw_y_tick(canvas, bar.place(1.0, tick.at), tick, 1.0);
         }
@@ -166,11 +164,11 @@ impl Bar {
         }
     }
 
-    fn draw_sign(&self, canvas: &Canvas, sign: Frame) {
-        canvas.fill(&sign, BROKEN.1, 1.0);
+    fn draw_sign(&self, canvas: &dyn Canvas, sign: Frame) {
+        canvas.fill(&sign, Colour::Blank, 1.0);
         hatch(canvas, &sign, 1, 1, |_, _| true);
-        canvas.outline(&sign, INK, 1.0);
+        canvas.outline(&sign, Colour::Ink, 1.0);
         let place: Place = (sign.right + 6.0, sign.place(0.0, 0.5).1);
-        canvas.text(BROKEN_NAME, place, Anchor(HPos::Left, VPos::Center), TEXT, INK);
+        canvas.text(BROKEN_NAME, place, Anchor(Across::Left, Down::Middle), TEXT, Colour::Ink);
     }
 }

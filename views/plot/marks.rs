@@ -2,10 +2,9 @@
 
 use super::canvas::{Canvas, Frame, Place};
 use super::ink::Ink;
-use super::palette::{self, PAPER};
+use super::palette::{self, Colour};
 use super::ticks::Extent;
 use chapters::figure::{Dash, Hue, Mark, Shape};
-use plotters::style::RGBColor;
 use std::collections::HashSet;
 
 /// Width of a curve.
@@ -86,7 +85,7 @@ struct Stroke {
 }
 
 /// How a line looks: colour, width, and the lengths of its dashes.
-type Look = (RGBColor, f64, &'static [f32]);
+type Look = (Colour, f64, &'static [f32]);
 
 fn look(mark: &Mark) -> Look {
     match mark {
@@ -94,7 +93,7 @@ fn look(mark: &Mark) -> Look {
         Mark::Points { hue, .. } | Mark::Broken { hue, .. } | Mark::Vanished { hue, .. } => {
             (palette::colour(*hue), JOIN, &[])
         }
-        Mark::AtX { .. } | Mark::AtY { .. } => (palette::AID, AID, &[]),
+        Mark::AtX { .. } | Mark::AtY { .. } => (Colour::Aid, AID, &[]),
     }
 }
 
@@ -136,11 +135,11 @@ fn cut(from: Place, to: Place) -> Option<(Place, Place)> {
 }
 
 /// Draws the marks in order; `cased` puts white around lines, for dark ground.
-pub fn draw(canvas: &Canvas, frame: &Frame, plane: &Plane, marks: &[Mark], cased: bool) {
+pub fn draw(canvas: &dyn Canvas, frame: &Frame, plane: &Plane, marks: &[Mark], cased: bool) {
     for mark in marks {
         let Stroke { pieces, look: (colour, width, dashes) } = plane.stroke(mark);
         if cased {
-            canvas.curves(frame, &pieces, PAPER, width + CASING, &[]);
+            canvas.curves(frame, &pieces, Colour::Paper, width + CASING, &[]);
         }
         canvas.curves(frame, &pieces, colour, width, dashes);
         if let Mark::Points { shape, points, .. } = mark {
@@ -164,9 +163,9 @@ fn radius(count: usize) -> f64 {
 }
 
 /// A point, with a thin white rim unless it is one of a crowd, so that neighbours stay apart.
-fn draw_point(canvas: &Canvas, (x, y): Place, radius: f64, shape: Shape, colour: RGBColor) {
+fn draw_point(canvas: &dyn Canvas, (x, y): Place, radius: f64, shape: Shape, colour: Colour) {
     let rim = if radius > 0.6 * POINT.0 { 0.2 * radius } else { 0.0 };
-    let polygon = |grow: f64, colour: RGBColor| {
+    let polygon = |grow: f64, colour: Colour| {
         let r = radius + grow;
         let corners: &[Place] = match shape {
             Shape::Square => &[(-0.88, -0.88), (0.88, -0.88), (0.88, 0.88), (-0.88, 0.88)],
@@ -174,24 +173,24 @@ fn draw_point(canvas: &Canvas, (x, y): Place, radius: f64, shape: Shape, colour:
             _ => &[(0.0, -1.25), (1.25, 0.0), (0.0, 1.25), (-1.25, 0.0)],
         };
         let corners: Vec<Place> = corners.iter().map(|(dx, dy)| (x + r * dx, y + r * dy)).collect();
-        canvas.polygon(&corners, colour);
+        canvas.polygon(&corners, colour, 1.0);
     };
     match shape {
         Shape::Square | Shape::Triangle | Shape::Diamond => {
-            polygon(rim, PAPER);
+            polygon(rim, Colour::Paper);
             polygon(0.0, colour);
         }
         Shape::Disc | Shape::Ring => {
             if rim > 0.0 {
-                canvas.disc((x, y), radius + rim, PAPER);
+                canvas.disc((x, y), radius + rim, Colour::Paper);
             }
             canvas.disc((x, y), radius, colour);
             if shape == Shape::Ring {
-                canvas.disc((x, y), 0.6 * radius, PAPER);
+                canvas.disc((x, y), 0.6 * radius, Colour::Paper);
             }
         }
         Shape::Cross => {
-            for (width, colour) in [(0.8, PAPER), (0.45, colour)] {
+            for (width, colour) in [(0.8, Colour::Paper), (0.45, colour)] {
                 let (r, width) = (0.9 * radius, width * radius);
                 canvas.line((x - r, y - r), (x + r, y + r), colour, width);
                 canvas.line((x - r, y + r), (x + r, y - r), colour, width);
@@ -234,7 +233,7 @@ impl Beyond {
     }
 
     /// Draws the points into their band; those at its ends are moved in until they are whole.
-    pub fn draw(self, canvas: &Canvas, band: &Frame, plane: &Plane, marks: &[Mark]) {
+    pub fn draw(self, canvas: &dyn Canvas, band: &Frame, plane: &Plane, marks: &[Mark]) {
         for (hue, shape, at) in marks.iter().filter_map(|mark| self.of(mark)) {
             let radius = radius(at.len());
             let inset = WIDEST * radius / band.width().max(1.0);
@@ -248,7 +247,7 @@ impl Beyond {
 }
 
 /// How a mark looks in a key, to the right of a place.
-pub fn draw_sample(canvas: &Canvas, mark: &Mark, (x, y): Place, length: f64) {
+pub fn draw_sample(canvas: &dyn Canvas, mark: &Mark, (x, y): Place, length: f64) {
     let (colour, width, dashes) = look(mark);
     if !matches!(mark, Mark::Points { joined: false, .. }) {
         canvas.curve(&[(x, y), (x + length, y)], colour, width, dashes);

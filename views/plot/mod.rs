@@ -1,35 +1,40 @@
-//! Figures as pictures: [`chapters::figure::Plot`] to PNG and SVG.
+//! Figures as pictures: [`chapters::figure::Plot`] to SVG and, with the feature `png`, to PNG.
 //!
-//! A figure is drawn once, with `plotters`, onto a [`sheet::Sheet`] that keeps vector shapes; [`png`](mod@png) and
-//! [`svg`](mod@svg) write that sheet down. All lengths are in pixels of the sheet, which are CSS pixels; the PNG has
-//! [`png::DENSITY`] of its own to each.
+//! A figure is drawn once, on a [`canvas::Canvas`], onto a [`sheet::Sheet`] that keeps vector shapes; [`png`](mod@png)
+//! and [`svg`](mod@svg) write that sheet down. All lengths are in pixels of the sheet, which are CSS pixels; the PNG has
+//! [`DENSITY`] of its own to each.
 
 mod axes;
 mod canvas;
 mod chart;
-#[cfg(test)]
+mod encode;
+#[cfg(all(test, feature = "png", feature = "plotters"))]
 mod gallery;
 mod ink;
 mod key;
 mod label;
 mod map;
 mod marks;
+#[cfg(feature = "png")]
+mod outline;
 mod palette;
+#[cfg(feature = "png")]
 mod png;
 mod sheet;
 mod svg;
-#[cfg(test)]
+#[cfg(all(test, feature = "png", feature = "plotters"))]
 mod tests;
 mod text;
 mod ticks;
 
 use axes::Axes;
-use canvas::{Anchor, Canvas, Frame, Place};
+use canvas::{Across, Anchor, Canvas, Down, Frame, Place, Usual};
 use chapters::figure::{Axis, Chart, Map, Mark, Panel, Picture, Plot};
-use palette::INK;
-use plotters::style::text_anchor::{HPos, VPos};
+use palette::Colour;
 use sheet::Sheet;
 
+/// Pixels of a PNG to a pixel of the sheet: sharp on dense screens and on a projector.
+const DENSITY: u32 = 2;
 /// Size of the text: still readable when a figure 640 wide is shown at 400.
 const TEXT: f64 = 15.0;
 /// Size of a panel's title.
@@ -48,17 +53,25 @@ const AMONG: (f64, f64) = (390.0, 320.0);
 const LEAST: f64 = 0.5;
 
 /// The figure as a PNG.
+#[cfg(feature = "png")]
 pub fn png(plot: &Plot) -> Vec<u8> {
-    png::write(&draw(plot))
+    png::write(&draw::<Usual>(plot))
 }
 
-/// The figure as an SVG, named and described for readers who listen.
+/// The figure as an SVG, named and described for readers who listen. A page that shows it inline may set its colours;
+/// see [`colours`].
 pub fn svg(plot: &Plot) -> String {
-    svg::write(&draw(plot), &plot.title, &description(plot))
+    svg::write(&draw::<Usual>(plot), &plot.title, &description(plot))
+}
+
+/// The CSS variables that an inline figure's colours follow, each with its colour where a page does not set it.
+pub fn colours() -> impl Iterator<Item = (String, String)> {
+    let named = Colour::ALL.into_iter().filter_map(|colour| Some((colour.role()?, colour.hex())));
+    named.map(|(role, hex)| (format!("--lesson-{role}"), hex))
 }
 
 /// The figure on a sheet.
-fn draw(plot: &Plot) -> Sheet {
+fn draw<C: Canvas>(plot: &Plot) -> Sheet {
     let columns = columns(plot);
     let usual = if columns == 1 { ALONE } else { AMONG };
     let sizes: Vec<(f64, f64)> = plot.panels.iter().map(|panel| size(panel, usual)).collect();
@@ -71,7 +84,8 @@ fn draw(plot: &Plot) -> Sheet {
     let has_headings = plot.panels.iter().any(|panel| !heading(panel).is_empty());
     let apart = if has_headings && !lines.is_empty() { MARGIN } else { 0.0 };
     let head = block_height(lines.len(), TITLE) + apart;
-    let canvas = Canvas::new(width, heights.iter().sum::<f64>() + gaps(heights.len()) + head);
+    let height = heights.iter().sum::<f64>() + gaps(heights.len()) + head;
+    let canvas = C::new(width.ceil() as u32, height.ceil() as u32);
     draw_lines(&canvas, &lines, width / 2.0, MARGIN, TITLE);
     let mut laid = Vec::new();
     let mut top = MARGIN + head;
@@ -159,10 +173,10 @@ fn block_height(lines: usize, size: f64) -> f64 {
 }
 
 /// Sets lines of text under each other around a middle.
-fn draw_lines(canvas: &Canvas, lines: &[String], middle: f64, top: f64, size: f64) {
+fn draw_lines(canvas: &dyn Canvas, lines: &[String], middle: f64, top: f64, size: f64) {
     for (k, line) in lines.iter().enumerate() {
         let place = (middle, top + LEADING * size * k as f64 + 0.15 * size);
-        canvas.text(line, place, Anchor(HPos::Center, VPos::Top), size, INK);
+        canvas.text(line, place, Anchor(Across::Middle, Down::Top), size, Colour::Ink);
     }
 }
 
@@ -192,7 +206,7 @@ fn captioned_size(picture: &Picture, usual: (f64, f64)) -> (f64, f64) {
 
 /// The size a picture is shown at: each of its pixels is a whole number of pixels of the PNG, as many as fit.
 fn picture_size(picture: &Picture, usual: (f64, f64)) -> (f64, f64) {
-    let density = f64::from(png::DENSITY);
+    let density = f64::from(DENSITY);
     let (columns, rows) = (picture.width as f64, rows(picture) as f64);
     let times = (density * usual.0 / columns).min(density * usual.1 / rows).floor().max(1.0);
     if rows == 0.0 { (0.0, 0.0) } else { (columns * times / density, rows * times / density) }
@@ -202,7 +216,7 @@ fn rows(picture: &Picture) -> usize {
     picture.pixels.len().checked_div(picture.width).unwrap_or(0)
 }
 
-fn draw_panel(canvas: &Canvas, Laid { title: (lines, (middle, top)), room, content }: &Laid) {
+fn draw_panel(canvas: &dyn Canvas, Laid { title: (lines, (middle, top)), room, content }: &Laid) {
     draw_lines(canvas, lines, *middle, *top, HEADING);
     match content {
         Content::Chart(chart, arrangement) => chart::draw(canvas, chart, arrangement),
@@ -218,7 +232,7 @@ fn under_title(title: &str, room: &Frame) -> (Vec<String>, Frame) {
     (lines, Frame { top, ..*room })
 }
 
-fn draw_picture(canvas: &Canvas, picture: &Picture, room: &Frame) {
+fn draw_picture(canvas: &dyn Canvas, picture: &Picture, room: &Frame) {
     let lines = text::wrap(&picture.title, TEXT, room.width());
     let caption = block_height(lines.len(), TEXT);
     let (width, height) = picture_size(picture, (room.width(), room.height() - caption - MARGIN));

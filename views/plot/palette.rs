@@ -1,51 +1,157 @@
 //! Colours.
 
 use chapters::figure::{Dash, Hue, Ramp};
-use plotters::style::RGBColor;
 
-/// Text and axes.
-pub const INK: RGBColor = RGBColor(34, 34, 34);
-/// Edges of boxes.
-pub const EDGE: RGBColor = RGBColor(190, 190, 190);
-/// Grid lines behind the curves.
-pub const GRID: RGBColor = RGBColor(228, 228, 228);
-/// Reference lines and their names.
-pub const AID: RGBColor = RGBColor(96, 96, 96);
-/// Background.
-pub const PAPER: RGBColor = RGBColor(255, 255, 255);
-/// Strokes and ground of what a map has no value for.
-pub const BROKEN: (RGBColor, RGBColor) = (RGBColor(90, 90, 90), RGBColor(240, 240, 240));
-
-const fn rgb(code: u32) -> RGBColor {
-    RGBColor((code >> 16) as u8, (code >> 8) as u8, code as u8)
+/// A colour by what it stands for. A page that shows a figure inline may give each role a colour of its own; see
+/// [`Colour::role`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colour {
+    /// Text and axes.
+    Ink,
+    /// Edges of boxes.
+    Edge,
+    /// Grid lines behind the curves.
+    Grid,
+    /// Reference lines and their names.
+    Aid,
+    /// Background.
+    Paper,
+    /// Ground of the bands beside the frame.
+    Band,
+    /// Strokes over what a map has no value for.
+    Hatch,
+    /// Ground of what a map has no value for.
+    Blank,
+    /// s polarisation.
+    S,
+    /// p polarisation.
+    P,
+    /// Natural light, or the exact answer.
+    Natural,
+    /// What is transmitted.
+    Transmitted,
+    /// The program's own method.
+    Ours,
+    /// The textbook form.
+    Textbook,
+    /// A reference or an aid to the eye.
+    Reference,
+    /// The seventh of several equals, which is no other role.
+    Seventh,
 }
 
-/// The seventh of several equals, which is no role: found by the same search, it differs from the others by 0.09.
-const PINK: RGBColor = rgb(0xFF3CC3);
+impl Colour {
+    /// Every colour, each at its own number.
+    pub const ALL: [Self; 16] = [
+        Self::Ink,
+        Self::Edge,
+        Self::Grid,
+        Self::Aid,
+        Self::Paper,
+        Self::Band,
+        Self::Hatch,
+        Self::Blank,
+        Self::S,
+        Self::P,
+        Self::Natural,
+        Self::Transmitted,
+        Self::Ours,
+        Self::Textbook,
+        Self::Reference,
+        Self::Seventh,
+    ];
+
+    /// Its name in a page's style, where `--lesson-` stands before it. None for the two that lie over and in a map,
+    /// whose pixels do not follow the page.
+    pub fn role(self) -> Option<&'static str> {
+        match self {
+            Self::Ink => Some("ink"),
+            Self::Edge => Some("edge"),
+            Self::Grid => Some("grid"),
+            Self::Aid => Some("aid"),
+            Self::Paper => Some("paper"),
+            Self::Band => Some("band"),
+            Self::Hatch | Self::Blank => None,
+            Self::S => Some("s"),
+            Self::P => Some("p"),
+            Self::Natural => Some("natural"),
+            Self::Transmitted => Some("transmitted"),
+            Self::Ours => Some("ours"),
+            Self::Textbook => Some("textbook"),
+            Self::Reference => Some("reference"),
+            Self::Seventh => Some("seventh"),
+        }
+    }
+
+    /// How it looks on paper [8-bit sRGB]. The hues were found by search: any two differ by 0.13 or more in OKLab
+    /// (B. Ottosson, 2020) to normal and to protan, deutan and tritan eyes (G. Machado et al., IEEE TVCG 15, 2009), and
+    /// each has a contrast of 3 to white; the seventh equal, found the same way, differs from the others by 0.09.
+    pub fn rgb(self) -> [u8; 3] {
+        let [_, rgb @ ..] = u32::to_be_bytes(match self {
+            Self::Ink => 0x222222,
+            Self::Edge => 0xBEBEBE,
+            Self::Grid => 0xE4E4E4,
+            Self::Aid => 0x606060,
+            Self::Paper => 0xFFFFFF,
+            Self::Band => 0xF0F0F0,
+            Self::Hatch => 0x5A5A5A,
+            Self::Blank => 0xF0F0F0,
+            Self::S => 0x3F4CCD,
+            Self::P => 0xAD2312,
+            Self::Natural => 0x1A1A1A,
+            Self::Transmitted => 0x059AD8,
+            Self::Ours => 0x68076F,
+            Self::Textbook => 0xCC8400,
+            Self::Reference => 0x808080,
+            Self::Seventh => 0xFF3CC3,
+        });
+        rgb
+    }
+
+    /// How it looks on paper, as CSS writes it.
+    pub fn hex(self) -> String {
+        let [red, green, blue] = self.rgb();
+        format!("#{red:02x}{green:02x}{blue:02x}")
+    }
+}
+
+/// A colour, and how much it covers of what is under it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Paint {
+    /// The colour.
+    pub colour: Colour,
+    /// From 0, nothing, to 1, all.
+    pub alpha: f64,
+}
+
+impl From<Colour> for Paint {
+    fn from(colour: Colour) -> Self {
+        Self { colour, alpha: 1.0 }
+    }
+}
 
 /// How many equals have colours of their own.
 const EQUALS: u8 = 8;
 
-/// The colour of a role. Found by search: any two differ by 0.13 or more in OKLab (B. Ottosson, 2020) to normal and to
-/// protan, deutan and tritan eyes (G. Machado et al., IEEE TVCG 15, 2009), and each has a contrast of 3 to white.
-pub fn colour(hue: Hue) -> RGBColor {
+/// The colour of a hue.
+pub fn colour(hue: Hue) -> Colour {
     match hue {
-        Hue::S => rgb(0x3F4CCD),
-        Hue::P => rgb(0xAD2312),
-        Hue::Natural => rgb(0x1A1A1A),
-        Hue::Transmitted => rgb(0x059AD8),
-        Hue::Ours => rgb(0x68076F),
-        Hue::Textbook => rgb(0xCC8400),
-        Hue::Reference => rgb(0x808080),
+        Hue::S => Colour::S,
+        Hue::P => Colour::P,
+        Hue::Natural => Colour::Natural,
+        Hue::Transmitted => Colour::Transmitted,
+        Hue::Ours => Colour::Ours,
+        Hue::Textbook => Colour::Textbook,
+        Hue::Reference => Colour::Reference,
         Hue::Nth(k) => match k % EQUALS {
-            0 => colour(Hue::S),
-            1 => colour(Hue::Textbook),
-            2 => colour(Hue::Transmitted),
-            3 => colour(Hue::P),
-            4 => colour(Hue::Ours),
-            5 => colour(Hue::Natural),
-            6 => PINK,
-            _ => colour(Hue::Reference),
+            0 => Colour::S,
+            1 => Colour::Textbook,
+            2 => Colour::Transmitted,
+            3 => Colour::P,
+            4 => Colour::Ours,
+            5 => Colour::Natural,
+            6 => Colour::Seventh,
+            _ => Colour::Reference,
         },
     }
 }
@@ -81,9 +187,9 @@ pub fn ramp(ramp: Ramp, fraction: f64) -> Option<[u8; 3]> {
     let along = fraction.clamp(0.0, 1.0) * (stops.len() - 1) as f64;
     let below = (along as usize).min(stops.len() - 2);
     let share = along - below as f64;
-    let (RGBColor(r0, g0, b0), RGBColor(r1, g1, b1)) = (rgb(stops[below]), rgb(stops[below + 1]));
-    let between = |a: u8, b: u8| (f64::from(a) + share * (f64::from(b) - f64::from(a))).round() as u8;
-    Some([between(r0, r1), between(g0, g1), between(b0, b1)])
+    let [[_, low @ ..], [_, high @ ..]] = [stops[below], stops[below + 1]].map(u32::to_be_bytes);
+    let between = |k: usize| (f64::from(low[k]) + share * (f64::from(high[k]) - f64::from(low[k]))).round() as u8;
+    Some([between(0), between(1), between(2)])
 }
 
 /// A linear component as 8-bit sRGB (IEC 61966-2-1); what is not a number is black.
@@ -111,8 +217,8 @@ mod tests {
         rows.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
     }
 
-    fn linear(RGBColor(red, green, blue): RGBColor) -> [f64; 3] {
-        [red, green, blue].map(|code| {
+    fn linear(rgb: [u8; 3]) -> [f64; 3] {
+        rgb.map(|code| {
             let display = f64::from(code) / 255.0;
             if display <= 0.04045 { display / 12.92 } else { ((display + 0.055) / 1.055).powf(2.4) }
         })
@@ -153,24 +259,31 @@ mod tests {
     fn are_apart(hues: &[Hue], least: f64) {
         for (k, a) in hues.iter().enumerate() {
             for eye in &EYES {
-                let seen = |hue: Hue| oklab(times(eye, linear(colour(hue))));
+                let seen = |hue: Hue| oklab(times(eye, linear(colour(hue).rgb())));
                 for b in &hues[..k] {
                     let apart = distance(seen(*a), seen(*b));
                     assert!(apart > least, "{a:?} and {b:?} are {apart:.3} apart");
                 }
             }
             // The contrast that WCAG 2.1 (criterion 1.4.11) asks of graphics.
-            let luminance: f64 = linear(colour(*a)).iter().zip([0.2126, 0.7152, 0.0722]).map(|(c, w)| c * w).sum();
+            let luminance: f64 =
+                linear(colour(*a).rgb()).iter().zip([0.2126, 0.7152, 0.0722]).map(|(c, w)| c * w).sum();
             assert!(1.05 / (luminance + 0.05) > 3.0, "{a:?} is pale");
         }
     }
 
     #[test]
+    fn colours_are_known_by_number_and_name() {
+        for (k, colour) in Colour::ALL.into_iter().enumerate() {
+            assert_eq!(colour as usize, k);
+            let namesakes = Colour::ALL.into_iter().filter(|other| other.role() == colour.role());
+            assert!(colour.role().is_none() || namesakes.count() == 1, "{colour:?}");
+        }
+    }
+
+    #[test]
     fn ramps_are_even_in_lightness() {
-        let lightness = |kind: Ramp, t: f64| {
-            let [red, green, blue] = ramp(kind, t).unwrap();
-            oklab(linear(RGBColor(red, green, blue)))[0]
-        };
+        let lightness = |kind: Ramp, t: f64| oklab(linear(ramp(kind, t).unwrap()))[0];
         let whole = lightness(Ramp::Sequential, 1.0) - lightness(Ramp::Sequential, 0.0);
         for k in 0..16 {
             let t = f64::from(k) / 16.0;

@@ -1,14 +1,10 @@
 //! A sheet as a PNG.
 
-use super::sheet::{Image, Item, Sheet, Text};
-use super::text;
-use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{ExtendedColorType, ImageEncoder};
-use plotters_backend::BackendColor;
-use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
-
-/// Pixels of the picture to a pixel of the sheet: sharp on dense screens and on a projector.
-pub const DENSITY: u32 = 2;
+use super::outline::outline;
+use super::palette::Paint;
+use super::sheet::{Image, Item, Path, Sheet, Text};
+use super::{DENSITY, encode};
+use tiny_skia::{Color, FillRule, LineCap, LineJoin, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
 
 /// The sheet on white.
 pub fn write(sheet: &Sheet) -> Vec<u8> {
@@ -18,63 +14,62 @@ pub fn write(sheet: &Sheet) -> Vec<u8> {
     let scale = Transform::from_scale(DENSITY as f32, DENSITY as f32);
     for item in &sheet.items {
         match item {
-            Item::Fill { path, colour } => fill(&mut pixmap, path, *colour, scale),
-            Item::Disc { centre: [x, y], radius, colour } => {
-                if let Some(path) = PathBuilder::from_circle(*x, *y, *radius) {
-                    fill(&mut pixmap, &path, *colour, scale);
-                }
+            Item::Fill { path, paint } => fill(&mut pixmap, built(path), paint, scale),
+            Item::Disc { centre: [x, y], radius, paint } => {
+                fill(&mut pixmap, PathBuilder::from_circle(*x, *y, *radius), paint, scale);
             }
-            Item::Stroke { path, colour, width, dashes } => {
-                stroke(&mut pixmap, path, *colour, *width, dashes, scale);
-            }
+            Item::Stroke { path, paint, width, dashes } => stroke(&mut pixmap, path, paint, *width, dashes, scale),
             Item::Text(text) => set(&mut pixmap, text, scale),
             Item::Image(image) => paste(&mut pixmap, image),
         }
     }
     let opaque: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
-    encode(width, height, &opaque)
+    encode::png(width, height, &opaque)
 }
 
-/// A PNG of 8-bit sRGB pixels. Of the filters, none suits line art on white best.
-pub fn encode(width: u32, height: u32, rgb: &[u8]) -> Vec<u8> {
-    let mut png = Vec::new();
-    PngEncoder::new_with_quality(&mut png, CompressionType::Best, FilterType::NoFilter)
-        .write_image(rgb, width, height, ExtendedColorType::Rgb8)
-        .expect("a picture in memory can be encoded into memory");
-    png
+fn built(path: &Path) -> Option<tiny_skia::Path> {
+    let ([x, y], rest) = path.points.split_first()?;
+    let mut built = PathBuilder::new();
+    built.move_to(*x, *y);
+    rest.iter().for_each(|[x, y]| built.line_to(*x, *y));
+    if path.is_closed {
+        built.close();
+    }
+    built.finish()
 }
 
-fn paint(colour: BackendColor) -> Paint<'static> {
-    let (red, green, blue) = colour.rgb;
-    let mut paint = Paint { anti_alias: true, ..Paint::default() };
-    paint.set_color_rgba8(red, green, blue, (255.0 * colour.alpha).round() as u8);
-    paint
+fn shaded(paint: &Paint) -> tiny_skia::Paint<'static> {
+    let [red, green, blue] = paint.colour.rgb();
+    let mut shaded = tiny_skia::Paint { anti_alias: true, ..tiny_skia::Paint::default() };
+    shaded.set_color_rgba8(red, green, blue, (255.0 * paint.alpha).round() as u8);
+    shaded
 }
 
-fn fill(pixmap: &mut Pixmap, path: &Path, colour: BackendColor, transform: Transform) {
-    pixmap.fill_path(path, &paint(colour), FillRule::Winding, transform, None);
+fn fill(pixmap: &mut Pixmap, path: Option<tiny_skia::Path>, paint: &Paint, transform: Transform) {
+    if let Some(path) = path {
+        pixmap.fill_path(&path, &shaded(paint), FillRule::Winding, transform, None);
+    }
 }
 
-fn stroke(pixmap: &mut Pixmap, path: &Path, colour: BackendColor, width: f32, dashes: &[f32], transform: Transform) {
+fn stroke(pixmap: &mut Pixmap, path: &Path, paint: &Paint, width: f32, dashes: &[f32], transform: Transform) {
+    let Some(path) = built(path) else { return };
     let dash = StrokeDash::new(dashes.to_vec(), 0.0);
     let line_cap = if dash.is_some() { LineCap::Butt } else { LineCap::Round };
     let stroke = Stroke { width, dash, line_cap, line_join: LineJoin::Round, ..Stroke::default() };
-    pixmap.stroke_path(path, &paint(colour), &stroke, transform, None);
+    pixmap.stroke_path(&path, &shaded(paint), &stroke, transform, None);
 }
 
 fn set(pixmap: &mut Pixmap, text: &Text, scale: Transform) {
-    let Some(outline) = text::outline(&text.label, f64::from(text.size)) else { return };
     let turn = if text.upwards { -90.0 } else { 0.0 };
     let transform = scale.pre_translate(text.start[0], text.start[1]).pre_rotate(turn);
-    fill(pixmap, &outline, text.colour, transform);
+    fill(pixmap, outline(&text.label, f64::from(text.size)), &text.paint, transform);
 }
 
 /// Copies the cells without smoothing: a pixel takes the colour of the cell that its centre lies in.
 fn paste(pixmap: &mut Pixmap, image: &Image) {
-    let density = DENSITY as f32;
-    let edge = |at: f32, limit: u32| (at * density).round().clamp(0.0, limit as f32) as usize;
-    let (left, right) = (edge(image.place.left(), pixmap.width()), edge(image.place.right(), pixmap.width()));
-    let (top, bottom) = (edge(image.place.top(), pixmap.height()), edge(image.place.bottom(), pixmap.height()));
+    let edge = |at: f64, limit: u32| (at * f64::from(DENSITY)).round().clamp(0.0, f64::from(limit)) as usize;
+    let (left, right) = (edge(image.place.left, pixmap.width()), edge(image.place.right, pixmap.width()));
+    let (top, bottom) = (edge(image.place.top, pixmap.height()), edge(image.place.bottom, pixmap.height()));
     let stride = pixmap.width() as usize;
     let cell = |k: usize, pixels: usize, cells: usize| ((2 * k + 1) * cells / (2 * pixels)).min(cells - 1);
     let pixels = pixmap.pixels_mut();

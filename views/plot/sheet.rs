@@ -1,25 +1,34 @@
-//! The sheet a figure is drawn on: a `plotters` backend that keeps what it is told as vector shapes.
+//! The sheet a figure is drawn on keeps what it is told as vector shapes; the writers read them.
 //!
-//! `plotters` counts in whole pixels. The sheet therefore tells it that it is [`FINE`] times finer than it is, which
-//! places everything to a 64th of a pixel; the writers [`png`](super::png) and [`svg`](super::svg) read the result.
+//! It is ruled in steps of a 64th of a pixel ([`FINE`]), which places everything finer than eyes can tell and lets
+//! crowded points fall together.
 
+use super::canvas::{Across, Anchor, Down, Frame, Place};
+use super::palette::Paint;
 use super::text;
-use plotters::style::FontTransform;
-use plotters::style::text_anchor::{HPos, VPos};
-use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind};
-use std::convert::Infallible;
-use tiny_skia::{Path, PathBuilder, Rect};
 
-/// Steps of `plotters` to a pixel of the sheet.
+/// Steps to a pixel of the sheet.
 pub const FINE: f64 = 64.0;
 
-/// A number of `plotters` steps in pixels.
+/// A place on the sheet in steps from its top left corner.
+pub type Step = (i32, i32);
+
+/// The step nearest to a place.
+pub fn fine((x, y): Place) -> Step {
+    ((x * FINE).round() as i32, (y * FINE).round() as i32)
+}
+
+/// A number of steps in pixels.
 fn coarse(steps: impl Into<f64>) -> f32 {
     (steps.into() / FINE) as f32
 }
 
+fn place((x, y): Step) -> [f32; 2] {
+    [coarse(x), coarse(y)]
+}
+
 /// What is drawn, from back to front, in pixels from the top left corner.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub struct Sheet {
     /// Width.
     pub width: u32,
@@ -30,13 +39,14 @@ pub struct Sheet {
 }
 
 /// Something on a sheet.
+#[derive(Debug)]
 pub enum Item {
     /// A filled shape.
     Fill {
         /// Its outline.
         path: Path,
         /// Its colour.
-        colour: BackendColor,
+        paint: Paint,
     },
     /// A filled disc.
     Disc {
@@ -45,14 +55,14 @@ pub enum Item {
         /// Its radius.
         radius: f32,
         /// Its colour.
-        colour: BackendColor,
+        paint: Paint,
     },
     /// A stroked line.
     Stroke {
         /// Its middle.
         path: Path,
         /// Its colour.
-        colour: BackendColor,
+        paint: Paint,
         /// Its width.
         width: f32,
         /// Lengths of strokes and gaps in turn; unbroken if empty.
@@ -64,7 +74,18 @@ pub enum Item {
     Image(Image),
 }
 
+/// A line with corners, at least two points long. (Figures need no more of a path, so that no library for paths is
+/// needed where only SVG is written.)
+#[derive(Clone, Debug)]
+pub struct Path {
+    /// Its corners.
+    pub points: Vec<[f32; 2]>,
+    /// Whether it returns to its start.
+    pub is_closed: bool,
+}
+
 /// A line of text.
+#[derive(Debug)]
 pub struct Text {
     /// In the label markup.
     pub label: String,
@@ -75,13 +96,14 @@ pub struct Text {
     /// Whether it runs upwards rather than to the right.
     pub upwards: bool,
     /// Its colour.
-    pub colour: BackendColor,
+    pub paint: Paint,
 }
 
 /// A picture of cells, each of one colour.
+#[derive(Debug)]
 pub struct Image {
     /// Where it lies.
-    pub place: Rect,
+    pub place: Frame,
     /// Cells in a row.
     pub columns: usize,
     /// sRGB of each cell, row by row from the top.
@@ -96,128 +118,64 @@ impl Image {
 }
 
 impl Sheet {
-    /// Strokes the line through points given in `plotters` steps, with a pattern of `dashes` in pixels.
+    /// Strokes the line through points, `width` steps wide, with a pattern of `dashes` in pixels.
     pub fn stroke(
         &mut self,
-        points: impl IntoIterator<Item = BackendCoord>,
-        style: &impl BackendStyle,
+        points: impl IntoIterator<Item = Step>,
+        is_closed: bool,
+        paint: Paint,
+        width: u32,
         dashes: &[f32],
     ) {
-        let (width, colour) = (coarse(style.stroke_width()), style.color());
-        if let Some(path) = line(points, false) {
-            self.items.push(Item::Stroke { path, colour, width, dashes: dashes.to_vec() });
+        if let Some(path) = path(points, is_closed) {
+            self.items.push(Item::Stroke { path, paint, width: coarse(width), dashes: dashes.to_vec() });
         }
     }
 
-    fn fill(&mut self, path: Option<Path>, style: &impl BackendStyle) {
-        let colour = style.color();
-        self.items.extend(path.map(|path| Item::Fill { path, colour }));
+    /// Fills the shape with these corners.
+    pub fn fill(&mut self, corners: impl IntoIterator<Item = Step>, paint: Paint) {
+        self.items.extend(path(corners, true).map(|path| Item::Fill { path, paint }));
     }
 
-    /// Fills the shape or strokes its outline.
-    fn shape(&mut self, path: Option<Path>, style: &impl BackendStyle, fill: bool) {
-        if fill {
-            return self.fill(path, style);
-        }
-        let (width, colour) = (coarse(style.stroke_width()), style.color());
-        self.items.extend(path.map(|path| Item::Stroke { path, colour, width, dashes: Vec::new() }));
-    }
-}
-
-/// The line through points given in `plotters` steps, repeated ones left out; a lone point is a line to itself.
-fn line(points: impl IntoIterator<Item = BackendCoord>, closed: bool) -> Option<Path> {
-    let mut points: Vec<BackendCoord> = points.into_iter().collect();
-    points.dedup();
-    let (&(x, y), rest) = points.split_first()?;
-    let mut path = PathBuilder::new();
-    path.move_to(coarse(x), coarse(y));
-    for &(x, y) in if rest.is_empty() { &points } else { rest } {
-        path.line_to(coarse(x), coarse(y));
-    }
-    if closed {
-        path.close();
-    }
-    path.finish()
-}
-
-type Done = Result<(), DrawingErrorKind<Infallible>>;
-
-impl DrawingBackend for Sheet {
-    type ErrorType = Infallible;
-
-    fn get_size(&self) -> (u32, u32) {
-        (self.width.saturating_mul(FINE as u32), self.height.saturating_mul(FINE as u32))
+    /// Fills a disc.
+    pub fn disc(&mut self, centre: Step, radius: u32, paint: Paint) {
+        self.items.push(Item::Disc { centre: place(centre), radius: coarse(radius), paint });
     }
 
-    fn ensure_prepared(&mut self) -> Done {
-        Ok(())
-    }
-
-    fn present(&mut self) -> Done {
-        Ok(())
-    }
-
-    fn draw_pixel(&mut self, (x, y): BackendCoord, colour: BackendColor) -> Done {
-        self.draw_rect((x, y), (x + 1, y + 1), &colour, true)
-    }
-
-    fn draw_line<S: BackendStyle>(&mut self, from: BackendCoord, to: BackendCoord, style: &S) -> Done {
-        self.draw_path([from, to], style)
-    }
-
-    fn draw_rect<S: BackendStyle>(&mut self, a: BackendCoord, b: BackendCoord, style: &S, fill: bool) -> Done {
-        self.shape(line([a, (b.0, a.1), b, (a.0, b.1)], true), style, fill);
-        Ok(())
-    }
-
-    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, style: &S) -> Done {
-        self.stroke(path, style, &[]);
-        Ok(())
-    }
-
-    fn draw_circle<S: BackendStyle>(&mut self, centre: BackendCoord, radius: u32, style: &S, fill: bool) -> Done {
-        let (centre, radius, colour) = ([coarse(centre.0), coarse(centre.1)], coarse(radius), style.color());
-        if fill {
-            self.items.push(Item::Disc { centre, radius, colour });
-        } else {
-            self.shape(PathBuilder::from_circle(centre[0], centre[1], radius), style, false);
-        }
-        Ok(())
-    }
-
-    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, corners: I, style: &S) -> Done {
-        self.fill(line(corners, true), style);
-        Ok(())
-    }
-
-    /// Sets the text at its anchor; `Top`, `Center` and `Bottom` are those of a capital, so that the baselines of
-    /// labels with and without raised runs agree. It runs to the right, or upwards under any rotation.
-    fn draw_text<S: BackendTextStyle>(&mut self, label: &str, style: &S, (x, y): BackendCoord) -> Done {
-        let size = style.size() / FINE;
-        let along = match style.anchor().h_pos {
-            HPos::Left => 0.0,
-            HPos::Center => -0.5 * text::width(label, size),
-            HPos::Right => -text::width(label, size),
+    /// Sets text at its anchor. That is one of a capital, so that the baselines of labels with and without raised runs
+    /// agree.
+    pub fn text(&mut self, label: &str, at: Step, anchor: Anchor, size: f64, paint: Paint, upwards: bool) {
+        let along = match anchor.0 {
+            Across::Left => 0.0,
+            Across::Middle => -0.5 * text::width(label, size),
+            Across::Right => -text::width(label, size),
         };
-        let down = match style.anchor().v_pos {
-            VPos::Top => text::CAPITAL * size,
-            VPos::Center => 0.5 * text::CAPITAL * size,
-            VPos::Bottom => 0.0,
+        let down = match anchor.1 {
+            Down::Top => text::CAPITAL * size,
+            Down::Middle => 0.5 * text::CAPITAL * size,
+            Down::Bottom => 0.0,
         };
-        let upwards = !matches!(style.transform(), FontTransform::None);
         let (dx, dy) = if upwards { (down, -along) } else { (along, down) };
-        let start = [coarse(x) + dx as f32, coarse(y) + dy as f32];
-        let (label, size, colour) = (label.to_owned(), size as f32, style.color());
-        self.items.push(Item::Text(Text { label, start, size, upwards, colour }));
-        Ok(())
+        let [x, y] = place(at);
+        let start = [x + dx as f32, y + dy as f32];
+        self.items.push(Item::Text(Text { label: label.to_owned(), start, size: size as f32, upwards, paint }));
     }
 
-    fn estimate_text_size<S: BackendTextStyle>(
-        &self,
-        label: &str,
-        style: &S,
-    ) -> Result<(u32, u32), DrawingErrorKind<Infallible>> {
-        let height = (text::CAPITAL + text::DESCENT) * style.size();
-        Ok((text::width(label, style.size()).ceil() as u32, height.ceil() as u32))
+    /// Lays a picture of cells, `columns` to a row, from the top left.
+    pub fn image(&mut self, place: &Frame, columns: usize, cells: Vec<[u8; 3]>) {
+        let has_size = place.width() >= 0.0 && place.height() >= 0.0;
+        if has_size && columns > 0 && !cells.is_empty() {
+            self.items.push(Item::Image(Image { place: *place, columns, cells }));
+        }
     }
+}
+
+/// The line through points, repeated ones left out; a lone point is a line to itself.
+fn path(points: impl IntoIterator<Item = Step>, is_closed: bool) -> Option<Path> {
+    let mut points: Vec<Step> = points.into_iter().collect();
+    points.dedup();
+    if let [lone] = points[..] {
+        points.push(lone);
+    }
+    (!points.is_empty()).then(|| Path { points: points.into_iter().map(place).collect(), is_closed })
 }

@@ -1,34 +1,44 @@
 //! A sheet as an SVG, its text as text.
+//!
+//! Colours stand there twice. Attributes (`fill="#3f4ccd"`) are for all readers. Where CSS variables are known, a style
+//! of one class a role takes over (`fill:var(--lesson-s,#3f4ccd)`), so that a figure inlined in a page follows the
+//! page's theme and otherwise looks the same. It stands behind `@supports`: readers that know no variables drop it
+//! whole, where some would paint a `var()` that they cannot read black.
 
-use super::png;
-use super::sheet::{Image, Item, Sheet, Text};
-use super::text;
-use plotters_backend::BackendColor;
+use super::palette::{Colour, Paint};
+use super::sheet::{Image, Item, Path, Sheet, Text};
+use super::{encode, text};
 use std::fmt::Write;
-use tiny_skia::{Path, PathSegment};
 
-/// The sheet on white, named and described for readers who listen.
+/// What a class is called, by what it colours.
+const FILL: Property = Property { name: "fill", class: "f" };
+const STROKE: Property = Property { name: "stroke", class: "s" };
+
+/// The sheet on its paper, named and described for readers who listen.
 pub fn write(sheet: &Sheet, title: &str, description: &str) -> String {
     let (width, height) = (sheet.width.max(1), sheet.height.max(1));
     let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
-         role=\"img\">\n<title>{}</title>\n<desc>{}</desc>\n<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"lesson-figure\" viewBox=\"0 0 {width} {height}\" \
+         width=\"{width}\" height=\"{height}\" role=\"img\">\n<title>{}</title>\n<desc>{}</desc>\n{}\
+         <rect width=\"{width}\" height=\"{height}\"{}/>\n\
          <g font-family=\"{}\" font-stretch=\"condensed\" stroke-linejoin=\"round\">\n",
         escaped(title),
         escaped(description),
+        style(sheet),
+        FILL.of(Colour::Paper.into()),
         text::FAMILIES,
     );
     for item in &sheet.items {
         match item {
-            Item::Fill { path, colour } => {
-                push(&mut svg, format_args!("<path d=\"{}\"{}/>", data(path), paint("fill", *colour)))
+            Item::Fill { path, paint } => {
+                push(&mut svg, format_args!("<path d=\"{}\"{}/>", data(path), FILL.of(*paint)))
             }
-            Item::Disc { centre, radius, colour } => {
-                let ([x, y], r, paint) = (centre.map(short), short(*radius), paint("fill", *colour));
+            Item::Disc { centre, radius, paint } => {
+                let ([x, y], r, paint) = (centre.map(short), short(*radius), FILL.of(*paint));
                 push(&mut svg, format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{paint}/>"));
             }
-            Item::Stroke { path, colour, width, dashes } => {
-                let (data, paint) = (data(path), paint("stroke", *colour));
+            Item::Stroke { path, paint, width, dashes } => {
+                let (data, paint) = (data(path), STROKE.of(*paint));
                 let (width, broken) = (short(*width), broken(dashes));
                 push(
                     &mut svg,
@@ -43,6 +53,44 @@ pub fn write(sheet: &Sheet, title: &str, description: &str) -> String {
     svg
 }
 
+/// The classes that a sheet uses.
+fn style(sheet: &Sheet) -> String {
+    let used = sheet.items.iter().filter_map(|item| match item {
+        Item::Fill { paint, .. } | Item::Disc { paint, .. } => Some((FILL, paint.colour)),
+        Item::Text(Text { paint, .. }) => Some((FILL, paint.colour)),
+        Item::Stroke { paint, .. } => Some((STROKE, paint.colour)),
+        Item::Image(_) => None,
+    });
+    let used: Vec<(Property, Colour)> = used.chain([(FILL, Colour::Paper)]).collect();
+    let rules = Colour::ALL.into_iter().flat_map(|colour| [(FILL, colour), (STROKE, colour)]);
+    let rules: String =
+        rules.filter(|rule| used.contains(rule)).filter_map(|(what, colour)| what.rule(colour)).collect();
+    format!("<style>@supports(color:var(--a)){{{rules}}}</style>\n")
+}
+
+/// What is coloured of a shape.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Property {
+    name: &'static str,
+    class: &'static str,
+}
+
+impl Property {
+    /// The attributes of a shape.
+    fn of(self, Paint { colour, alpha }: Paint) -> String {
+        let Self { name, class } = self;
+        let class = colour.role().map_or(String::new(), |role| format!(" class=\"{class}-{role}\""));
+        let opacity = if alpha < 1.0 { format!(" {name}-opacity=\"{}\"", short(alpha as f32)) } else { String::new() };
+        format!("{class} {name}=\"{}\"{opacity}", colour.hex())
+    }
+
+    /// The rule of a class. Styles of a page's figures hold in the whole page, hence the long selector.
+    fn rule(self, colour: Colour) -> Option<String> {
+        let (Self { name, class }, role, hex) = (self, colour.role()?, colour.hex());
+        Some(format!(".lesson-figure .{class}-{role}{{{name}:var(--lesson-{role},{hex})}}"))
+    }
+}
+
 fn push(svg: &mut String, element: std::fmt::Arguments) {
     writeln!(svg, "{element}").expect("a string takes all that is written");
 }
@@ -54,12 +102,6 @@ fn short(length: f32) -> String {
     if text == "-0" { "0".into() } else { text.into() }
 }
 
-fn paint(what: &str, colour: BackendColor) -> String {
-    let (red, green, blue) = colour.rgb;
-    let paint = format!(" {what}=\"#{red:02x}{green:02x}{blue:02x}\"");
-    if colour.alpha < 1.0 { format!("{paint} {what}-opacity=\"{}\"", short(colour.alpha as f32)) } else { paint }
-}
-
 fn broken(dashes: &[f32]) -> String {
     if dashes.is_empty() {
         return " stroke-linecap=\"round\"".into();
@@ -69,20 +111,9 @@ fn broken(dashes: &[f32]) -> String {
 }
 
 fn data(path: &Path) -> String {
-    let mut data = String::new();
-    for segment in path.segments() {
-        let (letter, points): (char, &[tiny_skia::Point]) = match &segment {
-            PathSegment::MoveTo(end) => ('M', &[*end]),
-            PathSegment::LineTo(end) => ('L', &[*end]),
-            PathSegment::QuadTo(control, end) => ('Q', &[*control, *end]),
-            PathSegment::CubicTo(first, second, end) => ('C', &[*first, *second, *end]),
-            PathSegment::Close => ('Z', &[]),
-        };
-        data.push(letter);
-        let numbers: Vec<String> = points.iter().flat_map(|point| [short(point.x), short(point.y)]).collect();
-        data.push_str(&numbers.join(" "));
-    }
-    data
+    let corners = path.points.iter().map(|[x, y]| format!("{} {}", short(*x), short(*y)));
+    let end = if path.is_closed { "Z" } else { "" };
+    format!("M{}{end}", corners.collect::<Vec<_>>().join("L"))
 }
 
 /// Each run of one size stands where it was laid out and keeps its width, whichever of the families is found. (A width
@@ -92,7 +123,7 @@ fn set(svg: &mut String, text: &Text) {
     let runs = text::runs(&text.label);
     let [x0, y0] = text.start.map(short);
     let turn = if text.upwards { format!(" transform=\"rotate(-90 {x0} {y0})\"") } else { String::new() };
-    let paint = paint("fill", text.colour);
+    let paint = FILL.of(text.paint);
     let written = runs.iter().map(|run| {
         let [dx, dy, size] = [run.x, run.rise, run.size].map(|ems| ems as f32 * text.size);
         let width = short(text::width(&run.text, f64::from(size)) as f32);
@@ -111,8 +142,9 @@ fn set(svg: &mut String, text: &Text) {
 
 fn embed(svg: &mut String, image: &Image) {
     let place = image.place;
-    let [x, y, width, height] = [place.x(), place.y(), place.width(), place.height()].map(short);
-    let png = png::encode(image.columns as u32, image.rows() as u32, image.cells.as_flattened());
+    let [x, y, width, height] =
+        [place.left, place.top, place.width(), place.height()].map(|length| short(length as f32));
+    let png = encode::png(image.columns as u32, image.rows() as u32, image.cells.as_flattened());
     let data = base64(&png);
     push(
         svg,

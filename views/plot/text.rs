@@ -1,10 +1,9 @@
-//! Text: the label markup, its measure, and the outlines of the embedded font.
+//! Text: the label markup and its measure in the embedded font.
 
 use std::iter::Peekable;
 use std::str::Chars;
 use std::sync::LazyLock;
-use tiny_skia::{Path, PathBuilder};
-use ttf_parser::{Face, OutlineBuilder};
+use ttf_parser::{Face, GlyphId};
 
 /// Families an SVG reader should try, the embedded one first; the others are as wide or are fitted to its widths.
 pub const FAMILIES: &str = "'DejaVu Sans Condensed','DejaVu Sans',Verdana,'Noto Sans',sans-serif";
@@ -23,7 +22,8 @@ const LOWER: f64 = 0.17;
 /// Runs within runs beyond this depth are set at the size of the last.
 const DEEPEST: usize = 3;
 
-static FACE: LazyLock<Face<'static>> = LazyLock::new(|| {
+/// The embedded font.
+pub(super) static FACE: LazyLock<Face<'static>> = LazyLock::new(|| {
     let font = include_bytes!("../fonts/DejaVuSansCondensed-subset.ttf");
     Face::parse(font, 0).expect("the embedded font is sound")
 });
@@ -83,13 +83,18 @@ fn read(chars: &mut Peekable<Chars>, depth: usize, rise: f64, size: f64, runs: &
 }
 
 /// Width of plain text [em].
-fn advance(text: &str) -> f64 {
+pub(super) fn advance(text: &str) -> f64 {
     let units: f64 = text.chars().map(|c| f64::from(FACE.glyph_hor_advance(glyph(c)).unwrap_or(0))).sum();
-    units / f64::from(FACE.units_per_em())
+    units / units_per_em()
+}
+
+/// Units of the font to an em.
+pub(super) fn units_per_em() -> f64 {
+    f64::from(FACE.units_per_em())
 }
 
 /// The glyph of a character; the font's empty box if it has none.
-fn glyph(character: char) -> ttf_parser::GlyphId {
+pub(super) fn glyph(character: char) -> GlyphId {
     FACE.glyph_index(character).unwrap_or_default()
 }
 
@@ -111,59 +116,6 @@ pub fn wrap(label: &str, size: f64, limit: f64) -> Vec<String> {
         }
     }
     lines
-}
-
-/// Outline of a label whose baseline starts at the origin, y downwards; nothing if it has no ink.
-pub fn outline(label: &str, size: f64) -> Option<Path> {
-    let mut pen = Pen { path: PathBuilder::new(), x: 0.0, y: 0.0, scale: 0.0 };
-    let unit = 1.0 / f64::from(FACE.units_per_em());
-    for run in runs(label) {
-        pen.scale = (size * run.size * unit) as f32;
-        pen.y = (-size * run.rise) as f32;
-        let mut x = run.x;
-        for character in run.text.chars() {
-            pen.x = (size * x) as f32;
-            FACE.outline_glyph(glyph(character), &mut pen);
-            x += run.size * unit * f64::from(FACE.glyph_hor_advance(glyph(character)).unwrap_or(0));
-        }
-    }
-    pen.path.finish()
-}
-
-/// Draws glyphs, given in font units with y upwards, at a place and size.
-struct Pen {
-    path: PathBuilder,
-    x: f32,
-    y: f32,
-    scale: f32,
-}
-
-impl Pen {
-    fn at(&self, x: f32, y: f32) -> (f32, f32) {
-        (self.x + self.scale * x, self.y - self.scale * y)
-    }
-}
-
-impl OutlineBuilder for Pen {
-    fn move_to(&mut self, x: f32, y: f32) {
-        let (x, y) = self.at(x, y);
-        self.path.move_to(x, y);
-    }
-    fn line_to(&mut self, x: f32, y: f32) {
-        let (x, y) = self.at(x, y);
-        self.path.line_to(x, y);
-    }
-    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        let ((x1, y1), (x, y)) = (self.at(x1, y1), self.at(x, y));
-        self.path.quad_to(x1, y1, x, y);
-    }
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        let ((x1, y1), (x2, y2), (x, y)) = (self.at(x1, y1), self.at(x2, y2), self.at(x, y));
-        self.path.cubic_to(x1, y1, x2, y2, x, y);
-    }
-    fn close(&mut self) {
-        self.path.close();
-    }
 }
 
 #[cfg(test)]
@@ -208,10 +160,6 @@ mod tests {
         let whole = width("θ_B = 56°", 15.0);
         let parts = width("θ", 15.0) + SMALLER * width("B", 15.0) + width(" = 56°", 15.0);
         assert!((whole - parts).abs() < 1e-9);
-        // The outline ends where the measure says, up to the side bearing of the last glyph.
-        let bounds = outline("θ_B = 56°", 15.0).unwrap().bounds();
-        assert!((f64::from(bounds.right()) - whole).abs() < 0.1 * 15.0);
-        assert!(outline(" ", 15.0).is_none());
     }
 
     #[test]
@@ -227,7 +175,6 @@ mod tests {
         #[test]
         fn any_label_can_be_set(label in "[_^{}a-zθ⁻\\PC]{0,40}") {
             prop_assert!(width(&label, 15.0).is_finite());
-            outline(&label, 15.0);
         }
     }
 }

@@ -1,13 +1,20 @@
 //! What is on the pictures, by content.
 
+mod canvases;
+
 use super::axes::Direction;
 use super::canvas::{Frame, Place};
+use super::palette::Colour;
+use super::sheet::Sheet;
 use super::ticks::Extent;
-use super::{AMONG, chart, gallery, marks, palette, png, svg};
+use super::{AMONG, DENSITY, chart, gallery, marks, palette, png, svg};
 use chapters::figure::*;
 use image::RgbImage;
-use plotters::style::RGBColor;
 use proptest::prelude::*;
+
+fn draw(plot: &Plot) -> Sheet {
+    super::draw::<super::Usual>(plot)
+}
 
 fn decoded(plot: &Plot) -> RgbImage {
     image::load_from_memory(&png(plot)).expect("a PNG").to_rgb8()
@@ -26,8 +33,8 @@ fn frame(chart: &Chart) -> Frame {
 
 /// Middle of the pixels of a hue in a column of the PNG, each weighted by its coverage.
 fn middle(image: &RgbImage, column: u32, hue: Hue) -> Option<f64> {
-    let RGBColor(red, _, _) = palette::colour(hue);
-    let RGBColor(own_red, own_green, own_blue) = palette::colour(hue);
+    let [red, _, _] = palette::colour(hue).rgb();
+    let [own_red, own_green, own_blue] = palette::colour(hue).rgb();
     let (mut weights, mut sum) = (0.0, 0.0);
     for row in 0..image.height() {
         let [r, g, b] = image.get_pixel(column, row).0.map(f64::from);
@@ -50,7 +57,7 @@ fn curves_go_where_the_data_say() {
     let points = (0..=2000).map(|k| f64::from(k) / 2000.0).map(|x| [x, wave(x)]).collect();
     let chart = Chart::new("", axis(), axis()).line(Hue::S, "", points);
     let (frame, image) = (frame(&chart), decoded(&Plot::of("", chart)));
-    let density = f64::from(png::DENSITY);
+    let density = f64::from(DENSITY);
     let mut seen = 0;
     for column in (0..image.width()).step_by(7) {
         let x = ((f64::from(column) + 0.5) / density - frame.left) / frame.width();
@@ -69,8 +76,8 @@ fn curves_go_where_the_data_say() {
 #[test]
 fn a_third_of_a_pixel_shows() {
     let frame = frame(&straight(0.5));
-    let third = 1.0 / (3.0 * f64::from(png::DENSITY) * frame.height());
-    let column = ((frame.left + frame.right) / 2.0) as u32 * png::DENSITY;
+    let third = 1.0 / (3.0 * f64::from(DENSITY) * frame.height());
+    let column = ((frame.left + frame.right) / 2.0) as u32 * DENSITY;
     let at = |k: i32| middle(&decoded(&Plot::of("", straight(0.45 + f64::from(k) * third))), column, Hue::S).unwrap();
     for k in 1..6 {
         let moved = at(0) - at(k);
@@ -86,7 +93,7 @@ fn values_that_are_no_numbers_break_a_curve() {
     let axis = || Axis::linear("", "").range(0.0, 1.0).tick(1.0);
     let chart = Chart::new("", axis(), axis()).line(Hue::P, "", points);
     let (frame, image) = (frame(&chart), decoded(&Plot::of("", chart)));
-    let is_there = |x: f64| middle(&image, (frame.place(x, 0.0).0 * f64::from(png::DENSITY)) as u32, Hue::P).is_some();
+    let is_there = |x: f64| middle(&image, (frame.place(x, 0.0).0 * f64::from(DENSITY)) as u32, Hue::P).is_some();
     assert!(is_there(0.2) && is_there(0.9) && is_there(0.6), "the lone point at 0.6 is a dot");
     assert!(!is_there(0.5) && !is_there(0.7));
 }
@@ -97,10 +104,9 @@ fn curves_end_at_the_frame() {
     let axis = || Axis::linear("", "").range(0.0, 1.0);
     let chart = Chart::new("", axis(), axis()).line(Hue::Ours, "", steep);
     let (frame, image) = (frame(&chart).grown(2.0), decoded(&Plot::of("", chart)));
-    let RGBColor(red, green, blue) = palette::colour(Hue::Ours);
+    let [red, green, blue] = palette::colour(Hue::Ours).rgb();
     let inked = image.enumerate_pixels().filter(|(_, _, pixel)| pixel.0 == [red, green, blue]);
-    let places =
-        inked.map(|(x, y, _)| (f64::from(x) / f64::from(png::DENSITY), f64::from(y) / f64::from(png::DENSITY)));
+    let places = inked.map(|(x, y, _)| (f64::from(x) / f64::from(DENSITY), f64::from(y) / f64::from(DENSITY)));
     let places: Vec<Place> = places.collect();
     assert!(places.len() > 500);
     assert!(places.iter().all(|(x, y)| frame.meets(&Frame::at((*x, *y), 1e-6, 1e-6))));
@@ -228,21 +234,21 @@ fn grey_map(values: Vec<f64>, columns: usize) -> Map {
 #[test]
 fn cells_of_a_map_run_from_the_bottom_left() {
     let values = vec![0.0, 0.25, 0.5, 0.75, f64::NAN, 1.0];
-    let sheet = super::draw(&Plot::of("", grey_map(values.clone(), 3)));
+    let sheet = draw(&Plot::of("", grey_map(values.clone(), 3)));
     let place = sheet.items.iter().find_map(|item| match item {
         super::sheet::Item::Image(image) if image.columns == 3 => Some(image.place),
         _ => None,
     });
     let (place, image) = (place.unwrap(), decoded(&Plot::of("", grey_map(values.clone(), 3))));
     for (k, value) in values.iter().enumerate() {
-        let (column, row) = ((k % 3) as f32, (k / 3) as f32);
-        let left = (2.0 * (place.left() + column * place.width() / 3.0)) as u32 + 4;
-        let top = (2.0 * (place.bottom() - (row + 1.0) * place.height() / 2.0)) as u32 + 4;
+        let (column, row) = ((k % 3) as f64, (k / 3) as f64);
+        let left = (2.0 * (place.left + column * place.width() / 3.0)) as u32 + 4;
+        let top = (2.0 * (place.bottom - (row + 1.0) * place.height() / 2.0)) as u32 + 4;
         let inside = |x, y| image.get_pixel(left + x, top + y).0;
         match palette::ramp(Ramp::Sequential, *value) {
             Some(colour) => assert!((0..50).all(|k| inside(k, k) == colour), "cell {k}"),
             None => {
-                let RGBColor(red, green, blue) = palette::BROKEN.1;
+                let [red, green, blue] = Colour::Blank.rgb();
                 let shades: std::collections::HashSet<_> = (0..50).map(|k| inside(k, 20)).collect();
                 assert!(shades.contains(&[red, green, blue]) && shades.len() > 1, "a broken cell is hatched");
             }
@@ -301,8 +307,8 @@ fn lines_end_below_their_names() {
     let chart = Chart::new("", axis(), axis()).at_x(0.4, "θ_B").at_x(0.6, "θ_c");
     let (frame, image) = (frame(&chart), decoded(&Plot::of("", chart)));
     let is_white = |y: f64| {
-        let row = (y * f64::from(png::DENSITY)) as u32;
-        let columns = (frame.left as u32 + 1) * png::DENSITY..(frame.right as u32 - 1) * png::DENSITY;
+        let row = (y * f64::from(DENSITY)) as u32;
+        let columns = (frame.left as u32 + 1) * DENSITY..(frame.right as u32 - 1) * DENSITY;
         columns.into_iter().all(|column| image.get_pixel(column, row).0 == [255; 3])
     };
     assert!(is_white(frame.top - 1.6), "a line goes on above the frame");
@@ -320,8 +326,8 @@ fn what_is_not_finite_is_above_the_frame() {
     let (frame, band) = (arrangement.axes.frame, arrangement.axes.band.expect("a band"));
     assert!(room.top < band.top && band.bottom < frame.top && (band.left, band.right) == (frame.left, frame.right));
     let image = decoded(&Plot::of("", chart.clone()));
-    let at = |(x, y): Place| image.get_pixel(x as u32 * png::DENSITY, y as u32 * png::DENSITY).0;
-    let RGBColor(red, green, blue) = palette::colour(Hue::P);
+    let at = |(x, y): Place| image.get_pixel(x as u32 * DENSITY, y as u32 * DENSITY).0;
+    let [red, green, blue] = palette::colour(Hue::P).rgb();
     assert_eq!(at(band.place(0.5, 0.5)), [red, green, blue]);
     assert_ne!(at(band.place(0.25, 0.5)), [red, green, blue]);
     let written = svg(&Plot::of("", chart));
@@ -342,13 +348,11 @@ fn what_is_zero_is_under_the_frame_and_stays_in_its_band() {
     let (frame, band) = (axes.frame, axes.zeros.expect("a band"));
     assert!(frame.bottom < band.top && band.bottom < room.bottom && axes.band.is_none());
     let image = decoded(&Plot::of("", chart.clone()));
-    let RGBColor(red, green, blue) = palette::colour(Hue::P);
-    let at = |(x, y): Place| image.get_pixel(x as u32 * png::DENSITY, y as u32 * png::DENSITY).0;
+    let [red, green, blue] = palette::colour(Hue::P).rgb();
+    let at = |(x, y): Place| image.get_pixel(x as u32 * DENSITY, y as u32 * DENSITY).0;
     assert_eq!(at(band.place(0.5, 0.5)), [red, green, blue]);
-    let outside = (band.right as u32 + 2) * png::DENSITY..image.width();
-    assert!(
-        outside.into_iter().all(|x| image.get_pixel(x, band.place(0.0, 0.5).1 as u32 * png::DENSITY).0 == [255; 3])
-    );
+    let outside = (band.right as u32 + 2) * DENSITY..image.width();
+    assert!(outside.into_iter().all(|x| image.get_pixel(x, band.place(0.0, 0.5).1 as u32 * DENSITY).0 == [255; 3]));
     assert!(svg(&Plot::of("", chart)).contains("exactly 0"));
 }
 
@@ -398,12 +402,12 @@ fn panels_of_one_extent_agree_on_ticks() {
 #[test]
 fn text_of_grids_is_readable_on_narrow_pages() {
     for columns in 1..5 {
-        let sheet = super::draw(&Plot::grid("", columns, vec![Panel::Chart(straight(0.5)); 5]));
+        let sheet = draw(&Plot::grid("", columns, vec![Panel::Chart(straight(0.5)); 5]));
         let shown = |page: f64| super::TEXT * (page / f64::from(sheet.width)).min(1.0);
         assert!(shown(640.0) >= 9.0 && shown(400.0) >= 7.0, "{columns} columns: {} wide", sheet.width);
     }
     let picture = Picture { title: String::new(), width: 100, pixels: vec![[0.5; 3]; 10_000] };
-    let sheet = super::draw(&Plot::grid("", 3, vec![Panel::Picture(picture); 3]));
+    let sheet = draw(&Plot::grid("", 3, vec![Panel::Picture(picture); 3]));
     assert!(sheet.width > 2 * sheet.height, "pictures stay in a row");
 }
 
@@ -459,7 +463,7 @@ fn degenerate_figures_can_be_drawn() {
                 })
                 .at_x(f64::NAN, "nowhere")
                 .at_y(f64::INFINITY, "nowhere");
-            let sheet = super::draw(&Plot::of("t", chart));
+            let sheet = draw(&Plot::of("t", chart));
             assert!(!sheet.items.is_empty());
             roxmltree::Document::parse(&super::svg::write(&sheet, "", "")).expect("well-formed XML");
         }
