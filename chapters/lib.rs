@@ -4,6 +4,7 @@
 pub mod diagram;
 pub mod figure;
 pub mod fresnel;
+mod histogram;
 pub mod judge;
 pub mod lecture;
 pub mod maxwell;

@@ -9,7 +9,7 @@ use chapters::vocabulary::Item;
 use rayon::prelude::*;
 use views::plot;
 use views::race_plot;
-use views::report::{FigureReport, RaceReport, Report};
+use views::report::{CheckReport, FigureReport, RaceReport, Report};
 
 /// What a figure is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +56,7 @@ pub fn write(
     let mut files = Vec::new();
     let steps: Vec<_> = report.chapters.iter_mut().flat_map(|chapter| &mut chapter.steps).collect();
     for (chosen, step) in selection.steps.iter().zip(steps) {
-        let subjects = subjects(chosen, &step.races);
+        let subjects = subjects(chosen, &step.races, &step.checks);
         progress.expect(subjects.len() as u64);
         let drawn: Result<Vec<_>, Stop> = subjects
             .par_iter()
@@ -71,7 +71,7 @@ pub fn write(
     Ok(())
 }
 
-fn subjects<'a>(chosen: &'a Chosen, races: &'a [RaceReport]) -> Vec<Subject<'a>> {
+fn subjects<'a>(chosen: &'a Chosen, races: &'a [RaceReport], checks: &'a [CheckReport]) -> Vec<Subject<'a>> {
     let figures = chosen.step.items().filter(|item| chosen.wants(item.id())).filter_map(|item| {
         let Item::Figure(figure) = item else { return None };
         Some(Subject {
@@ -87,7 +87,17 @@ fn subjects<'a>(chosen: &'a Chosen, races: &'a [RaceReport]) -> Vec<Subject<'a>>
         rows: race.rows,
         plot: Box::new(|| race_plot::plot(race)),
     });
-    figures.chain(races).collect()
+    // What a broken check leaves to look at.
+    let broken = checks.iter().filter_map(|check| {
+        let picture = check.picture.as_ref()?;
+        Some(Subject {
+            address: check.address.clone(),
+            says: check.claim,
+            rows: check.rows,
+            plot: Box::new(|| picture.clone()),
+        })
+    });
+    figures.chain(races).chain(broken).collect()
 }
 
 fn draw(

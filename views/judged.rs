@@ -299,6 +299,7 @@ fn check(check: &dyn Claim, found: Timed<Checked>, rows: Rows, address: String) 
         verdict: holds.into(),
         at: measured.at,
         cases: measured.cases,
+        picture: measured.picture.filter(|_| !holds),
         seconds,
     }
 }

@@ -1,5 +1,6 @@
 //! What a run found, as plain data: terminal and JSON are views of it.
 
+use chapters::figure::Plot;
 use chapters::parameter::Argument;
 use chapters::vocabulary::Part;
 use equation::face::Block;
@@ -217,6 +218,9 @@ pub struct CheckReport {
     pub at: String,
     pub cases: usize,
     pub seconds: f64,
+    /// What to look at because the bound broke.
+    #[serde(skip)]
+    pub picture: Option<Plot>,
 }
 
 #[derive(Debug, Serialize)]

@@ -239,10 +239,7 @@ fn order_at_normal(_: &mut Bench, name: &str) -> Measured {
     };
     let orders = [1.33, 1.5, 2.4, 4.0, 0.8].map(|n| ((rise(1e-6, n) / rise(1e-10, n)).log10() / 4.0, n));
     let farthest = orders.into_iter().max_by(|a, b| (a.0 - 4.0).abs().total_cmp(&(b.0 - 4.0).abs()));
-    farthest.map_or_else(
-        || Measured::worst([]),
-        |(order, n)| Measured { value: order, at: format!("n = {n}"), cases: orders.len() },
-    )
+    farthest.map_or_else(|| Measured::worst([]), |(order, n)| Measured::new(order, format!("n = {n}"), orders.len()))
 }
 
 const PLACE_AND_DEPTH: Check<fn(f64) -> Option<Dip>> =

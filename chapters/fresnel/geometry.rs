@@ -6,7 +6,7 @@ use crate::diagram::{Behind, Diagram, Form, Part, Spot};
 use crate::figure::{Dash, Hue, Plot};
 use crate::parameter::Setting;
 use light::Complex64;
-use light::optics::film::Polarisation;
+use light::Polarisation;
 use light::optics::fresnel::{self, Amplitudes};
 use light::optics::incidence::{normal_squared, outgoing_root};
 use std::f64::consts::FRAC_PI_2;

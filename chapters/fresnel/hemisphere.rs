@@ -1,6 +1,8 @@
 //! E42 by dice: directions under an even sky, what glass reflects of them, and the ways to draw them wrong.
 
-use crate::vocabulary::{Bench, Measured};
+use crate::figure::{Axis, Plot};
+use crate::histogram::histogram;
+use crate::vocabulary::{Bench, Check, Measured, check};
 use light::optics::fresnel::{diffuse_reflectance, natural_reflectance};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use yardstick::random::{Stream, uniform};
@@ -8,6 +10,23 @@ use yardstick::statistics::{Moments, chi_square, t_test};
 
 /// The relative index of the glass.
 const GLASS: f64 = 1.5;
+
+/// cos θ [1] of a direction of the hemisphere, made of two numbers even in 0 … 1.
+type Sampler = fn(f64, f64) -> f64;
+
+pub(super) const MEAN: Check<Sampler> =
+    check("by_dice", "glass under an even sky reflects on average what the closed form says, direction by direction")
+        .against("Walsh's closed form of 1926; Student's t over 2¹⁸ directions drawn by their cosine")
+        .significant(1e-3)
+        .of(mean_reflectance, cosine_weighted)
+        .slip("all directions alike: the cosine of the even sky is forgotten", alike);
+
+pub(super) const ANGLES: Check<Sampler> =
+    check("drawn_angles", "the directions drawn have the density 2 cos θ sin θ of an even sky's light")
+        .against("χ² of the angles' histogram against the integral of the density over each bin")
+        .significant(1e-3)
+        .of(polar_histogram, cosine_weighted)
+        .slip("the radius on the disc is drawn evenly, and points crowd at its centre", crowded);
 
 /// How many directions are drawn.
 ///
@@ -41,11 +60,6 @@ fn alike(u: f64, _: f64) -> f64 {
     u
 }
 
-/// The slip: the angle is drawn evenly, as if every ring of the hemisphere had the same area.
-fn even_in_angle(u: f64, _: f64) -> f64 {
-    (FRAC_PI_2 * u).cos()
-}
-
 /// The height [1] of the unit hemisphere over the point of the disc at `radius` and `turn` [1 of a whole one].
 fn lifted(radius: f64, turn: f64) -> f64 {
     let (sin, cos) = (TAU * turn).sin_cos();
@@ -55,7 +69,7 @@ fn lifted(radius: f64, turn: f64) -> f64 {
 }
 
 /// [`DRAWS`] cosines.
-fn cosines(stream: &mut Stream, sample: fn(f64, f64) -> f64) -> Vec<f64> {
+fn cosines(stream: &mut Stream, sample: Sampler) -> Vec<f64> {
     let mut even = || uniform(stream, 0.0, 1.0);
     (0..DRAWS).map(|_| sample(even(), even())).collect()
 }
@@ -67,7 +81,7 @@ fn is_cosine(cos: f64) -> bool {
 
 /// The p-value [1] of the claim that R_n of glass, averaged over the directions that `sample` makes of two even numbers
 /// (their cos θ), is what Walsh's closed form says.
-fn mean_reflectance(bench: &mut Bench, sample: fn(f64, f64) -> f64) -> Measured {
+fn mean_reflectance(bench: &mut Bench, sample: Sampler) -> Measured {
     let cosines = cosines(&mut bench.stream, sample);
     let mut reflectances = vec![0.0; cosines.len()];
     natural_reflectance(&cosines, 1.0, GLASS, &mut reflectances);
@@ -82,11 +96,11 @@ fn mean_reflectance(bench: &mut Bench, sample: fn(f64, f64) -> f64) -> Measured 
         found.standard_error(),
         test.statistic
     );
-    Measured { value: test.p, at, cases: DRAWS }
+    Measured::new(test.p, at, DRAWS)
 }
 
 /// The p-value [1] of the claim that the angles of the directions that `sample` makes have the density 2 cos θ sin θ.
-fn polar_histogram(bench: &mut Bench, sample: fn(f64, f64) -> f64) -> Measured {
+fn polar_histogram(bench: &mut Bench, sample: Sampler) -> Measured {
     let edge = |at: usize| at as f64 / BINS as f64 * FRAC_PI_2;
     // The integral of the density is sin² θ; its difference is a product.
     let share = |at: usize| (edge(at + 1) - edge(at)).sin() * (edge(at + 1) + edge(at)).sin();
@@ -107,23 +121,27 @@ fn polar_histogram(bench: &mut Bench, sample: fn(f64, f64) -> f64) -> Measured {
             format!("; farthest off: {deviate:+.2} √E near θ = {:.1}°", (edge(bin) + edge(bin + 1)).to_degrees() / 2.0)
         }
     });
-    Measured {
-        value: test.p,
-        at: format!("χ² = {:.1}, {} degrees of freedom{worst}", test.statistic, test.dof),
-        cases: DRAWS,
-    }
+    let at = format!("χ² = {:.1}, {} degrees of freedom{worst}", test.statistic, test.dof);
+    let edges: Vec<f64> = (0..=BINS).map(|at| edge(at).to_degrees()).collect();
+    let axis = Axis::linear("angle to the normal θ", "°").range(0.0, 90.0).tick(15.0);
+    Measured::new(test.p, at, DRAWS).picture(Plot::of("Angles drawn", histogram(axis, &edges, &test.bins)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::setting::Setting;
+
+    use crate::parameter::Setting;
     use yardstick::statistics::{kolmogorov, sidak};
 
-    type Sample = fn(f64, f64) -> f64;
-    const TESTS: [fn(&mut Bench, Sample) -> Measured; 2] = [mean_reflectance, polar_histogram];
+    const TESTS: [fn(&mut Bench, Sampler) -> Measured; 2] = [mean_reflectance, polar_histogram];
 
-    fn p_value(test: usize, seed: u64, sample: Sample) -> f64 {
+    /// The slip: the angle is drawn evenly, as if every ring of the hemisphere had the same area.
+    fn even_in_angle(u: f64, _: f64) -> f64 {
+        (FRAC_PI_2 * u).cos()
+    }
+
+    fn p_value(test: usize, seed: u64, sample: Sampler) -> f64 {
         let setting = Setting::defaults(&[]);
         TESTS[test](&mut Bench::new(&setting, seed, &format!("hemisphere/{test}")), sample).value
     }

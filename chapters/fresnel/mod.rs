@@ -12,8 +12,6 @@ mod films;
 mod functions;
 mod geometry;
 mod grazing;
-// Until `natural` names its checks.
-#[allow(dead_code)]
 mod hemisphere;
 mod metals;
 mod natural;

@@ -3,7 +3,7 @@
 use super::amplitudes::{r_p, r_s};
 use super::extremes::cases;
 use super::symbols::{R_N, THETA_1, THETA_2};
-use super::{INTERFACE, incidence, interface, over_angle, over_angle_near, sample_inputs};
+use super::{INTERFACE, hemisphere, incidence, interface, over_angle, over_angle_near, sample_inputs};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::parameter::Setting;
 use crate::vocabulary::{
@@ -66,7 +66,7 @@ pub(super) const STEP: Step = step(
         },
     ]
 })
-.checks(&[&EVERY_AZIMUTH, &WALSH])
+.checks(&[&EVERY_AZIMUTH, &WALSH, &hemisphere::MEAN, &hemisphere::ANGLES])
 .stress(&[stress(
     "normal_and_alike",
     "R_n keeps its digits at normal incidence and between nearly equal media",

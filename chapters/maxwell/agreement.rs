@@ -94,7 +94,7 @@ fn worst_order(orders: impl Iterator<Item = (f64, String)>) -> Measured {
     let orders: Vec<(f64, String)> = orders.collect();
     let away = |order: f64| (order - 2.0).abs();
     let worst = orders.iter().max_by(|a, b| away(a.0).total_cmp(&away(b.0))).expect("some orders");
-    Measured { value: worst.0, at: worst.1.clone(), cases: orders.len() }
+    Measured::new(worst.0, worst.1.clone(), orders.len())
 }
 
 fn interfaces(angles: &'static [f64]) -> impl Iterator<Item = Vec<Scene>> {

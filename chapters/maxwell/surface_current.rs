@@ -161,7 +161,7 @@ fn thinner(_: &mut Bench, share: f64) -> Measured {
     let cases = orders.len();
     let away = |(order, _): &&(f64, String)| (order - 1.0).abs();
     let worst = orders.iter().max_by(|a, b| away(a).total_cmp(&away(b))).expect("some cases");
-    Measured { value: worst.0, at: worst.1.clone(), cases }
+    Measured::new(worst.0, worst.1.clone(), cases)
 }
 
 const JUMP: Check<f64> =

@@ -116,7 +116,7 @@ fn convergence(_: &mut Bench, speed: f64) -> Measured {
         (cells as f64, rms_difference(&found, &problem(0.375 * speed).exact(cells)))
     });
     let value = fitted_order(&points).unwrap_or(f64::NAN);
-    Measured { value, at: format!("{} … {} cells", cells[0], cells[2]), cases: cells.len() }
+    Measured::new(value, format!("{} … {} cells", cells[0], cells[2]), cells.len())
 }
 
 const ONE_CELL_A_STEP: Check<f64> =

@@ -148,7 +148,7 @@ fn differences(bench: &mut Bench, residual: fn(&Dipole, DVec3, f64, f64) -> f64)
         (1.0 / h, rms(&residuals))
     });
     let value = fitted_order(&points).unwrap_or(f64::NAN);
-    Measured { value, at: format!("h = {} … {}", widths[0], widths[3]), cases: places.len() * widths.len() }
+    Measured::new(value, format!("h = {} … {}", widths[0], widths[3]), places.len() * widths.len())
 }
 
 fn curl_twice_residual(dipole: &Dipole, place: DVec3, time: f64, h: f64, sign: f64) -> f64 {

@@ -107,7 +107,7 @@ fn falls(_: &mut Bench, window: Window) -> Measured {
     let lengths = [10.25, 100.25, 1000.25, 10_000.25];
     let points = lengths.map(|periods| (periods, worst(&CLEAR, window, periods)));
     let value = fitted_order(&points).unwrap_or(f64::NAN);
-    Measured { value, at: "10 to 10⁴ periods".into(), cases: points.len() }
+    Measured::new(value, "10 to 10⁴ periods", points.len())
 }
 
 const BILLION: Check<fn(Flux, f64) -> f64> =

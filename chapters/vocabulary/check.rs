@@ -4,6 +4,7 @@
 //! learner's own formula are subjects of one type, judged by the same code.
 
 use super::Bench;
+use crate::figure::Plot;
 use std::any::Any;
 use std::fmt;
 use yardstick::statistics::sidak;
@@ -195,12 +196,24 @@ pub struct Measured {
     pub at: String,
     /// How many cases were looked at.
     pub cases: usize,
+    /// What to look at if the bound breaks: a histogram beside its density.
+    pub picture: Option<Plot>,
 }
 
 impl Measured {
+    /// A value found over so many `cases`, with the place that it speaks of.
+    pub fn new(value: f64, at: impl Into<String>, cases: usize) -> Self {
+        Self { value, at: at.into(), cases, picture: None }
+    }
+
+    /// With what to look at if the bound breaks.
+    pub fn picture(self, picture: Plot) -> Self {
+        Self { picture: Some(picture), ..self }
+    }
+
     /// The case of largest magnitude. NaN counts as the largest; no case at all is NaN, which breaks every bound.
     pub fn worst(cases: impl IntoIterator<Item = (f64, String)>) -> Self {
-        let mut worst = Self { value: f64::NAN, at: "no case".into(), cases: 0 };
+        let mut worst = Self::new(f64::NAN, "no case", 0);
         for (value, at) in cases {
             let magnitude = value.abs();
             worst.cases += 1;

@@ -5,15 +5,15 @@ use super::{Arrangement, arrange, shapes};
 use crate::plot::{ALONE, AMONG, gallery, png, svg};
 use chapters::diagram::{Behind, Diagram, Form, Part, Spot};
 use chapters::figure::{Panel, Plot};
-use chapters::setting::Setting;
+use chapters::parameter::Setting;
 
 /// The figure `fresnel/snell/geometry` between two media at an angle [°].
 fn snell(n_i: &str, n_t: &str, degrees: f64) -> Plot {
     let step = chapters::fresnel::CHAPTER.steps.iter().find(|step| step.id == "snell").unwrap();
-    let figure = step.figures.iter().find(|figure| figure.id == "geometry").unwrap();
+    let figure = step.exhibit.figures.iter().find(|figure| figure.id == "geometry").unwrap();
     let changes = [("n_i", n_i.to_owned()), ("n_t", n_t.to_owned()), ("theta", format!("{degrees}deg"))];
     let changes: Vec<_> = changes.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
-    (figure.plot)(&Setting::defaults(step.parameters).with(&changes).unwrap())
+    (figure.plot)(&Setting::defaults(step.parameters()).with(&changes).unwrap())
 }
 
 fn diagram(plot: &Plot) -> &Diagram {
