@@ -16,7 +16,7 @@ const WINDOW: Spot = [1.55, 1.05];
 /// How far from the window's edge the rays end.
 const EDGE: f64 = 0.07;
 /// The longest ray.
-const LONGEST: f64 = 1.3;
+const LONGEST: f64 = 1.15;
 /// The wavelength in vacuum. Denser media than [`DENSE`] would fill with wavefronts: there all of them are longer.
 const WAVELENGTH: f64 = 0.12;
 const DENSE: f64 = 3.0;
@@ -90,6 +90,8 @@ struct Scene {
     fields: [[Vector; 3]; 2],
     /// Normal wave number behind the interface over that of the vacuum.
     q_t: Complex64,
+    /// Whether the wave behind the interface only fades.
+    is_total: bool,
     /// 1/e depth of an evanescent field, in the drawing.
     depth: f64,
 }
@@ -113,13 +115,9 @@ impl Scene {
             wavelength,
             fields,
             q_t,
+            is_total: n_t.im == 0.0 && fresnel::refract(incidence, n_i, n_t.re).is_none(),
             depth: wavelength * fresnel::evanescent_depth(incidence, n_i, n_t.re),
         }
-    }
-
-    /// Whether the wave behind the interface only fades: total reflection.
-    fn is_total(&self) -> bool {
-        self.q_t.re == 0.0 && self.n_t.im == 0.0
     }
 
     /// The angle of the refracted wave's direction [rad]; in an absorbing medium that of its planes of equal phase.
@@ -135,7 +133,7 @@ impl Scene {
             format!("n_1 = {}", short(self.n_i)),
             format!("θ_1{also} = {:.1}°", self.angle.to_degrees()),
             format!("n_2 = {}", index(self.n_t)),
-            if self.is_total() { "total reflection".into() } else { refraction },
+            if self.is_total { "total reflection".into() } else { refraction },
         ];
         let heights = [LINES.0, LINES.1, -LINES.1, -LINES.0];
         std::array::from_fn(|k| Part::note([EDGE - WINDOW[0], heights[k]], lines[k].as_str()))
@@ -167,14 +165,15 @@ impl Scene {
     /// The refracted wave, or what is there instead of it.
     fn behind(&self) -> Vec<Part> {
         let tangential = self.n_i * self.sin;
-        if self.is_total() {
+        if self.is_total {
             return self.evanescent(tangential);
         }
         let wave_number = tangential.hypot(self.q_t.re);
         let ray = Ray::new([tangential / wave_number, -self.q_t.re / wave_number], Hue::Transmitted);
         let mut parts = ray.fronts(self.wavelength / wave_number);
-        let name = if self.n_t.im > 0.0 { "Re k_2" } else { "k_2" };
-        parts.push(ray.drawn().label(name));
+        // In an absorbing medium it fades within its first wavelengths, and only the planes of phase have a direction.
+        let (name, dash) = if self.n_t.im > 0.0 { ("Re k_2", Dash::Dashed) } else { ("k_2", Dash::Solid) };
+        parts.push(ray.drawn().dash(dash).label(name));
         if self.n_t.im == 0.0 {
             parts.extend(ray.fields(&self.fields, 2, ["E_{s,2}", "E_{p,2}"]));
         }
@@ -192,7 +191,11 @@ impl Scene {
         let first = (WINDOW[0] - EDGE) % spacing;
         let fronts = Part::new(Form::Wavefronts { from: start, to: end, first, spacing, sides: [deep / 2.0; 2] });
         let ray = Part::ray([EDGE, -deep / 2.0], [0.8 * WINDOW[0], -deep / 2.0]);
-        vec![fronts.hue(Hue::Transmitted).dash(Dash::Dotted), ray.hue(Hue::Transmitted).label("evanescent wave")]
+        vec![
+            fronts.hue(Hue::Transmitted).dash(Dash::Dotted),
+            ray.hue(Hue::Transmitted),
+            Part::note([EDGE, -deep - EDGE], "evanescent wave").hue(Hue::Transmitted),
+        ]
     }
 }
 

@@ -224,10 +224,9 @@ impl Pen<'_> {
             }
         }
         let alpha = DENSEST * depth.clamp(0.0, 1.0);
-        if kept.len() < 3 || !(alpha > 0.0) {
-            return Vec::new();
-        }
-        vec![Shape::Fill { corners: kept, colour: Colour::Transmitted, alpha }]
+        let is_there = kept.len() > 2 && alpha > 0.0;
+        let ground = Shape::Fill { corners: kept, colour: Colour::Transmitted, alpha };
+        is_there.then_some(ground).into_iter().collect()
     }
 
     fn arc(&self, centre: Spot, radius: f64, from: f64, to: f64) -> Vec<Shape> {
