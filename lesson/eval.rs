@@ -2,19 +2,18 @@
 
 use crate::stop::{Stop, plain};
 use chapters::CURRICULUM;
-use chapters::function::{Argument, Arguments, Function, Input, Outcome};
-use chapters::setting::{self, Fault, excerpt, range};
+use chapters::function::{Argument, Arguments, Function, Outcome};
+use chapters::setting::{Fault, excerpt, range};
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::json;
 use serde_json::value::RawValue;
 use std::fmt;
 use std::io::{self, BufRead, BufReader, BufWriter, Write, stdin, stdout};
 use std::process::ExitCode;
-use views::page::{Page, Tone};
-use views::report::Number;
-use views::text::full;
+use views::number::{Number, full};
 
-fn functions() -> impl Iterator<Item = &'static Function> {
+/// The functions that there are.
+pub fn functions() -> impl Iterator<Item = &'static Function> {
     CURRICULUM.iter().flat_map(|chapter| chapter.functions)
 }
 
@@ -265,40 +264,7 @@ impl<'de> Visitor<'de> for Reader {
     }
 }
 
-/// Every function with its inputs and outputs.
-pub fn list(page: &mut Page) {
-    for function in functions() {
-        page.gap();
-        page.wrap(0, 4, &[(Tone::Heading, function.name), (Tone::Plain, "  "), (Tone::Plain, function.says)]);
-        page.line(2, Tone::Strong, "takes");
-        for input in function.inputs {
-            field(page, input.name, input.unit, input.says, &limits(input));
-        }
-        page.line(2, Tone::Strong, "gives");
-        for output in function.outputs {
-            field(page, output.name, output.unit, output.says, "");
-        }
-    }
-    page.gap();
-}
-
-fn field(page: &mut Page, name: &str, unit: &str, says: &str, limits: &str) {
-    let unit = if unit.is_empty() { String::new() } else { format!("[{unit}]") };
-    let head = format!("{name:<14} ");
-    page.wrap(
-        4,
-        19,
-        &[(Tone::Code, &head), (Tone::Plain, says), (Tone::Plain, " "), (Tone::Dim, &unit), (Tone::Dim, limits)],
-    );
-}
-
-fn limits(input: &Input) -> String {
-    let domain = input.domain.map_or(String::new(), |(min, max)| format!(", {}", range(min, max, input.unit, "")));
-    let default = input.default.map_or(String::new(), |value| format!(", {} if left out", setting::number(value)));
-    domain + &default
-}
-
-/// The same as one JSON document.
+/// Every function with its inputs and outputs, as one JSON document.
 pub fn list_json() -> String {
     let functions: Vec<_> = functions()
         .map(|function| {

@@ -9,7 +9,7 @@ use chapters::vocabulary::{
 use rayon::prelude::*;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
-use views::judged::{derive, state};
+use views::report::derivation::{derive, state};
 use views::report::*;
 use yardstick::precise;
 

@@ -1,6 +1,6 @@
 //! A step's equations and derivations, judged.
 
-use crate::report::{DerivationReport, HopReport, LineReport, Number, StatementReport};
+use super::{DerivationReport, HopReport, LineReport, Number, StatementReport};
 use chapters::vocabulary::{Derivation, Statement, verify};
 use equation::derivation::{Chain, Claim, Given, Hop, Line, Verdict};
 use equation::face::Block;
@@ -17,6 +17,7 @@ pub fn state(statement: &Statement, address: String) -> StatementReport {
         rows: statement.rows,
         latex: equation.latex(),
         unicode: equation.to_string(),
+        mathml: equation.mathml(),
         layout: equation.layout(),
         verdict: dimension.is_ok().into(),
         dimension: unit(dimension),
@@ -60,6 +61,7 @@ fn of_equation(equation: &Equation) -> LineReport {
     LineReport {
         latex: equation.latex(),
         unicode: equation.to_string(),
+        mathml: equation.mathml(),
         layout: equation.layout(),
         dimension: unit(equation.dimension()),
         by: Vec::new(),
@@ -74,6 +76,7 @@ fn of_start(expr: &Expr) -> LineReport {
     LineReport {
         latex: expr.latex(),
         unicode: expr.to_string(),
+        mathml: expr.mathml(),
         layout: expr.layout(),
         dimension: unit(expr.dimension()),
         by: Vec::new(),
@@ -89,6 +92,7 @@ fn of_next(expr: &Expr) -> LineReport {
     LineReport {
         latex: format!("= {}", start.latex),
         unicode: format!("= {}", start.unicode),
+        mathml: start.mathml.replacen('>', "><mo>=</mo>", 1),
         layout: Block::from("= ".to_owned()).beside(start.layout),
         ..start
     }
