@@ -4,6 +4,7 @@
 //! and [`json`] show them.
 
 pub mod block;
+pub mod html;
 pub mod json;
 pub mod number;
 pub mod page;
