@@ -1,14 +1,14 @@
 //! The command line: the only place that knows clap.
 
 use crate::figures::Format;
-use crate::proof::Question;
+use crate::prove::Question;
 use crate::stop::Stop;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgAction, Args, CommandFactory, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
 use std::path::PathBuf;
+use views::block::Details;
 use views::report::Parts;
-use views::text::Details;
 
 /// What was asked for.
 #[derive(Debug)]

@@ -2,18 +2,17 @@
 
 use crate::stop::{Stop, plain};
 use chapters::CURRICULUM;
-use chapters::parameter::{Argument, Fault, Form, Function, Kind, Parameter, excerpt, reason};
+use chapters::parameter::{Argument, Fault, Function, Kind, excerpt, reason};
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde_json::json;
 use serde_json::value::RawValue;
 use std::fmt;
 use std::io::{self, BufRead, BufReader, BufWriter, Write, stdin, stdout};
 use std::process::ExitCode;
-use views::page::{Page, Tone};
-use views::report::Number;
-use views::text::full;
+use views::number::{Number, full};
 
-fn functions() -> impl Iterator<Item = &'static Function> {
+/// The functions that there are.
+pub fn functions() -> impl Iterator<Item = &'static Function> {
     CURRICULUM.iter().flat_map(|chapter| chapter.functions)
 }
 
@@ -185,50 +184,7 @@ impl<'de> Visitor<'de> for FieldsReader {
     }
 }
 
-/// Every function with its inputs and outputs.
-pub fn list(page: &mut Page) {
-    for function in functions() {
-        page.gap();
-        page.wrap(0, 4, &[(Tone::Heading, function.name), (Tone::Plain, "  "), (Tone::Plain, function.says)]);
-        page.line(2, Tone::Strong, "takes");
-        for input in function.inputs {
-            parameter(page, 4, input);
-        }
-        page.line(2, Tone::Strong, "gives");
-        for output in function.outputs {
-            field(page, 4, output.name, output.unit, output.says, "");
-        }
-    }
-    page.gap();
-}
-
-/// An input, and below it the fields of the records that it is made of.
-fn parameter(page: &mut Page, indent: usize, input: &Parameter) {
-    let (note, fields) = match input.kind {
-        Kind::Record(fields) => (", fields:".to_owned(), fields),
-        Kind::List { of: Kind::Record(fields), most } => {
-            (format!(", a list of up to {most} with the fields:"), *fields)
-        }
-        _ => (format!(", {}", input.domain()), &[][..]),
-    };
-    let default = input.default.map_or(String::new(), |default| format!(", {default} if left out"));
-    let also = input.aliases.iter().map(|alias| match alias.form {
-        Form::Same => alias.name.to_owned(),
-        Form::In(unit) | Form::Over(_, unit) => format!("{} [{unit}]", alias.name),
-    });
-    let also: Vec<_> = also.collect();
-    let also = if also.is_empty() { String::new() } else { format!("; or {}", also.join(", ")) };
-    field(page, indent, input.name, input.kind.unit(), input.says, &format!("{note}{default}{also}"));
-    fields.iter().for_each(|field| parameter(page, indent + 2, field));
-}
-
-fn field(page: &mut Page, indent: usize, name: &str, unit: &str, says: &str, note: &str) {
-    let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
-    let head = format!("{name:<14} ");
-    page.wrap(indent, 19, &[(Tone::Code, &head), (Tone::Plain, says), (Tone::Dim, &unit), (Tone::Dim, note)]);
-}
-
-/// The same as one JSON document.
+/// Every function with its inputs and outputs, as one JSON document.
 pub fn list_json() -> String {
     let functions: Vec<_> = functions()
         .map(|function| {

@@ -5,7 +5,7 @@ mod eval;
 mod figures;
 mod out;
 mod progress;
-mod proof;
+mod prove;
 mod run;
 mod select;
 mod stop;
@@ -15,6 +15,8 @@ use cli::Request;
 use std::io::{IsTerminal, stdout};
 use std::process::ExitCode;
 use stop::Stop;
+use views::block::Details;
+use views::tell::Teller;
 
 fn main() -> ExitCode {
     match cli::parse().and_then(serve) {
@@ -28,30 +30,19 @@ fn main() -> ExitCode {
 }
 
 fn serve(request: Request) -> Result<ExitCode, Stop> {
+    let teller = Teller::english(Details::default());
     match request {
-        Request::Contents => {
-            let mut page = out::page();
-            views::text::contents(&mut page);
-            out::print(page.into_text().as_bytes())?;
-        }
+        Request::Contents => out::show(&teller.contents())?,
         Request::Lesson(lesson) => return walk::serve(&lesson),
-        Request::Coverage { json: true } => out::print(views::coverage::json().as_bytes())?,
-        Request::Coverage { json: false } => {
-            let mut page = out::page();
-            views::coverage::table(&mut page);
-            out::print(page.into_text().as_bytes())?;
-        }
+        Request::Coverage { json: true } => out::print(views::json::rows().as_bytes())?,
+        Request::Coverage { json: false } => out::show(&teller.coverage())?,
         Request::Eval { function, arguments, json } => {
             out::print(&eval::once(&function, &arguments, json, stdout().is_terminal())?)?;
         }
         Request::EvalLines { function } => return eval::lines(&function),
         Request::Functions { json: true } => out::print(eval::list_json().as_bytes())?,
-        Request::Functions { json: false } => {
-            let mut page = out::page();
-            eval::list(&mut page);
-            out::print(page.into_text().as_bytes())?;
-        }
-        Request::Prove(question) => return proof::serve(&question),
+        Request::Functions { json: false } => out::show(&teller.functions(eval::functions()))?,
+        Request::Prove(question) => return prove::serve(&question),
         Request::Completions(script) => out::print(&script)?,
     }
     Ok(ExitCode::SUCCESS)

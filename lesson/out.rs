@@ -6,7 +6,10 @@ use std::fmt::Display;
 use std::fs;
 use std::io::{IsTerminal, Write, stderr, stdout};
 use std::path::{Path, PathBuf};
+use views::block::Block;
 use views::page::Page;
+use views::terminal;
+use views::words::Words;
 
 /// A page for standard output: as wide as the terminal within reason, in colour where that is wanted.
 pub fn page() -> Page {
@@ -15,6 +18,13 @@ pub fn page() -> Page {
     let declined = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
         || std::env::var_os("TERM").is_some_and(|value| value == "dumb");
     Page::new(if terminal { columns } else { 80 }, terminal && !declined)
+}
+
+/// Shows `blocks` on standard output.
+pub fn show(blocks: &[Block]) -> Result<(), Stop> {
+    let mut page = page();
+    terminal::set(&mut page, Words::ENGLISH, blocks);
+    print(page.into_text().as_bytes())
 }
 
 /// Writes `text` to standard output.

@@ -6,7 +6,7 @@ use chapters::judge::Clock;
 use chapters::vocabulary::{Item, Part};
 use rayon::prelude::*;
 use std::time::Instant;
-use views::judged::{Entry, judge, unjudged};
+use views::report::entry::{Entry, judge, unjudged};
 use views::report::*;
 
 /// Runs `parts` of the `selection`: everything but the races in parallel, each race alone.
@@ -39,7 +39,9 @@ struct Job<'a> {
 fn items(selection: &Selection, parts: Parts) -> Vec<Job<'_>> {
     let mut jobs = Vec::new();
     for (step, chosen) in selection.steps.iter().enumerate() {
-        let asked = |item: &Item| item.part().is_none_or(|part| parts.has(part)) && chosen.wants(item.id());
+        // A question goes with what it is about, or is asked for by itself.
+        let goes = |item: &Item| item.part().map_or(parts.checks || chosen.item.is_some(), |part| parts.has(part));
+        let asked = |item: &Item| goes(item) && chosen.wants(item.id());
         jobs.extend(chosen.step.items().filter(asked).map(|item| Job { step, chosen, item }));
     }
     jobs

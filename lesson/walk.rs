@@ -12,9 +12,12 @@ use chapters::vocabulary::Part;
 use console::{Key, Term};
 use std::io::{ErrorKind, IsTerminal, stdin, stdout};
 use std::process::ExitCode;
-use views::page::{Page, Tone};
+use views::block::{Block, Details, Tone};
+use views::page::Page;
+use views::report::entry::ask;
 use views::report::{Parts, Report};
-use views::text::{self, Details};
+use views::tell::{Teller, tally};
+use views::{json, terminal};
 
 /// What a run shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,14 +47,15 @@ pub fn serve(lesson: &Lesson) -> Result<ExitCode, Stop> {
     if report.is_empty() {
         out::say(&format!("lesson: {}", selection.lacks(parts, plot)));
     }
-    let tally = text::tally(report.passed, report.failed);
+    let tally = tally(report.passed, report.failed);
     if lesson.json {
-        let mut document = serde_json::to_string_pretty(&report).expect("plain data");
-        document.push('\n');
-        out::print(document.as_bytes())?;
+        out::print(json::report(&report).as_bytes())?;
         out::say(&tally);
     } else {
-        out::print(at_once(&selection, &report, view, parts, lesson.details, &tally).as_bytes())?;
+        let teller = Teller::english(lesson.details);
+        let mut blocks = at_once(&selection, &report, view, parts, &teller);
+        blocks.push(Block::Line(tally));
+        out::show(&blocks)?;
     }
     Ok(exit_code(report.failed))
 }
@@ -80,30 +84,29 @@ fn exit_code(failed: usize) -> ExitCode {
     ExitCode::from(u8::from(failed > 0))
 }
 
-fn at_once(selection: &Selection, report: &Report, view: View, parts: Parts, details: Details, tally: &str) -> String {
-    let mut page = out::page();
+fn at_once(selection: &Selection, report: &Report, view: View, parts: Parts, teller: &Teller) -> Vec<Block> {
+    let mut blocks = Vec::new();
     let steps = report.chapters.iter().flat_map(|chapter| &chapter.steps);
     if parts != Parts::default() && !report.is_empty() {
-        text::legend(&mut page);
+        blocks.extend(teller.legend());
     }
     let mut previous = "";
     for (chosen, step) in selection.steps.iter().zip(steps) {
         match view {
             View::Lecture => {
                 if selection.steps.len() > 1 && chosen.chapter.id != previous {
-                    text::chapter(&mut page, chosen.chapter);
+                    blocks.extend(teller.chapter(chosen.chapter));
                     previous = chosen.chapter.id;
                 }
-                text::lecture(&mut page, chosen.chapter, chosen.step, step, details);
+                blocks.extend(teller.lecture(chosen.chapter, chosen.step, step));
             }
-            View::Findings => text::findings(&mut page, step, parts, chosen.item.is_some().then_some(details)),
+            View::Findings => blocks.extend(teller.findings(step, parts, chosen.item.is_some())),
         }
     }
     if parts.races {
-        text::machine(&mut page, &report.machine);
+        blocks.extend(teller.machine(&report.machine));
     }
-    page.verbatim(tally);
-    page.into_text()
+    blocks
 }
 
 /// Where a key leads.
@@ -137,6 +140,7 @@ fn interactive(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> 
     let mut walk = Walk::new(selection, lesson.details);
     let (mut at, mut screen) = (0, 0);
     while at < walk.steps.len() {
+        walk.question(at)?;
         let screens = walk.screens(at);
         screen = screen.min(screens.len() - 1);
         out::print(screens[screen].as_bytes())?;
@@ -159,7 +163,7 @@ fn interactive(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> 
     }
     let (passed, failed) =
         walk.seen.iter().flatten().fold((0, 0), |(p, f), found| (p + found.passed, f + found.failed));
-    out::print(format!("{}\n", text::tally(passed, failed)).as_bytes())?;
+    out::print(format!("{}\n", tally(passed, failed)).as_bytes())?;
     Ok(exit_code(failed))
 }
 
@@ -169,13 +173,54 @@ struct Walk {
     term: Term,
     steps: Vec<Selection>,
     seen: Vec<Option<Report>>,
+    /// Whether the questions of each step have been asked.
+    asked: Vec<bool>,
 }
 
 impl Walk {
     fn new(selection: Selection, details: Details) -> Self {
         let alone = |chosen| Selection { steps: vec![chosen] };
         let steps: Vec<_> = selection.steps.into_iter().map(alone).collect();
-        Self { term: Term::stdout(), details, seen: steps.iter().map(|_| None).collect(), steps }
+        Self {
+            term: Term::stdout(),
+            details,
+            seen: steps.iter().map(|_| None).collect(),
+            asked: vec![false; steps.len()],
+            steps,
+        }
+    }
+
+    /// Asks what the step `at` asks, once, before its evidence is shown. An empty line leaves a question unanswered.
+    fn question(&mut self, at: usize) -> Result<(), Stop> {
+        if std::mem::replace(&mut self.asked[at], true) {
+            return Ok(());
+        }
+        let Chosen { step, setting, .. } = &self.steps[at].steps[0];
+        for question in step.questions {
+            let address = format!("{}/{}", self.steps[at].steps[0].address(), question.id);
+            let asked = ask(question, setting, address);
+            let teller = Teller::english(self.details);
+            out::show(&[Block::section(vec![teller.question(&asked, false)])])?;
+            loop {
+                out::print(b"Your answer (Enter goes on without): ")?;
+                let Ok(line) = self.term.read_line() else { return Ok(()) };
+                if line.trim().is_empty() {
+                    break;
+                }
+                match question.read(&line) {
+                    Err(fault) => print(|page| page.line(0, Tone::Bad, &fault.message))?,
+                    Ok(given) => {
+                        let reply = question.reply(setting, given);
+                        let (tone, verdict) = if reply.right { (Tone::Good, "Right.") } else { (Tone::Bad, "No.") };
+                        print(|page| {
+                            page.wrap(0, 2, &[(tone, verdict), (Tone::Plain, " "), (Tone::Plain, reply.says)])
+                        })?;
+                        break;
+                    }
+                }
+            }
+        }
+        Ok(())
     }
 
     /// The step `at` as screens of the terminal as it is now, one line left for the prompt.
@@ -183,14 +228,17 @@ impl Walk {
         let parts = Parts { checks: true, ..Parts::default() };
         let report = self.seen[at].get_or_insert_with(|| run::run(&self.steps[at], parts, &Progress::new()));
         let chosen = &self.steps[at].steps[0];
-        let mut page = out::page();
+        let teller = Teller::english(self.details);
+        let mut blocks = Vec::new();
         if self.steps.len() > 1 && (at == 0 || self.steps[at - 1].steps[0].chapter.id != chosen.chapter.id) {
-            text::chapter(&mut page, chosen.chapter);
+            blocks.extend(teller.chapter(chosen.chapter));
         }
         if at == 0 {
-            text::legend(&mut page);
+            blocks.extend(teller.legend());
         }
-        text::lecture(&mut page, chosen.chapter, chosen.step, &report.chapters[0].steps[0], self.details);
+        blocks.extend(teller.lecture(chosen.chapter, chosen.step, &report.chapters[0].steps[0]));
+        let mut page = out::page();
+        terminal::set(&mut page, teller.words(), &blocks);
         page.into_screens(usize::from(self.term.size().0).saturating_sub(1))
     }
 

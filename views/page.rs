@@ -1,58 +1,14 @@
 //! Text set to a width: wrapped by display columns, coloured by meaning or not at all.
 
+pub use crate::block::Tone;
+
 use equation::face::Block;
-use pulldown_cmark::{Event, Parser, Tag, TagEnd};
-use std::borrow::Cow;
 use unicode_width::UnicodeWidthStr;
-
-/// What a piece of text means; the only thing that decides its colour.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tone {
-    Plain,
-    Heading,
-    Emphasis,
-    Strong,
-    /// What one types; shown letter by letter, as the next two are.
-    Code,
-    /// A word of the command line.
-    Name,
-    Address,
-    Equation,
-    /// Units, asides.
-    Dim,
-    Good,
-    Bad,
-}
-
-impl Tone {
-    /// The "select graphic rendition" parameters of ECMA-48.
-    fn ansi(self) -> &'static str {
-        match self {
-            Self::Plain => "",
-            Self::Heading => "1;4",
-            Self::Emphasis => "3",
-            Self::Strong | Self::Name => "1",
-            Self::Code => "33",
-            Self::Equation => "36",
-            Self::Dim | Self::Address => "2",
-            Self::Good => "32",
-            Self::Bad => "1;31",
-        }
-    }
-
-    /// `text` as it is shown: typeset, unless it is there to be typed.
-    fn face(self, text: &str) -> Cow<'_, str> {
-        match self {
-            Self::Code | Self::Name | Self::Address => Cow::Borrowed(text),
-            _ => Cow::Owned(typeset(text)),
-        }
-    }
-}
 
 /// Columns that the last cell of a row is worth being wrapped in.
 const LAST_CELL: usize = 16;
 
-/// A piece of text and what it means.
+/// A piece of text, letter by letter, and what it means.
 pub type Span<'a> = (Tone, &'a str);
 
 /// A page that is being set.
@@ -119,12 +75,10 @@ impl Page {
     /// A paragraph: the first line starts at column `first`, the others at `rest`. Lines break at spaces; spans that
     /// touch stay together.
     pub fn wrap(&mut self, first: usize, rest: usize, spans: &[Span]) {
-        let faces: Vec<_> = spans.iter().map(|(tone, text)| (*tone, tone.face(text))).collect();
-        let spans: Vec<Span> = faces.iter().map(|(tone, text)| (*tone, text.as_ref())).collect();
         let mut line = Line { page: self, column: first, tone: Tone::Plain };
         line.page.spaces(first);
         let mut empty = true;
-        for word in words(&spans) {
+        for word in words(spans) {
             let wide: usize = word.iter().map(|(_, text)| text.width()).sum();
             let blank = word.iter().all(|(_, text)| text.trim_start().is_empty());
             if !empty && !blank && line.column + wide > line.page.width {
@@ -176,10 +130,9 @@ impl Page {
         let mut column = indent;
         let mut padded = Vec::new();
         for (&(tone, cell), &width) in cells.iter().zip(widths) {
-            let cell = tone.face(cell);
             let padding = " ".repeat((width.unsigned_abs() as usize).saturating_sub(cell.width()));
             let (before, after) = if width < 0 { (padding, String::new()) } else { (String::new(), padding) };
-            padded.push((tone, before + &cell + &after));
+            padded.push((tone, before + cell + &after));
         }
         let mut spans: Vec<Span> = Vec::new();
         for (at, (tone, cell)) in padded.iter().enumerate() {
@@ -200,73 +153,6 @@ impl Page {
         self.wrap(indent, column, &spans);
     }
 
-    /// Markdown, simply: paragraphs, lists, emphasis, code, the text of links. Headings that repeat `title` are left out.
-    pub fn markdown(&mut self, source: &str, title: &str) {
-        let mut block: Vec<(Tone, String)> = Vec::new();
-        let (mut tones, mut depth, mut bullet, mut verbatim) = (vec![Tone::Plain], 0_usize, false, false);
-        for event in Parser::new(source) {
-            match event {
-                Event::Start(Tag::Emphasis) => tones.push(Tone::Emphasis),
-                Event::Start(Tag::Strong) => tones.push(Tone::Strong),
-                Event::Start(Tag::Heading { .. }) => tones.push(Tone::Strong),
-                Event::Start(Tag::List(_)) => {
-                    self.block(&mut block, depth, &mut bullet);
-                    depth += 1;
-                }
-                Event::Start(Tag::Item) => bullet = true,
-                Event::Start(Tag::CodeBlock(_)) => verbatim = true,
-                Event::End(TagEnd::Emphasis | TagEnd::Strong) => drop(tones.pop()),
-                Event::End(TagEnd::Heading(_)) => {
-                    tones.pop();
-                    if block.iter().map(|(_, text)| text.as_str()).collect::<String>() == title {
-                        block.clear();
-                    }
-                    self.block(&mut block, depth, &mut bullet);
-                    self.gap();
-                }
-                Event::End(TagEnd::Paragraph) => {
-                    self.block(&mut block, depth, &mut bullet);
-                    self.gap();
-                }
-                Event::End(TagEnd::Item) => self.block(&mut block, depth, &mut bullet),
-                Event::End(TagEnd::List(_)) => {
-                    depth -= 1;
-                    self.gap();
-                }
-                Event::End(TagEnd::CodeBlock) => {
-                    verbatim = false;
-                    self.gap();
-                }
-                Event::Text(text) if verbatim => {
-                    for line in text.lines() {
-                        self.row(4, &[0], &[(Tone::Code, line)]);
-                    }
-                }
-                Event::Text(text) => block.push((*tones.last().unwrap_or(&Tone::Plain), text.into_string())),
-                // The course text marks its symbols as code.
-                Event::Code(text) => block.push((Tone::Code, typeset(&text))),
-                Event::SoftBreak | Event::HardBreak => block.push((Tone::Plain, " ".to_owned())),
-                _ => {}
-            }
-        }
-        self.gap();
-    }
-
-    /// Sets and empties the `block` of a list of `depth`, 0 for text outside lists.
-    fn block(&mut self, block: &mut Vec<(Tone, String)>, depth: usize, bullet: &mut bool) {
-        if block.is_empty() {
-            return;
-        }
-        let indent = 2 * depth;
-        if std::mem::take(bullet) {
-            block.insert(0, (Tone::Plain, "• ".to_owned()));
-        }
-        let hanging = if block[0].1 == "• " { indent + 2 } else { indent };
-        let spans: Vec<Span> = block.iter().map(|(tone, text)| (*tone, text.as_str())).collect();
-        self.wrap(indent, hanging, &spans);
-        block.clear();
-    }
-
     fn spaces(&mut self, count: usize) {
         self.text.extend(std::iter::repeat_n(' ', count));
     }
@@ -280,7 +166,7 @@ impl Page {
             self.text.push_str("\x1b[0m");
         }
         if to != Tone::Plain {
-            self.text.push_str(&format!("\x1b[{}m", to.ansi()));
+            self.text.push_str(&format!("\x1b[{}m", ansi(to)));
         }
     }
 }
@@ -343,9 +229,19 @@ fn breaking(lines: &[&str], height: usize) -> usize {
     ((height / 2).max(1)..height).rev().find(|at| lines[*at].is_empty()).unwrap_or(height)
 }
 
-/// In the face of terminals.
-pub fn typeset(text: &str) -> String {
-    chapters::text::Phrase::parse(text).to_string()
+/// The "select graphic rendition" parameters of ECMA-48 for a tone.
+fn ansi(tone: Tone) -> &'static str {
+    match tone {
+        Tone::Plain => "",
+        Tone::Heading => "1;4",
+        Tone::Emphasis => "3",
+        Tone::Strong | Tone::Name => "1",
+        Tone::Code => "33",
+        Tone::Equation => "36",
+        Tone::Dim | Tone::Address => "2",
+        Tone::Good => "32",
+        Tone::Bad => "1;31",
+    }
 }
 
 #[cfg(test)]
@@ -395,13 +291,6 @@ mod tests {
             page.into_text(),
             "  θ_B     1.5  the angle that is called\n               after Brewster\n    16  x\n123456  x\n"
         );
-    }
-
-    #[test]
-    fn markdown_becomes_paragraphs_and_lists() {
-        let mut page = Page::new(60, false);
-        page.markdown("## Title\n\nSome *soft* and\n`hard` text.\n\n- one\n- two\n  more\n\nend", "Title");
-        assert_eq!(page.into_text(), "Some soft and hard text.\n\n  • one\n  • two more\n\nend\n\n");
     }
 
     #[test]

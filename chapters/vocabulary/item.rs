@@ -86,6 +86,15 @@ impl Item {
         }
     }
 
+    /// What that sentence is called where texts are looked up for translation.
+    pub fn field(&self) -> &'static str {
+        match self {
+            Self::Question(_) => "asks",
+            Self::Check(_) | Self::Stress(_) | Self::Race(_) => "claim",
+            Self::Statement(_) | Self::Derivation(_) | Self::Figure(_) => "says",
+        }
+    }
+
     /// Lecture rows that it names for itself; none if those of its step are meant.
     fn own_rows(&self) -> &'static [&'static str] {
         match self {

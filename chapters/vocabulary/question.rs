@@ -124,8 +124,8 @@ impl Question {
         }
     }
 
-    /// Reads an answer as it is typed: the number of an option, from 1, or its words; or a number, which may carry a
-    /// unit. A bare angle is one in degrees.
+    /// Reads an answer as it is typed: the letter of an option, its number from 1, or its words; or a number, which may
+    /// carry a unit. A bare angle is one in degrees.
     ///
     /// # Errors
     /// What could be answered instead.
@@ -139,8 +139,15 @@ impl Question {
         }
         let options = self.options();
         let by_words = || options.iter().position(|option| option.eq_ignore_ascii_case(text));
-        let by_number = || text.parse::<usize>().ok()?.checked_sub(1).filter(|at| *at < options.len());
-        by_number().or_else(by_words).map(Given::Option).ok_or_else(|| fault(format!("valid: 1 to {}", options.len())))
+        let by_number = || text.parse::<usize>().ok()?.checked_sub(1);
+        let by_letter = || ('a'..='z').position(|letter| text.eq_ignore_ascii_case(letter.encode_utf8(&mut [0])));
+        let last = char::from(b'a' + options.len().clamp(1, 26) as u8 - 1);
+        by_number()
+            .or_else(by_letter)
+            .filter(|at| *at < options.len())
+            .or_else(by_words)
+            .map(Given::Option)
+            .ok_or_else(|| fault(format!("valid: a to {last}")))
     }
 
     /// The right answer at the setting.
@@ -282,9 +289,9 @@ mod tests {
         let sign = Answer::Sign { replies: ["", "", ""], right: |_| 1.0, slip: |_| -1.0 };
         let asked = question("sign", "Which sign?", sign, "so");
         assert_eq!(asked.read("3"), Ok(Given::Option(2)));
-        assert_eq!(asked.read(" Zero"), Ok(Given::Option(1)));
-        for bad in ["0", "4", "", "-1", "1.5", "99999999999999999999"] {
-            assert!(asked.read(bad).unwrap_err().message.ends_with("valid: 1 to 3"), "{bad}");
+        assert_eq!([asked.read(" Zero"), asked.read("B")], [Ok(Given::Option(1)), Ok(Given::Option(1))]);
+        for bad in ["0", "4", "d", "", "-1", "1.5", "99999999999999999999"] {
+            assert!(asked.read(bad).unwrap_err().message.ends_with("valid: a to c"), "{bad}");
         }
         let angle = Answer::Number { unit: "rad", tolerance: 0.0, right: |_| 1.0, slips: &[] };
         let asked = question("angle", "Which angle?", angle, "so");

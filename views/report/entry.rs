@@ -1,16 +1,10 @@
 //! What the judge found, as a report.
 
-use crate::report::*;
-use chapters::judge::{self, Checked, Clock, Derived, Raced, Stated, Timed, hop_holds, timed};
+use super::derivation::{Rows, derive, state};
+use super::*;
+use chapters::judge::{self, Checked, Clock, Raced, Timed, timed};
 use chapters::parameter::{Setting, Value};
-use chapters::vocabulary::{
-    Bound, Claim, Derivation, Expects, Extreme, Item, Lane, Question, Race, Statement, Step, Stress, digits,
-};
-use equation::derivation::{Chain, Claim as Told, Hop, Line, Verdict as Hopped};
-use equation::face::Block;
-use equation::hypothesis::Given;
-use equation::units::Mismatch;
-use equation::{Dimension, Equation, Expr};
+use chapters::vocabulary::{Bound, Claim, Expects, Extreme, Item, Lane, Question, Race, Step, Stress, digits};
 use yardstick::precise;
 
 /// The report of one item.
@@ -95,136 +89,6 @@ pub fn judge(
     }
 }
 
-/// The lecture rows that an item is evidence for.
-pub type Rows = &'static [&'static str];
-
-/// An equation with its faces and the dimension of its sides.
-fn state(statement: &Statement, found: Stated, rows: Rows, address: String) -> StatementReport {
-    let holds = found.holds();
-    let Stated { equation, dimension } = found;
-    StatementReport {
-        address,
-        says: statement.says,
-        rows,
-        latex: equation.latex(),
-        unicode: equation.to_string(),
-        layout: equation.layout(),
-        verdict: holds.into(),
-        dimension: unit(dimension),
-    }
-}
-
-fn unit(found: Result<Dimension, Mismatch>) -> String {
-    found.map_or_else(|mismatch| mismatch.to_string(), |dimension| dimension.to_string())
-}
-
-/// A chain of lines with the verdict on every hop.
-fn derive(derivation: &Derivation, found: Derived, rows: Rows, address: String) -> DerivationReport {
-    let holds = found.holds();
-    let Derived { chain, hops, mismatch } = found;
-    DerivationReport {
-        address,
-        says: derivation.says,
-        rows,
-        hypotheses: chain.given.iter().map(hypothesis).collect(),
-        lines: lines(&chain, &hops),
-        conditions: conditions(&chain),
-        mismatch: mismatch.map(|mismatch| mismatch.to_string()),
-        verdict: holds.into(),
-    }
-}
-
-/// What must not be zero where `chain` holds.
-pub fn conditions(chain: &Chain) -> Vec<String> {
-    chain.conditions().iter().map(|divisor| format!("{divisor} ≠ 0")).collect()
-}
-
-/// A hypothesis as the substitution that it is.
-pub fn hypothesis(given: &Given) -> LineReport {
-    let equation = Equation::new(&given.what, &given.value);
-    LineReport { by: vec![given.by.into()], ..of_equation(&equation) }
-}
-
-fn of_equation(equation: &Equation) -> LineReport {
-    LineReport {
-        latex: equation.latex(),
-        unicode: equation.to_string(),
-        layout: equation.layout(),
-        dimension: unit(equation.dimension()),
-        by: Vec::new(),
-        says: "",
-        hop: None,
-        unfolded: Vec::new(),
-    }
-}
-
-/// An expression that starts a chain.
-fn of_start(expr: &Expr) -> LineReport {
-    LineReport {
-        latex: expr.latex(),
-        unicode: expr.to_string(),
-        layout: expr.layout(),
-        dimension: unit(expr.dimension()),
-        by: Vec::new(),
-        says: "",
-        hop: None,
-        unfolded: Vec::new(),
-    }
-}
-
-/// An expression that continues the line before it.
-fn of_next(expr: &Expr) -> LineReport {
-    let start = of_start(expr);
-    LineReport {
-        latex: format!("= {}", start.latex),
-        unicode: format!("= {}", start.unicode),
-        layout: Block::from("= ".to_owned()).beside(start.layout),
-        ..start
-    }
-}
-
-/// The lines of `chain` with what was found of each hop.
-pub fn lines(chain: &Chain, hops: &[Hop]) -> Vec<LineReport> {
-    let hop = |at: usize| hops.iter().find(|hop| hop.line == at).map(|hop| found(&hop.verdict));
-    chain.lines.iter().enumerate().map(|(at, line)| show(line, hop(at))).collect()
-}
-
-fn show(line: &Line, hop: Option<HopReport>) -> LineReport {
-    let face = match &line.claim {
-        Told::Equation(equation) => of_equation(equation),
-        // Only a start has no hop behind it.
-        Told::Expr(expr) if hop.is_none() => of_start(expr),
-        Told::Expr(expr) => of_next(expr),
-    };
-    let unfolded = line.unfolded.iter().map(step).collect();
-    LineReport { by: line.by.clone(), says: line.says, hop, unfolded, ..face }
-}
-
-/// A single step inside a line.
-fn step(line: &Line) -> LineReport {
-    let face = match &line.claim {
-        Told::Equation(equation) => of_equation(equation),
-        Told::Expr(expr) => of_next(expr),
-    };
-    LineReport { by: line.by.clone(), says: line.says, ..face }
-}
-
-/// What was found of a hop, in words.
-pub fn found(verdict: &Hopped) -> HopReport {
-    let (found, digits) = match verdict {
-        Hopped::Proved => ("proved".to_owned(), None),
-        Hopped::Agrees { points, digits, .. } => {
-            (format!("agrees to {digits:.0} digits at {points} points"), Some(*digits))
-        }
-        Hopped::Refuted { at, digits } => {
-            let point: Vec<_> = at.iter().map(|(symbol, value)| format!("{symbol} = {value}")).collect();
-            (format!("refuted: {:.0} digits agree at {}", digits.max(0.0), point.join(", ")), Some(*digits))
-        }
-        Hopped::Unknown { why } => (format!("undecided: {why}"), None),
-    };
-    HopReport { verdict: hop_holds(verdict).into(), found, digits: digits.map(Number) }
-}
-
 fn parameters(setting: &Setting) -> Vec<ParameterReport> {
     let wavelength = setting.wavelength();
     let entries = setting.entries().map(|(parameter, text, value)| {
@@ -261,24 +125,34 @@ fn readout(step: &Step, setting: &Setting) -> Vec<QuantityReport> {
 }
 
 /// What a question asks, what may be answered, and what is said to each answer.
-fn ask(question: &Question, setting: &Setting, address: String) -> QuestionReport {
+pub fn ask(question: &Question, setting: &Setting, address: String) -> QuestionReport {
     use chapters::vocabulary::{Answer, Given};
     let right = question.right(setting);
     let options = question.options().into_iter().enumerate().map(|(at, says)| {
         let reply = question.reply(setting, Given::Option(at));
         OptionReport { says, right: reply.right, reply: reply.says }
     });
-    let (number, unit) = match (question.answer, right) {
-        (Answer::Number { unit, .. }, Given::Number(number)) => (Some(Number(number)), unit),
-        _ => (None, ""),
+    let (number, unit, tolerance) = match (question.answer, right) {
+        (Answer::Number { unit, tolerance, .. }, Given::Number(number)) => {
+            (Some(Number(number)), unit, Some(tolerance))
+        }
+        _ => (None, "", None),
     };
-    QuestionReport { address, asks: question.asks, options: options.collect(), number, unit, because: question.because }
+    QuestionReport {
+        address,
+        asks: question.asks,
+        options: options.collect(),
+        number,
+        unit,
+        tolerance,
+        because: question.because,
+    }
 }
 
 fn check(check: &dyn Claim, found: Timed<Checked>, rows: Rows, address: String) -> CheckReport {
     let Timed { found: Checked { measured, limit, holds }, seconds } = found;
     let head = check.head();
-    let words = crate::report::limit;
+    let words = super::limit;
     let (bound, unit, why) = match head.bound {
         Bound::AtMost { unit, why, .. } => (format!("at most {} {unit}", words(limit)), unit, why),
         Bound::Order { order, tolerance, why } => (expected_order(order, tolerance), "1", why),

@@ -9,12 +9,11 @@ use equation::parse::{Fault, parse, parse_equation};
 use equation::value::Bindings;
 use equation::{Equation, Expr, Relation};
 use num_complex::Complex64;
-use serde::Serialize;
 use std::process::ExitCode;
-use views::judged::{conditions, hypothesis, lines};
-use views::page::{Page, Tone};
-use views::report::LineReport;
-use views::text::{Details, show_lines};
+use views::block::Details;
+use views::report::derivation::{conditions, hypothesis, lines};
+use views::report::proof::{ProofReport, Sides, Witness};
+use views::tell::Teller;
 
 /// What is asked.
 #[derive(Debug)]
@@ -26,38 +25,6 @@ pub struct Question {
     pub json: bool,
 }
 
-/// The answer, as it is printed.
-#[derive(Debug, Serialize)]
-struct Answer {
-    /// `proved`, `refuted` or `unknown`.
-    verdict: &'static str,
-    claim: String,
-    lines: Vec<LineReport>,
-    /// The equations given, solved for the symbols that they replace.
-    hypotheses: Vec<LineReport>,
-    conditions: Vec<String>,
-    /// Why it is unknown.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    why: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    witness: Option<Witness>,
-}
-
-/// A point where the sides differ, and their values there.
-#[derive(Debug, Serialize)]
-struct Witness {
-    at: Vec<(String, String)>,
-    /// What the sides are there, where they have values by themselves.
-    #[serde(skip_serializing_if = "Option::is_none", flatten)]
-    values: Option<Sides>,
-}
-
-#[derive(Debug, Serialize)]
-struct Sides {
-    left: String,
-    right: String,
-}
-
 /// Answers on standard output.
 pub fn serve(question: &Question) -> Result<ExitCode, Stop> {
     let (chain, goal) = read(question)?;
@@ -66,9 +33,8 @@ pub fn serve(question: &Question) -> Result<ExitCode, Stop> {
         let document = serde_json::to_string_pretty(&answer).expect("plain data");
         out::print(format!("{document}\n").as_bytes())?;
     } else {
-        let mut page = out::page();
-        show(&mut page, &answer, question.unfold);
-        out::print(page.into_text().as_bytes())?;
+        let teller = Teller::english(Details { units: false, unfold: question.unfold });
+        out::show(&teller.proof(&answer))?;
     }
     Ok(ExitCode::from(match answer.verdict {
         "proved" => 0,
@@ -118,7 +84,7 @@ fn point_at(text: &str, fault: &Fault) -> Stop {
 }
 
 /// Decides the goal first; only what holds is worth a search for lines.
-fn answer(premises: &Chain, goal: &Equation) -> Answer {
+fn answer(premises: &Chain, goal: &Equation) -> ProofReport {
     let whole = premises.clone().find(goal.clone());
     let hops = verify(&whole, "prove");
     let decided = hops.last().map_or(Verdict::Proved, |hop| hop.verdict.clone());
@@ -146,7 +112,7 @@ fn answer(premises: &Chain, goal: &Equation) -> Answer {
         Verdict::Refuted { at, .. } => Some(Witness { at: at.clone(), values: values(goal, at, &found) }),
         _ => None,
     };
-    Answer {
+    ProofReport {
         verdict,
         claim: goal.to_string(),
         lines,
@@ -192,34 +158,4 @@ fn shown(value: Complex64) -> String {
     let sign = if value.im < 0.0 { '−' } else { '+' };
     let real = value.re.to_string().replace('-', "−");
     if value.im == 0.0 { real } else { format!("{real} {sign} {}i", value.im.abs()) }
-}
-
-fn show(page: &mut Page, answer: &Answer, unfold: bool) {
-    page.gap();
-    show_lines(page, &answer.lines, Details { units: false, unfold });
-    for line in &answer.hypotheses {
-        page.line(6, Tone::Dim, &format!("with {}", line.unicode));
-    }
-    page.gap();
-    match (answer.verdict, &answer.witness) {
-        ("proved", _) if answer.conditions.is_empty() => page.line(2, Tone::Good, "Proved"),
-        ("proved", _) => {
-            let conditions = format!(" where {}", answer.conditions.join(", "));
-            page.wrap(2, 4, &[(Tone::Good, "Proved"), (Tone::Plain, &conditions)]);
-        }
-        ("refuted", Some(witness)) => {
-            let at: Vec<_> = witness.at.iter().map(|(symbol, value)| format!("{symbol} = {value}")).collect();
-            let at = if at.is_empty() { String::new() } else { format!(" at {}", at.join(", ")) };
-            page.wrap(2, 4, &[(Tone::Bad, "Refuted"), (Tone::Plain, &at)]);
-            if let Some(sides) = &witness.values {
-                page.wrap(4, 12, &[(Tone::Dim, "left   "), (Tone::Plain, &sides.left)]);
-                page.wrap(4, 12, &[(Tone::Dim, "right  "), (Tone::Plain, &sides.right)]);
-            }
-        }
-        ("refuted", None) => page.line(2, Tone::Bad, "Refuted"),
-        _ => {
-            let why = answer.why.as_deref().unwrap_or_default();
-            page.wrap(2, 4, &[(Tone::Bad, "Unknown"), (Tone::Plain, ": "), (Tone::Plain, why)]);
-        }
-    }
 }

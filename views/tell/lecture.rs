@@ -1,0 +1,128 @@
+//! A chapter and its steps as they are taught.
+
+use super::{Teller, face_of, owned, prose, section_at};
+use crate::block::{Assignment, Block, Figure, Formula, Heading, Picture, Quantity, Rank, Span, Term, Terms, Tone};
+use crate::number::value;
+use crate::report::{ParameterReport, RaceReport, StatementReport, StepReport};
+use chapters::text::Phrase;
+use chapters::vocabulary::{Item, Part};
+use chapters::{Chapter, Step};
+
+impl Teller<'_> {
+    /// The heading of a chapter, and the prose before its first step.
+    pub fn chapter(&self, chapter: &Chapter) -> Vec<Block> {
+        let title = self.phrase(chapter.id, "title", chapter.title);
+        let mut blocks = vec![Block::Heading(Heading {
+            rank: Rank::Chapter,
+            text: vec![Span::new(Tone::Heading, title)],
+            address: None,
+            rows: Vec::new(),
+        })];
+        let intro = chapter.prose.split("<!-- step:").next().unwrap_or_default();
+        blocks.extend(self.prose(chapter.id, intro, chapter.title));
+        vec![section_at(chapter.id, blocks)]
+    }
+
+    /// A step as the walk shows it: text, equations, derivations, numbers, verdicts, and where to look next.
+    pub fn lecture(&self, chapter: &Chapter, step: &Step, found: &StepReport) -> Vec<Block> {
+        let mut blocks = self.taught(chapter, step, found);
+        blocks.push(Block::section(self.pointers(step, &found.address)));
+        vec![section_at(&found.address, blocks)]
+    }
+
+    /// A step with all that was found of it, for a page that can fold; `picture` has the figures and races by address.
+    pub fn whole(
+        &self,
+        chapter: &Chapter,
+        step: &Step,
+        found: &StepReport,
+        picture: &dyn Fn(&str) -> Picture,
+    ) -> Vec<Block> {
+        let mut blocks = self.taught(chapter, step, found);
+        let figure = |figure: &chapters::vocabulary::Figure| {
+            let address = format!("{}/{}", found.address, figure.id);
+            Block::Figure(Figure {
+                says: self.phrase(&address, "says", figure.says),
+                picture: picture(&address),
+                address,
+            })
+        };
+        let race = |race: &RaceReport| {
+            let picture = picture(&race.address);
+            let says = self.phrase(&race.address, "claim", race.claim);
+            let figure = Figure { address: format!("{}/plot", race.address), says, picture };
+            let drawn = figure.picture != Picture::Absent;
+            [Some(self.race(race)), drawn.then_some(Block::Figure(figure))]
+        };
+        let rest = [
+            step.exhibit.figures.iter().map(figure).collect(),
+            found.stress.iter().map(|stress| self.stress(stress)).collect(),
+            found.races.iter().flat_map(race).flatten().collect(),
+        ];
+        blocks.extend(rest.into_iter().filter(|part: &Vec<_>| !part.is_empty()).map(Block::section));
+        vec![section_at(&found.address, blocks)]
+    }
+
+    fn taught(&self, chapter: &Chapter, step: &Step, found: &StepReport) -> Vec<Block> {
+        let says = self.phrase(&found.address, "says", found.says);
+        let mut blocks = vec![self.heading(found), Block::text(0, Tone::Emphasis, says)];
+        blocks.extend(self.prose(&found.address, prose::section(chapter.prose, step.id), step.title));
+        blocks.push(Block::section(found.statements.iter().map(|statement| self.formula(statement)).collect()));
+        blocks.extend(found.questions.iter().map(|question| Block::section(vec![self.question(question, false)])));
+        let derivations = found.derivations.iter();
+        blocks.extend(derivations.map(|derivation| Block::section(vec![self.derivation(derivation, true)])));
+        blocks.push(Block::section(vec![self.numbers(found)]));
+        blocks.push(Block::section(found.checks.iter().map(|check| self.check(check)).collect()));
+        blocks
+    }
+
+    fn formula(&self, statement: &StatementReport) -> Block {
+        Block::Formula(Formula {
+            address: statement.address.clone(),
+            face: face_of(statement),
+            says: self.phrase(&statement.address, "says", statement.says),
+            unit: statement.dimension.clone(),
+            verdict: statement.verdict,
+            rows: owned(statement.rows),
+        })
+    }
+
+    /// The setting and what the program computes at it.
+    fn numbers(&self, found: &StepReport) -> Block {
+        let mut blocks = Vec::new();
+        if !found.setting.is_empty() {
+            let assignment = |p: &ParameterReport| Assignment { name: p.name.to_owned(), text: p.text.clone() };
+            blocks.push(Block::Setting(found.setting.iter().map(assignment).collect()));
+        }
+        let quantities = found.readout.iter().map(|quantity| Quantity {
+            key: quantity.key.to_owned(),
+            symbol: Phrase::parse(quantity.symbol),
+            value: Phrase::parse(&value(quantity.value.0, quantity.unit)),
+            number: quantity.value,
+            unit: quantity.unit.to_owned(),
+            says: self.phrase(&format!("{}/{}", found.address, quantity.key), "says", quantity.says),
+        });
+        blocks.push(Block::Quantities(quantities.collect()));
+        Block::Group(blocks)
+    }
+
+    /// What else can be asked of a step.
+    fn pointers(&self, step: &Step, address: &str) -> Vec<Block> {
+        let pointer = |item: Item| {
+            let flag = item.part().filter(|part| *part != Part::Checks)?.flag();
+            let says = self.phrase(&format!("{address}/{}", item.id()), item.field(), item.says());
+            let name = Span::verbatim(Tone::Code, flag);
+            Some(Term { name, says: vec![Span::new(Tone::Plain, says)], note: None })
+        };
+        let items: Vec<Term> = step.items().filter_map(pointer).collect();
+        if items.is_empty() {
+            return Vec::new();
+        }
+        let more = vec![
+            Span::new(Tone::Plain, self.say("More:", &[]).then(Phrase::verbatim(" "))),
+            Span::verbatim(Tone::Code, format!("lesson {}", address.replace('/', " "))),
+            Span::new(Tone::Plain, Phrase::verbatim(" ").then(self.say("with", &[]))),
+        ];
+        vec![Block::Group(vec![Block::paragraph(2, 4, more), Block::Terms(Terms { width: Some(8), items })])]
+    }
+}
