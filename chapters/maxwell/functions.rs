@@ -19,7 +19,7 @@ const YEE: Function = Function {
         Parameter::new("sigma", "σ", "conductivity", Kind::number(0.0, MOST, "S/m")).default("0"),
         Parameter::new("spacing", "Δ", "size of a cell", Kind::number(1.0 / MOST, MOST, "m")).default("0.001"),
         Parameter::new("cells", "N", "cells of the ring", COUNT).default("100"),
-        Parameter::new("waves", "m", "whole waves round the ring", COUNT).default("5"),
+        Parameter::new("waves", "m", "whole waves round the ring, 1 to half the cells", WAVES).default("5"),
         Parameter::new(
             "courant",
             "S",
@@ -96,5 +96,7 @@ const OVERHEAD: u64 = 100;
 
 /// The largest number that the solver takes: beyond every number of physics in SI units.
 const MOST: f64 = 1e30;
+/// Their end depends on the cells, and whoever asks for none is told so.
+const WAVES: Kind = Kind::Count { min: 0, max: 1_000_000_000_000_000 };
 /// At least one; a double holds them all.
 const COUNT: Kind = Kind::Count { min: 1, max: 1_000_000_000_000_000 };

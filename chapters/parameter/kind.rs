@@ -130,9 +130,9 @@ impl Kind {
                 format!("valid: up to {most} of {}", each.strip_prefix("valid: ").unwrap_or(&each))
             }
             Self::Record(parameters) => {
-                let field = |parameter: &Parameter| match parameter.default {
-                    Some(default) => format!("{} = {default}", parameter.name),
-                    None => parameter.name.to_owned(),
+                let field = |parameter: &Parameter| {
+                    let names = parameter.names().collect::<Vec<_>>().join(" or ");
+                    parameter.default.map_or(names.clone(), |default| format!("{names} = {default}"))
                 };
                 format!("valid: {{{}}}", parameters.iter().map(field).collect::<Vec<_>>().join(", "))
             }

@@ -69,9 +69,14 @@ impl Range {
         }
         let (suffix, factor) = suffix(text, self.unit).unwrap_or(("", size(bare, self.unit)));
         let end = |end: f64| format!("{}{suffix}", number(end / factor));
+        let unit = match (suffix, bare, self.unit) {
+            ("", "", "1") => String::new(),
+            ("", "", unit) | ("", unit, _) => format!(" {unit}"),
+            _ => String::new(),
+        };
         match self.min {
-            SMALLEST => format!("valid: above 0, up to {}", end(self.max)),
-            min => format!("valid: {} to {}", end(min), end(self.max)),
+            SMALLEST => format!("valid: above 0, up to {}{unit}", end(self.max)),
+            min => format!("valid: {} to {}{unit}", end(min), end(self.max)),
         }
     }
 
@@ -203,14 +208,14 @@ mod tests {
         let angles = Range::new(0.0, FRAC_PI_2, "rad");
         let says = |range: Range, given: Argument, bare, like| range.read(&given, bare, like).unwrap_err();
         assert_eq!(says(angles, "95deg".into(), "", ""), "95deg is out of range; valid: 0deg to 90deg");
-        let hint = "56.3 is out of range; valid: 0 to 1.570796327 (did you mean `56.3deg`?)";
+        let hint = "56.3 is out of range; valid: 0 to 1.570796327 rad (did you mean `56.3deg`?)";
         assert_eq!(says(angles, "56.3".into(), "", ""), hint);
         assert_eq!(says(angles, 56.3.into(), "", ""), hint);
         let lengths = Range::new(1e-9, 1e-3, "m");
         let valid = "valid: 1nm to 1e6nm (did you mean `550nm`?)";
         assert_eq!(says(lengths, "550".into(), "", "550nm"), format!("550 is out of range; {valid}"));
         assert_eq!(says(lengths, "5mm".into(), "", "550nm"), "5mm is out of range; valid: 1e-6mm to 1mm");
-        assert_eq!(says(lengths, 0.0.into(), "nm", ""), "0 is out of range; valid: 1 to 1e6");
+        assert_eq!(says(lengths, 0.0.into(), "nm", ""), "0 is out of range; valid: 1 to 1e6 nm");
         assert_eq!(lengths.read(&550.0.into(), "nm", ""), lengths.read(&"550nm".into(), "", ""));
         assert_eq!(says(Range::new(1e-9, 1e9, "1"), 0.0.into(), "", ""), "0 is out of range; valid: 1e-9 to 1e9");
         assert_eq!(

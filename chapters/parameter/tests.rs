@@ -255,7 +255,10 @@ fn alternatives_stand_for_one_another() {
         FUNCTION.call(&given).map_err(|fault| fault.to_string())
     };
     assert!(call(&["theta"]).is_ok() && call(&["theta1"]).is_ok() && call(&["cos", "lens"]).is_ok());
-    assert_eq!(call(&["lens"]).unwrap_err(), "theta: missing (or theta1); give theta or cos; valid: 0 to 1.570796327");
+    assert_eq!(
+        call(&["lens"]).unwrap_err(),
+        "theta: missing (or theta1); give theta or cos; valid: 0 to 1.570796327 rad"
+    );
     assert_eq!(call(&["cos", "theta1"]).unwrap_err(), "cos: given beside theta1; give one of them");
     assert_eq!(call(&["x"]).unwrap_err(), "x: no such input of f. Known: theta, theta1, cos, lens");
 }

@@ -20,6 +20,7 @@ fn refused(arguments: &str, words: &[&str]) {
 fn unknown_chapters_steps_and_items() {
     refused("fresnell", &["fresnell", "did you mean `fresnel`", "path-tracing"]);
     refused("covrage", &["did you mean `coverage`"]);
+    refused("compleshuns", &["did you mean `completions`", "prove", "help", "all"]);
     refused("brdf", &["not written yet", "fresnel"]);
     refused("fresnel brewsterr", &["fresnel/brewsterr", "did you mean `brewster`", "natural"]);
     refused("fresnel brewster/nothing_of_the_kind", &["no such item"]);
@@ -35,6 +36,13 @@ fn unknown_parameters() {
     refused("fresnel --set thetta=1 --plot", &["thetta", "did you mean `theta`"]);
     refused("plane-wave --set medium=copper --set medium=gold", &["medium", "given twice"]);
     refused("plane-wave --set medium=copper --set medium=copper", &["medium", "given twice"]);
+}
+
+#[test]
+fn one_quantity_is_set_once() {
+    refused("fresnel brewster --set wavelength=550nm --set freq=545THz", &["freq", "wavelength", "give one of them"]);
+    refused("fresnel brewster --set freq=1GHz", &["freq", "valid: 299.792458GHz"]);
+    refused("maxwell grid --set courant=1.2", &["courant", "--unstable"]);
 }
 
 #[test]

@@ -67,6 +67,13 @@ fn bad_arguments_name_their_place_and_range() {
         ("eval fresnel n1=1 n2=1.5 psi=0", &["psi", "n1"]),
         ("eval fresnel n1=1 n1=1 n2=1.5 theta1=0", &["n1", "twice"]),
         ("eval fresnel n1=1", &["missing"]),
+        ("eval fresnel n_i=1 n_t=1.5 theta=56.3", &["theta", "valid: 0 to 1.57", "did you mean `56.3deg`"]),
+        ("eval fresnel n_i=1 n_t=glod theta=0", &["n_t", "glod", "did you mean `gold`"]),
+        ("eval fresnel n_i=gold n_t=1 theta=0", &["n_i", "absorbs"]),
+        ("eval fresnel n_i=1 n_t=gold k2=1 theta=0", &["k2", "gold"]),
+        ("eval fresnel n_i=1 n_t=gold theta=0 wavelength=5um", &["n_t", "gold at 5000 nm"]),
+        ("eval fresnel n_i=1 n_t=1 theta=0 wavelength=5um freq=1THz", &["freq", "wavelength", "give one of them"]),
+        ("eval fresnel n_i=1 n1=1 n_t=1 theta=0", &["n1", "n_i", "give one of them"]),
     ] {
         let run = lesson(arguments);
         assert_eq!((run.code, run.out.as_str(), run.err.lines().count()), (2, "", 1), "{arguments}: {run:?}");
@@ -74,6 +81,42 @@ fn bad_arguments_name_their_place_and_range() {
         assert!(words.iter().all(|word| run.err.contains(word)), "{arguments}: {}", run.err);
     }
     assert_eq!(lesson("eval").code, 2);
+}
+
+#[test]
+fn one_quantity_has_one_name_and_the_older_ones_still_serve() {
+    let old = lesson("eval fresnel n1=1 n2=0.2 k2=3.4 theta1=60deg");
+    assert_eq!(old.code, 0, "{old:?}");
+    for arguments in [
+        "eval fresnel n_i=1 n_t=0.2 k_t=3.4 theta=60deg",
+        "eval fresnel n_i=1 n_t=0.2+3.4i theta=60deg",
+        r#"eval fresnel n_i=1 n_t={"n":0.2,"k":3.4} theta=60deg"#,
+    ] {
+        assert_eq!(lesson(arguments).out, old.out, "{arguments}");
+    }
+    let step = |arguments: &str| lesson(arguments).out;
+    assert_eq!(
+        step("eval thin-film lambda_nm=550 n0=1 layers=[] substrate={\"n\":1.5} theta0=0 pol=s"),
+        step("eval thin-film wavelength=550nm n_i=1 layers=[] substrate={\"n\":1.5} theta=0deg pol=s"),
+    );
+    assert_eq!(
+        step("eval plane-wave eps_r=1 mu_r=1 sigma=5.8e7 freq_hz=50"),
+        step("eval plane-wave medium=1/1/5.8e7 freq=50Hz")
+    );
+}
+
+#[test]
+fn media_go_by_name() {
+    let gold = lesson("eval fresnel n_i=1 n_t=gold wavelength=550nm theta=45deg");
+    assert_eq!((gold.code, gold.out.lines().count()), (0, 14), "{gold:?}");
+    assert_eq!(lesson("eval fresnel n_i=1 n_t=gold wavelength=550nm theta1=45deg").out, gold.out);
+    let film = |layer: &str| {
+        lesson(&format!(
+            "eval thin-film wavelength=550nm n_i=1 theta=0 pol=p layers=[{layer}] substrate={{\"n\":\"bk7\"}}"
+        ))
+    };
+    let named = film(r#"{"medium":"gold","d_nm":20}"#);
+    assert_eq!((named.code, &named.out), (0, &film(r#"{"n":"gold","d":"20nm"}"#).out));
 }
 
 #[test]
@@ -181,4 +224,25 @@ fn the_list_documents_inputs_and_outputs() {
         assert!(field["unit"].is_string(), "{field}");
     }
     assert!(lesson("eval --list").out.contains("theta1"));
+    let inputs = function["inputs"].as_array().unwrap();
+    let theta = inputs.iter().find(|input| input["name"] == "theta").unwrap();
+    assert_eq!(
+        (&theta["kind"], &theta["aliases"][0], &theta["symbol"]),
+        (&"number".into(), &"theta1".into(), &"θ_1".into())
+    );
+    assert_eq!((&theta["domain"][0], &theta["takes"]["unit"]), (&0.0.into(), &"rad".into()));
+}
+
+#[test]
+fn a_report_tells_what_its_parameters_may_be() {
+    let report: Value = serde_json::from_str(&lesson("fresnel brewster --check --json").out).unwrap();
+    let setting = report["chapters"][0]["steps"][0]["setting"].as_array().unwrap();
+    let of = |name: &str| setting.iter().find(|parameter| parameter["name"] == name).unwrap();
+    let wavelength = of("wavelength");
+    assert_eq!((&wavelength["symbol"], &wavelength["default"]), (&"λ".into(), &"550nm".into()));
+    assert_eq!((&wavelength["domain"]["min"], &wavelength["domain"]["scale"]), (&1e-9.into(), &"logarithmic".into()));
+    let names = of("n_t")["domain"]["names"].as_array().unwrap();
+    assert!(
+        names.contains(&"gold".into()) && !of("n_i")["domain"]["names"].as_array().unwrap().contains(&"gold".into())
+    );
 }
