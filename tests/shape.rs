@@ -215,7 +215,8 @@ fn every_figure_is_reached_without_its_step() {
             });
             addresses.collect()
         };
-        let apart = shown(&mut chapter.figures.iter().copied());
+        let apart = shown(&mut chapter.figures.exhibits.iter().copied());
+        assert_eq!(chapter.figures.chapter, chapter.id);
         assert_eq!(apart, shown(&mut chapter.steps.iter().map(|step| step.exhibit)), "{}", chapter.id);
     }
 }

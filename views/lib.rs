@@ -11,6 +11,7 @@ pub mod page;
 pub mod plot;
 pub mod race_plot;
 pub mod report;
+pub mod request;
 pub mod tell;
 pub mod terminal;
 pub mod words;

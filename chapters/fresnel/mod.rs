@@ -22,7 +22,7 @@ mod symbols;
 mod total_reflection;
 
 use crate::parameter::{Kind, Parameter, Setting, THETA, WAVELENGTH};
-use crate::vocabulary::{Chapter, Exhibit};
+use crate::vocabulary::{Chapter, Gallery, gallery};
 use light::Complex64;
 use light::optics::{Direction, Incidence, fresnel};
 use light::references::fresnel::Input;
@@ -59,25 +59,28 @@ pub const CHAPTER: Chapter = Chapter {
 };
 
 /// What its steps show, apart from the evidence.
-pub const FIGURES: &[Exhibit] = &[
-    snell::EXHIBIT,
-    boundary::EXHIBIT,
-    amplitudes::R_S_EXHIBIT,
-    amplitudes::T_S_EXHIBIT,
-    amplitudes::R_P_EXHIBIT,
-    amplitudes::T_P_EXHIBIT,
-    powers::EXHIBIT,
-    natural::EXHIBIT,
-    energy::EXHIBIT,
-    digits::EXHIBIT,
-    brewster::EXHIBIT,
-    dip::EXHIBIT,
-    grazing::EXHIBIT,
-    total_reflection::EXHIBIT,
-    metals::EXHIBIT,
-    schlick::EXHIBIT,
-    films::EXHIBIT,
-];
+pub const FIGURES: Gallery = gallery(
+    "fresnel",
+    &[
+        snell::EXHIBIT,
+        boundary::EXHIBIT,
+        amplitudes::R_S_EXHIBIT,
+        amplitudes::T_S_EXHIBIT,
+        amplitudes::R_P_EXHIBIT,
+        amplitudes::T_P_EXHIBIT,
+        powers::EXHIBIT,
+        natural::EXHIBIT,
+        energy::EXHIBIT,
+        digits::EXHIBIT,
+        brewster::EXHIBIT,
+        dip::EXHIBIT,
+        grazing::EXHIBIT,
+        total_reflection::EXHIBIT,
+        metals::EXHIBIT,
+        schlick::EXHIBIT,
+        films::EXHIBIT,
+    ],
+);
 
 /// The medium the light comes from.
 const N_I: Parameter = Parameter::new("n_i", "n_1", "medium of incidence (clear)", Kind::ClearMedium).default("1");

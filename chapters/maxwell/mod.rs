@@ -14,7 +14,7 @@ mod surface_current;
 mod symbols;
 mod throughput;
 
-use crate::vocabulary::{Chapter, Exhibit};
+use crate::vocabulary::{Chapter, Gallery, gallery};
 
 /// The chapter.
 pub const CHAPTER: Chapter = Chapter {
@@ -39,14 +39,17 @@ pub const CHAPTER: Chapter = Chapter {
 };
 
 /// What its steps show, apart from the evidence.
-pub const FIGURES: &[Exhibit] = &[
-    equations::EXHIBIT,
-    continuity::EXHIBIT,
-    media::EXHIBIT,
-    interface::EXHIBIT,
-    surface_current::EXHIBIT,
-    grid::EXHIBIT,
-    agreement::EXHIBIT,
-    conduction::EXHIBIT,
-    left_out::EXHIBIT,
-];
+pub const FIGURES: Gallery = gallery(
+    "maxwell",
+    &[
+        equations::EXHIBIT,
+        continuity::EXHIBIT,
+        media::EXHIBIT,
+        interface::EXHIBIT,
+        surface_current::EXHIBIT,
+        grid::EXHIBIT,
+        agreement::EXHIBIT,
+        conduction::EXHIBIT,
+        left_out::EXHIBIT,
+    ],
+);

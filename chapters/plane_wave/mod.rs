@@ -15,7 +15,7 @@ pub(crate) mod transverse;
 mod wave_equation;
 
 use crate::parameter::{FREQUENCY, MEDIUM, Parameter, Setting};
-use crate::vocabulary::{Chapter, Exhibit, Quantity};
+use crate::vocabulary::{Chapter, Gallery, Quantity, gallery};
 use light::waves::Wave;
 use yardstick::statistics::rms;
 
@@ -43,18 +43,21 @@ pub const CHAPTER: Chapter = Chapter {
 };
 
 /// What its steps show, apart from the evidence.
-pub const FIGURES: &[Exhibit] = &[
-    source_free::EXHIBIT,
-    wave_equation::EXHIBIT,
-    dalembert::EXHIBIT,
-    methods::EXHIBIT,
-    speed::EXHIBIT,
-    one_way::EXHIBIT,
-    harmonics::EXHIBIT,
-    cosine::EXHIBIT,
-    transverse::EXHIBIT,
-    conductor::EXHIBIT,
-];
+pub const FIGURES: Gallery = gallery(
+    "plane-wave",
+    &[
+        source_free::EXHIBIT,
+        wave_equation::EXHIBIT,
+        dalembert::EXHIBIT,
+        methods::EXHIBIT,
+        speed::EXHIBIT,
+        one_way::EXHIBIT,
+        harmonics::EXHIBIT,
+        cosine::EXHIBIT,
+        transverse::EXHIBIT,
+        conductor::EXHIBIT,
+    ],
+);
 
 /// The medium of the steps where nothing is lost.
 pub(crate) const VACUUM: Parameter = MEDIUM.default("vacuum");

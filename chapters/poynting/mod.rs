@@ -10,7 +10,7 @@ mod window;
 
 use crate::parameter::Setting;
 use crate::plane_wave::wave;
-use crate::vocabulary::{Chapter, Exhibit};
+use crate::vocabulary::{Chapter, Gallery, gallery};
 use light::waves::flux::Flux;
 
 /// The chapter.
@@ -26,8 +26,10 @@ pub const CHAPTER: Chapter = Chapter {
 };
 
 /// What its steps show, apart from the evidence.
-pub const FIGURES: &[Exhibit] =
-    &[flow::EXHIBIT, theorem::EXHIBIT, orders::EXHIBIT, mean::EXHIBIT, phasor::EXHIBIT, window::EXHIBIT];
+pub const FIGURES: Gallery = gallery(
+    "poynting",
+    &[flow::EXHIBIT, theorem::EXHIBIT, orders::EXHIBIT, mean::EXHIBIT, phasor::EXHIBIT, window::EXHIBIT],
+);
 
 /// The flow at z = 0 of the setting's wave, of amplitude 1 V/m.
 fn flux(setting: &Setting) -> Flux {

@@ -43,3 +43,17 @@ pub struct Exhibit {
 pub const fn exhibit(step: &'static str, parameters: &'static [Parameter], figures: &'static [Figure]) -> Exhibit {
     Exhibit { step, parameters, figures }
 }
+
+/// A chapter's figures, by the steps that show them.
+#[derive(Clone, Copy, Debug)]
+pub struct Gallery {
+    /// The chapter's id, first part of their addresses.
+    pub chapter: &'static str,
+    /// In teaching order; a step may show nothing.
+    pub exhibits: &'static [Exhibit],
+}
+
+/// What the steps of `chapter` show.
+pub const fn gallery(chapter: &'static str, exhibits: &'static [Exhibit]) -> Gallery {
+    Gallery { chapter, exhibits }
+}

@@ -28,7 +28,7 @@ mod stress;
 pub use bench::{Bench, Quantity, SEED};
 pub use check::{Bound, Check, Claim, Claimed, Head, Measured, Measurement, check};
 pub use derivation::{Derivation, Unspoiled, derivation};
-pub use figure::{Exhibit, Figure, exhibit, figure};
+pub use figure::{Exhibit, Figure, Gallery, exhibit, figure, gallery};
 pub use item::{Item, Part};
 pub use question::{Answer, Choice, Given, Misled, Question, Reply, SIGNS, TRENDS, choice, question};
 pub use race::{Entrant, Expects, Heat, Judge, Lane, Race, Run, fitted_order, lane, race};
@@ -54,7 +54,7 @@ pub struct Chapter {
     /// In teaching order.
     pub steps: &'static [Step],
     /// What the steps show, for whoever only draws.
-    pub figures: &'static [Exhibit],
+    pub figures: Gallery,
     /// What `lesson eval` offers from this chapter.
     pub functions: &'static [Function],
 }
