@@ -130,9 +130,7 @@ impl Page {
         let mut column = indent;
         let mut padded = Vec::new();
         for (&(tone, cell), &width) in cells.iter().zip(widths) {
-            let padding = " ".repeat((width.unsigned_abs() as usize).saturating_sub(cell.width()));
-            let (before, after) = if width < 0 { (padding, String::new()) } else { (String::new(), padding) };
-            padded.push((tone, before + cell + &after));
+            padded.push((tone, pad(cell, width)));
         }
         let mut spans: Vec<Span> = Vec::new();
         for (at, (tone, cell)) in padded.iter().enumerate() {
@@ -169,6 +167,12 @@ impl Page {
             self.text.push_str(&format!("\x1b[{}m", ansi(to)));
         }
     }
+}
+
+/// A cell in as many columns as `width` says, right-aligned where that is negative.
+pub fn pad(cell: &str, width: i32) -> String {
+    let padding = " ".repeat((width.unsigned_abs() as usize).saturating_sub(cell.width()));
+    if width < 0 { padding + cell } else { cell.to_owned() + &padding }
 }
 
 /// The words of `spans`, each with the space before it, in pieces of one tone.

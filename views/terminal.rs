@@ -154,14 +154,23 @@ fn argue_line(page: &mut Page, indent: usize, told: &Line, units: bool) {
 
 fn tabulate(page: &mut Page, table: &Table) {
     let widths: Vec<i32> = table.columns.iter().map(|column| column.width).collect();
-    if table.headed {
-        let heads: Vec<_> = table.columns.iter().map(|column| (Tone::Dim, column.head.to_string())).collect();
-        page.row(table.inset, &widths, &borrowed(&heads));
+    let cells = |row: &[Span]| row.iter().map(|cell| (cell.tone, cell.text.to_string())).collect::<Vec<_>>();
+    if !table.headed {
+        return table.rows.iter().for_each(|row| listed(page, table.inset, &widths, &cells(row)));
     }
-    for row in &table.rows {
-        let cells: Vec<_> = row.iter().map(|cell| (cell.tone, cell.text.to_string())).collect();
-        page.row(table.inset, &widths, &borrowed(&cells));
+    let heads: Vec<_> = table.columns.iter().map(|column| (Tone::Dim, column.head.to_string())).collect();
+    page.row(table.inset, &widths, &borrowed(&heads));
+    table.rows.iter().for_each(|row| page.row(table.inset, &widths, &borrowed(&cells(row))));
+}
+
+/// A row of a table without heads: its columns stay where they are on the narrowest page, for nothing else says which is which.
+fn listed(page: &mut Page, inset: usize, widths: &[i32], cells: &[(Tone, String)]) {
+    let (mut spans, mut column) = (Vec::new(), inset);
+    for ((tone, cell), width) in cells.iter().zip(widths) {
+        spans.push((*tone, page::pad(cell, *width) + "  "));
+        column += if *width == 0 { 0 } else { width.unsigned_abs() as usize + 2 };
     }
+    page.wrap(inset, column, &borrowed(&spans));
 }
 
 /// One line per verdict: its sign, what it is about, and its address.
