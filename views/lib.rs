@@ -15,3 +15,4 @@ pub mod request;
 pub mod tell;
 pub mod terminal;
 pub mod words;
+pub mod xml;

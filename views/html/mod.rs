@@ -7,7 +7,6 @@ mod phrase;
 #[cfg(test)]
 mod tests;
 
-pub use phrase::escape;
 
 use crate::block::{
     Answers, Block, Cases, Choice, Figure, Fold, Formula, Heading, Judged, Line, Lines, Picture, Quantity, Question,
@@ -15,6 +14,7 @@ use crate::block::{
 };
 use crate::report::Verdict;
 use crate::words::Words;
+use crate::xml::escape;
 use chapters::text::Phrase;
 use phrase::{phrase, span, spans};
 use std::collections::HashSet;
