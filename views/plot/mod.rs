@@ -1,8 +1,8 @@
 //! Figures as pictures: [`chapters::figure::Plot`] to SVG and, with the feature `png`, to PNG.
 //!
-//! A figure is drawn once, on a [`canvas::Canvas`], onto a [`sheet::Sheet`] that keeps vector shapes; [`png`](mod@png)
-//! and [`svg`](mod@svg) write that sheet down. All lengths are in pixels of the sheet, which are CSS pixels; the PNG has
-//! [`DENSITY`] of its own to each.
+//! A figure is drawn once, on a `canvas::Canvas`, onto a `sheet::Sheet` that keeps vector shapes; `png` and `svg` write
+//! that sheet down. All lengths are in pixels of the sheet, which are CSS pixels; the PNG has `DENSITY` of its own to
+//! each.
 
 mod axes;
 mod canvas;
