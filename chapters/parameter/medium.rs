@@ -172,7 +172,7 @@ pub(super) fn read_conductor(argument: &Argument) -> Result<Conductor, Fault> {
     match argument {
         Argument::Text(text) => parse_conductor("", text),
         Argument::Record(fields) => {
-            let defaults = [Some(1.0), Some(1.0), Some(0.0)];
+            let defaults = [None, Some(1.0), Some(0.0)];
             let numbers = numbers(fields, ["eps_r", "mu_r", "sigma"], defaults, CONDUCTOR_DOMAIN)?;
             conductor(numbers, &numbers.map(shortest).join("/"))
         }

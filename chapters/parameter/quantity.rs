@@ -136,12 +136,13 @@ fn parse_in(text: &str, unit: &str, bare: &str) -> Result<f64, String> {
 }
 
 /// `value` in SI as a text that reads back to it, in the suffix that leaves its number between 1 and 1000 if the trip
-/// through that unit keeps the last bit.
+/// through that unit keeps the last bit, otherwise in SI.
 pub fn write_quantity(value: f64, unit: &str) -> String {
     let preferred = suffixes(unit).iter().filter(|(_, factor)| (1.0..1000.0).contains(&(value / factor).abs()));
-    // The rounded quotient is what one would type; its neighbours are what reads back if that does not.
+    let si = suffixes(unit).iter().find(|(_, factor)| *factor == 1.0).map_or("", |(suffix, _)| suffix);
     let texts = preferred.map(|(suffix, factor)| format!("{}{suffix}", shortest(rounded(value / factor))));
-    texts.into_iter().find(|text| parse_quantity(text, unit) == Ok(value)).unwrap_or_else(|| shortest(value))
+    let kept = texts.into_iter().find(|text| parse_quantity(text, unit) == Ok(value));
+    kept.unwrap_or_else(|| format!("{}{si}", shortest(value)))
 }
 
 /// To fifteen digits, which is what survives a multiplication.
@@ -231,7 +232,7 @@ mod tests {
         {
             assert_eq!(write_quantity(parse_quantity(text, unit).unwrap(), unit), text);
         }
-        assert_eq!(write_quantity(1e-40, "m"), "1e-40");
+        assert_eq!(write_quantity(1e-40, "m"), "1e-40m");
     }
 
     #[test]
