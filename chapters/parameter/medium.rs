@@ -201,7 +201,8 @@ fn numbers<const N: usize>(
     }
     let mut numbers = [0.0; N];
     for at in 0..N {
-        numbers[at] = found[at].or(defaults[at]).ok_or_else(|| Fault::new(names[at], format!("missing; {domain}")))?;
+        numbers[at] =
+            found[at].or(defaults[at]).ok_or_else(|| Fault::new("", format!("lacks {}; {domain}", names[at])))?;
     }
     Ok(numbers)
 }

@@ -44,8 +44,11 @@ pub struct Parameter {
     /// Parameters that this one is given instead of; of none of them if it may simply be left out.
     pub instead_of: Option<&'static [&'static str]>,
     /// What only the owner of the parameter knows: whether its value goes together with the others.
-    pub validate: Option<fn(&Setting) -> Result<(), Fault>>,
+    pub validate: Option<Validate>,
 }
+
+/// Whether a value goes together with the others of its setting.
+pub type Validate = fn(&Setting) -> Result<(), Fault>;
 
 /// Another way to give a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,7 +114,7 @@ impl Parameter {
     }
 
     /// With something that only its owner knows.
-    pub const fn validate(self, validate: fn(&Setting) -> Result<(), Fault>) -> Self {
+    pub const fn validate(self, validate: Validate) -> Self {
         Self { validate: Some(validate), ..self }
     }
 
