@@ -50,6 +50,8 @@ pub struct Lesson {
     pub changes: Vec<(String, String)>,
     /// What is shown of derivations.
     pub details: Details,
+    /// Everything at once, on a terminal too.
+    pub plain: bool,
     /// One JSON document instead of text.
     pub json: bool,
 }
@@ -243,6 +245,9 @@ struct LessonArgs {
     /// Show the single steps inside the lines of a derivation.
     #[arg(long)]
     unfold: bool,
+    /// Everything at once, on a terminal too, and no questions that wait for an answer.
+    #[arg(long)]
+    plain: bool,
     /// The report as one JSON document on standard output.
     #[arg(long)]
     json: bool,
@@ -256,6 +261,7 @@ impl LessonArgs {
             || self.plot
             || self.units
             || self.unfold
+            || self.plain
             || self.json
             || self.unstable;
         !flags && self.set.is_empty() && self.out.is_none() && self.format.is_none()
@@ -280,6 +286,7 @@ impl LessonArgs {
             },
             changes: self.set.into_iter().chain(unstable).collect(),
             details: Details { units: self.units, unfold: self.unfold },
+            plain: self.plain,
             json: self.json,
         }))
     }

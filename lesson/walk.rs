@@ -35,7 +35,7 @@ pub fn serve(lesson: &Lesson) -> Result<ExitCode, Stop> {
         out::say(&format!("lesson: {note}"));
     }
     let (view, parts, plot) = plan(lesson, &selection);
-    if view == View::Lecture && !lesson.json && stdin().is_terminal() && stdout().is_terminal() {
+    if view == View::Lecture && !lesson.json && !lesson.plain && stdin().is_terminal() && stdout().is_terminal() {
         return interactive(selection, lesson);
     }
     let folder = plot.then(|| Folder::open(&lesson.out)).transpose()?;

@@ -62,6 +62,25 @@ fn an_item_is_run_alone() {
 }
 
 #[test]
+fn a_question_is_folded_until_it_is_asked_for() {
+    const RISES: &str = "changes its sign on the way";
+    let folded = lesson("fresnel brewster --plain").out;
+    assert!(folded.contains("how does R") && folded.contains("lesson fresnel/brewster/p_alone"), "{folded}");
+    assert!(!folded.contains(RISES), "{folded}");
+    let open = lesson("fresnel/brewster/p_alone");
+    assert_eq!((open.code, open.err.as_str()), (0, ""));
+    assert!(open.out.contains(RISES) && open.out.contains("right angles"), "{}", open.out);
+    // The right answer follows the setting: equal media reflect nothing at any angle.
+    for (setting, right) in [("n_t=1.5", 3), ("n_t=1", 1)] {
+        let report = json(&format!("fresnel brewster --json --set {setting}"));
+        let options = report["chapters"][0]["steps"][0]["questions"][0]["options"].as_array().unwrap();
+        let rights: Vec<_> = options.iter().map(|option| option["right"].as_bool().unwrap()).collect();
+        assert_eq!(rights.iter().position(|right| *right), Some(right), "{setting}");
+        assert_eq!(rights.iter().filter(|right| **right).count(), 1);
+    }
+}
+
+#[test]
 fn every_run_ends_with_the_tally_that_its_exit_code_and_report_agree_with() {
     for arguments in ["fresnel", "fresnel --check", "fresnel brewster --stress", "fresnel brewster --check --stress"] {
         let run = lesson(arguments);

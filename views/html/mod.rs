@@ -7,7 +7,6 @@ mod phrase;
 #[cfg(test)]
 mod tests;
 
-
 use crate::block::{
     Answers, Block, Cases, Choice, Figure, Fold, Formula, Heading, Judged, Line, Lines, Picture, Quantity, Question,
     Rank, Section, Table, Terms,

@@ -6,9 +6,9 @@
 //! whole, where some would paint a `var()` that they cannot read black.
 
 use super::palette::{Colour, Paint};
-use crate::xml::escape;
 use super::sheet::{Image, Item, Path, Sheet, Text};
 use super::{encode, text};
+use crate::xml::escape;
 use std::fmt::Write;
 
 /// What a class is called, by what it colours.

@@ -2,13 +2,14 @@
 
 pub mod derivation;
 pub mod entry;
+mod parts;
 pub mod proof;
 
+pub use self::parts::Parts;
 pub use crate::number::{Number, limit, seventeen_digits, short, significant};
 
 use chapters::figure::Plot;
 use chapters::parameter::Argument;
-use chapters::vocabulary::Part;
 use equation::face::Block;
 use serde::Serialize;
 use std::borrow::Cow;
@@ -16,34 +17,6 @@ use std::path::PathBuf;
 
 /// Name of the JSON document's layout.
 pub const SCHEMA: &str = "lesson-report/1";
-
-/// What a run does with the steps it is about; figures are drawn beside.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Parts {
-    /// Units, derivations and checks.
-    pub checks: bool,
-    /// Extreme cases.
-    pub stress: bool,
-    /// Error against run time.
-    pub races: bool,
-}
-
-impl Parts {
-    /// Whether `part` is run.
-    pub fn has(self, part: Part) -> bool {
-        match part {
-            Part::Checks => self.checks,
-            Part::Stress => self.stress,
-            Part::Races => self.races,
-            Part::Figures => false,
-        }
-    }
-
-    /// One part alone; none if it is the figures.
-    pub fn only(part: Part) -> Self {
-        Self { checks: part == Part::Checks, stress: part == Part::Stress, races: part == Part::Races }
-    }
-}
 
 /// Everything that one run found.
 #[derive(Debug, Serialize)]
