@@ -1,7 +1,6 @@
 //! Figures as data. Nothing here knows how they are drawn.
 //!
-//! Labels use a small markup: `_x` or `_{xy}` lowers, `^x` or `^{−6}` raises, the rest is plain Unicode:
-//! `R_s`, `θ_B`, `10^{−6}`, `n_t/n_i`.
+//! Labels are in the markup of [`crate::text`].
 
 use crate::diagram::Diagram;
 

@@ -1,7 +1,7 @@
 //! `views`: how the lecture is told and drawn. It knows no command line, clock, file or thread.
 //!
-//! What was found is a [`report`]; a [`tell::Teller`] makes [`block`]s of it and of the chapters; [`terminal`], [`html`]
-//! and [`json`] show them.
+//! What was found is a [`report`]; a [`tell::Teller`] makes [`block`]s of it and of the chapters; [`terminal`],
+//! [`html`] and [`json`] show them.
 
 pub mod block;
 pub mod html;

@@ -163,7 +163,8 @@ fn tabulate(page: &mut Page, table: &Table) {
     table.rows.iter().for_each(|row| page.row(table.inset, &widths, &borrowed(&cells(row))));
 }
 
-/// A row of a table without heads: its columns stay where they are on the narrowest page, for nothing else says which is which.
+/// A row of a table without heads: its columns stay where they are on the narrowest page, for nothing else says which
+/// is which.
 fn listed(page: &mut Page, inset: usize, widths: &[i32], cells: &[(Tone, String)]) {
     let (mut spans, mut column) = (Vec::new(), inset);
     for ((tone, cell), width) in cells.iter().zip(widths) {

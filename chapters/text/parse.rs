@@ -126,12 +126,10 @@ impl Reader {
             _ if last.is_ascii_digit() => trailing(before, |c| c.is_ascii_digit()),
             _ => last.len_utf8(),
         };
-        if shift == Shift::Lowered && held == Held::Alone && body.bytes().all(|c| c.is_ascii_digit()) {
-            if let Some(element) =
-                element(before).filter(|_| !next.starts_with(|c: char| "_=".contains(c) || c.is_ascii_digit()))
-            {
-                return Some(element);
-            }
+        let is_count = shift == Shift::Lowered && held == Held::Alone && body.bytes().all(|c| c.is_ascii_digit());
+        let is_whole = !next.starts_with(|c: char| "_=".contains(c) || c.is_ascii_digit());
+        if let Some(element) = element(before).filter(|_| is_count && is_whole) {
+            return Some(element);
         }
         let carries = match shift {
             Shift::Raised => last.is_alphanumeric() || ")]|⟩′".contains(last),

@@ -1,7 +1,7 @@
 //! Blocks as semantic HTML that is well-formed XML too: no scripts, nothing from elsewhere.
 //!
-//! The id of what has an address is that address. What is judged says so in words, colour comes on top; what need not be read at
-//! once is folded.
+//! The id of what has an address is that address. What is judged says so in words, colour comes on top; what need not
+//! be read at once is folded.
 
 mod phrase;
 #[cfg(test)]
@@ -21,7 +21,8 @@ use std::collections::HashSet;
 /// What a page looks like without a book around it.
 const STYLE: &str = "body{max-width:46rem;margin:2rem auto;padding:0 1rem;font:1rem/1.5 sans-serif}\
     table{border-collapse:collapse}th,td{padding:.1rem .6rem;text-align:start}td.number{text-align:end}\
-    .aside,.address,.rows{opacity:.75;font-size:.9em}.judged{margin:1rem 0;padding-inline-start:.8rem;border-inline-start:.2rem solid}\
+    .aside,.address,.rows{opacity:.75;font-size:.9em}\
+    .judged{margin:1rem 0;padding-inline-start:.8rem;border-inline-start:.2rem solid}\
     .passed{border-color:#070}.failed{border-color:#b00}.good{color:#060}.bad{color:#a00;font-weight:bold}\
     math[display=block],figure{overflow-x:auto}@media(prefers-color-scheme:dark){:root{color-scheme:dark}\
     .good{color:#7d7}.bad{color:#f88}}";
@@ -31,7 +32,8 @@ pub fn document(title: &Phrase, language: &str, words: Words, blocks: &[Block]) 
     let (language, title) = (escape(language), escape(&title.to_string()));
     format!(
         "<!DOCTYPE html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\"/>\n\
-         <meta name=\"viewport\" content=\"width=device-width\"/>\n<title>{title}</title>\n<style>{STYLE}</style>\n</head>\n\
+         <meta name=\"viewport\" content=\"width=device-width\"/>\n\
+         <title>{title}</title>\n<style>{STYLE}</style>\n</head>\n\
          <body>\n<main>\n{}</main>\n</body>\n</html>\n",
         fragment(words, blocks)
     )

@@ -11,7 +11,9 @@ impl Teller<'_> {
     /// Every chapter of the lecture, written or not.
     pub fn contents(&self) -> Vec<Block> {
         let intro = self.say("A lecture on the physics of rendering that proves itself.", &[]);
-        let outro = self.say("`lesson CHAPTER` walks through a chapter, `lesson CHAPTER STEP` shows one step; `lesson --help` tells the rest.", &[]);
+        let outro = "`lesson CHAPTER` walks through a chapter, `lesson CHAPTER STEP` shows one step; `lesson --help` \
+                     tells the rest.";
+        let outro = self.say(outro, &[]);
         let chapter = |name: &'static str| match CURRICULUM.iter().find(|chapter| chapter.id == name) {
             Some(chapter) => self.written(chapter),
             None => self.coming(name),

@@ -12,7 +12,8 @@ pub fn section<'a>(prose: &'a str, id: &str) -> &'a str {
 }
 
 impl Teller<'_> {
-    /// The text at an `address`: paragraphs, lists, emphasis, code, the text of links. A heading that repeats `title` is left out.
+    /// The text at an `address`: paragraphs, lists, emphasis, code, the text of links. A heading that repeats `title`
+    /// is left out.
     pub(super) fn prose(&self, address: &str, source: &str, title: &str) -> Vec<Block> {
         let source = self.words.0.text(address, "prose", source);
         let mut reader = Reader { events: TextMergeStream::new(Parser::new(&source)) };
@@ -105,7 +106,7 @@ impl<'a, I: Iterator<Item = Event<'a>>> Reader<I> {
 
     fn code(&mut self) -> String {
         let mut code = String::new();
-        while let Some(event) = self.events.next() {
+        for event in self.events.by_ref() {
             match event {
                 Event::Text(text) => code.push_str(&text),
                 Event::End(_) => break,
@@ -154,7 +155,8 @@ mod tests {
 
     #[test]
     fn markdown_becomes_paragraphs_and_lists() {
-        let source = "## Title\n\nSome *soft* and\n`hard` [text](x), `r_s`.\n\n- one\n- two\n  more\n  - deep\n\n## Else\n\n```\na_b\n```\nend";
+        let source = "## Title\n\nSome *soft* and\n`hard` [text](x), `r_s`.\n\n- one\n- two\n  more\n  - deep\n\n\
+                      ## Else\n\n```\na_b\n```\nend";
         let blocks = Teller::english(Details::default()).prose("a/b", source, "Title");
         let mut page = Page::new(60, false);
         terminal::set(&mut page, Words::ENGLISH, &[Block::section(blocks)]);
