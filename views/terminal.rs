@@ -168,8 +168,10 @@ fn tabulate(page: &mut Page, table: &Table) {
 fn listed(page: &mut Page, inset: usize, widths: &[i32], cells: &[(Tone, String)]) {
     let (mut spans, mut column) = (Vec::new(), inset);
     for ((tone, cell), width) in cells.iter().zip(widths) {
-        spans.push((*tone, page::pad(cell, *width) + "  "));
-        column += if *width == 0 { 0 } else { width.unsigned_abs() as usize + 2 };
+        let width = width.unsigned_abs() as i32;
+        // A cell one letter too long may use the space behind it.
+        spans.push((*tone, page::pad(cell, width + 1) + " "));
+        column += if width == 0 { 0 } else { width as usize + 2 };
     }
     page.wrap(inset, column, &borrowed(&spans));
 }
