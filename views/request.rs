@@ -109,7 +109,7 @@ mod tests {
         assert!(plain.starts_with("<svg"));
         assert_eq!(plain, drawn("\r\n\n  theta = 45deg  \r\n"), "the default, spelt out");
         assert_ne!(plain, drawn("n_t=2.4"));
-        assert_eq!(drawn("n_t=2.4"), drawn("n_t=7\nn_t=2.4"), "the last one counts");
+        assert_eq!(fault(&format!("{address}\nn_t=7\nn_t=2.4")), "n_t: given twice");
     }
 
     #[test]

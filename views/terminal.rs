@@ -295,10 +295,10 @@ mod tests {
 
     #[test]
     fn questions_keep_their_answers_until_they_are_opened() {
-        assert_eq!(shown(question(false)), "  ? Which fades?\n    c/s/q\n    a) Rₛ\n    b) Rₚ\n");
+        assert_eq!(shown(question(false)), "  ? Which fades?\n    a) Rₛ\n    b) Rₚ\n    the answer: lesson c/s/q\n");
         assert_eq!(
             shown(question(true)),
-            "  ? Which fades?\n    c/s/q\n    a) Rₛ\n       wrong: It grows.\n    b) Rₚ\n       right: At θ_B.\n"
+            "  ? Which fades?\n    a) Rₛ\n       wrong: It grows.\n    b) Rₚ\n       right: At θ_B.\n    c/s/q\n"
         );
     }
 
@@ -317,8 +317,8 @@ mod tests {
                 open,
             })
         };
-        assert_eq!(shown(number(false)), "  ? How much?\n    c/s/q\n    a number [1]\n");
-        assert_eq!(shown(number(true)), "  ? How much?\n    c/s/q\n    0.04 within 1 %: by R₀\n");
+        assert_eq!(shown(number(false)), "  ? How much?\n    a number [1]\n    the answer: lesson c/s/q\n");
+        assert_eq!(shown(number(true)), "  ? How much?\n    0.04 within 1 %: by R₀\n    c/s/q\n");
     }
 
     #[test]
