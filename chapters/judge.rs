@@ -246,7 +246,7 @@ pub fn holds(item: Item, setting: &Setting, address: &str) -> Result<(), String>
             let Checked { holds, measured, .. } = check(item, setting, address);
             holds.then_some(()).ok_or_else(|| {
                 let head = item.head();
-                format!("{}: {measured:?} against {:?}", head.claim, head.bound)
+                format!("{}: {measured} against {:?}", head.claim, head.bound)
             })
         }
         Item::Stress(item) => fallen(&stress(item, setting)),
@@ -306,7 +306,7 @@ fn is_caught(check: &dyn Claim, setting: &Setting, address: &str) -> Result<(), 
     let Checked { holds, measured, .. } = checked(check, check.spoiled(&mut Bench::new(setting, SEED, address)));
     let head = check.head();
     match holds {
-        true => Err(format!("the planted mistake passed ({}): {measured:?} against {:?}", head.slip, head.bound)),
+        true => Err(format!("the planted mistake passed ({}): {measured} against {:?}", head.slip, head.bound)),
         // A mistake that computes nothing would break the bound for the wrong reason.
         false if measured.cases == 0 => Err("the planted mistake measured nothing".into()),
         false => Ok(()),
@@ -319,5 +319,35 @@ fn is_wrong(question: &Question, setting: &Setting) -> Result<(), String> {
         reply if reply.right => Err(format!("the planted mistake passed: {slip:?}")),
         reply if reply.says.is_empty() => Err(format!("nothing is said to the planted mistake: {slip:?}")),
         _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vocabulary::{Check, check as claim};
+
+    type Formula = fn(f64) -> f64;
+
+    const SQUARE: Check<Formula> = claim("square", "the square of 3 is 9")
+        .against("counting")
+        .within(0.0, "1", "whole numbers")
+        .of(of_three, |x| x * x)
+        .slip("doubled", |x| 2.0 * x);
+
+    fn of_three(_: &mut Bench, formula: Formula) -> Measured {
+        Measured::worst([(formula(3.0) - 9.0, "3".to_owned())])
+    }
+
+    #[test]
+    fn truth_slip_and_a_learners_formula_are_judged_alike() {
+        let setting = Setting::defaults(&[]);
+        assert!(check(&SQUARE, &setting, "a/b/square").holds);
+        assert_eq!(can_fail(Item::Check(&SQUARE), &setting, "a/b/square"), Some(Ok(())));
+        let own = |formula: &dyn Any| check_own(&SQUARE, formula, &setting, "a/b/square").map(|found| found.holds);
+        let (right, wrong): (Formula, Formula) = (|x| x.powi(2), |x| x.powi(3));
+        assert_eq!([own(&right), own(&wrong)], [Some(true), Some(false)]);
+        // Of another type: not judged at all, rather than wrongly.
+        assert_eq!(own(&3.0_f64), None);
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::out;
 use crate::stop::Stop;
-use chapters::judge::hops as verify;
+use chapters::judge::{hop_holds, hops};
 use equation::derivation::{Chain, Claim, Hop, Verdict};
 use equation::expr::Node;
 use equation::parse::{Fault, parse, parse_equation};
@@ -86,13 +86,13 @@ fn point_at(text: &str, fault: &Fault) -> Stop {
 /// Decides the goal first; only what holds is worth a search for lines.
 fn answer(premises: &Chain, goal: &Equation) -> ProofReport {
     let whole = premises.clone().find(goal.clone());
-    let hops = verify(&whole, "prove");
-    let decided = hops.last().map_or(Verdict::Proved, |hop| hop.verdict.clone());
-    let is_proof = |hops: &[Hop]| !hops.is_empty() && hops.iter().all(|hop| hop.verdict == Verdict::Proved);
+    let decisions = hops(&whole, "prove");
+    let decided = decisions.last().map_or(Verdict::Proved, |hop| hop.verdict.clone());
+    let is_proof = |hops: &[Hop]| !hops.is_empty() && hops.iter().all(|hop| hop_holds(&hop.verdict));
     let complete = decided.agrees().then(|| whole.complete());
-    let judged = complete.map(|chain| (verify(&chain, "prove"), chain)).filter(|(hops, _)| is_proof(hops));
+    let judged = complete.map(|chain| (hops(&chain, "prove"), chain)).filter(|(hops, _)| is_proof(hops));
     // Without lines the goal stands as the normal form decided it.
-    let (hops, found) = judged.unwrap_or((hops, whole));
+    let (hops, found) = judged.unwrap_or((decisions, whole));
     let proved = is_proof(&hops);
     let (verdict, why) = match &decided {
         _ if proved => ("proved", None),

@@ -12,10 +12,10 @@ use chapters::vocabulary::Part;
 use console::{Key, Term};
 use std::io::{ErrorKind, IsTerminal, stdin, stdout};
 use std::process::ExitCode;
-use views::block::{Block, Details, Tone};
+use views::block::{Block, Details, Span, Tone};
 use views::page::Page;
-use views::report::entry::ask;
-use views::report::{Parts, Report};
+use views::report::entry::{ask, unjudged};
+use views::report::{Parts, QuestionReport, Report};
 use views::tell::{Teller, tally};
 use views::{json, terminal};
 
@@ -130,6 +130,16 @@ impl Turn {
     }
 }
 
+/// What was read where an answer was asked for.
+enum Reading {
+    /// What was typed.
+    Answer(String),
+    /// Nothing: the reader goes on without.
+    Nothing,
+    /// The reader has had enough.
+    Leave,
+}
+
 /// What Ctrl-D sends.
 const END_OF_TRANSMISSION: char = '\x04';
 const KEYS: &str = "Keys: Enter, space or n for what comes next, b for what was before, p for this step's figures, \
@@ -140,7 +150,9 @@ fn interactive(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> 
     let mut walk = Walk::new(selection, lesson.details);
     let (mut at, mut screen) = (0, 0);
     while at < walk.steps.len() {
-        walk.question(at)?;
+        if !walk.question(at)? {
+            break;
+        }
         let screens = walk.screens(at);
         screen = screen.min(screens.len() - 1);
         out::print(screens[screen].as_bytes())?;
@@ -190,37 +202,74 @@ impl Walk {
         }
     }
 
-    /// Asks what the step `at` asks, once, before its evidence is shown. An empty line leaves a question unanswered.
-    fn question(&mut self, at: usize) -> Result<(), Stop> {
-        if std::mem::replace(&mut self.asked[at], true) {
-            return Ok(());
+    /// Asks what the step `at` asks, once, before its evidence is shown; whether the reader goes on.
+    fn question(&mut self, at: usize) -> Result<bool, Stop> {
+        let chosen = &self.steps[at].steps[0];
+        let questions = chosen.step.questions;
+        if std::mem::replace(&mut self.asked[at], true) || questions.is_empty() {
+            return Ok(true);
         }
-        let Chosen { step, setting, .. } = &self.steps[at].steps[0];
-        for question in step.questions {
-            let address = format!("{}/{}", self.steps[at].steps[0].address(), question.id);
-            let asked = ask(question, setting, address);
-            let teller = Teller::english(self.details);
-            out::show(&[Block::section(vec![teller.question(&asked, false)])])?;
+        let teller = Teller::english(self.details);
+        out::show(&teller.opening(&unjudged(chosen.step, chosen.address(), &chosen.setting)))?;
+        for question in questions {
+            let address = format!("{}/{}", chosen.address(), question.id);
+            let asked = ask(question, &chosen.setting, address.clone());
+            out::show(&[teller.question(&QuestionReport { address: String::new(), ..asked }, false)])?;
             loop {
-                out::print(b"Your answer (Enter goes on without): ")?;
-                let Ok(line) = self.term.read_line() else { return Ok(()) };
-                if line.trim().is_empty() {
-                    break;
-                }
-                match question.read(&line) {
-                    Err(fault) => print(|page| page.line(0, Tone::Bad, &fault.message))?,
-                    Ok(given) => {
-                        let reply = question.reply(setting, given);
-                        let (tone, verdict) = if reply.right { (Tone::Good, "Right.") } else { (Tone::Bad, "No.") };
-                        print(|page| {
-                            page.wrap(0, 2, &[(tone, verdict), (Tone::Plain, " "), (Tone::Plain, reply.says)])
-                        })?;
-                        break;
+                let given = match self.answer(question.options().len())? {
+                    Reading::Leave => return Ok(false),
+                    Reading::Nothing => break,
+                    Reading::Answer(text) => question.read(&text),
+                };
+                let (tone, verdict, says) = match given {
+                    Err(fault) => {
+                        print(|page| page.line(2, Tone::Bad, &fault.message))?;
+                        continue;
                     }
-                }
+                    Ok(given) => match question.reply(&chosen.setting, given) {
+                        reply if reply.right => (Tone::Good, "Right. ", reply.says),
+                        reply => (Tone::Bad, "No. ", reply.says),
+                    },
+                };
+                let says = teller.phrase(&address, "reply", says);
+                let spans = vec![Span::verbatim(tone, verdict), Span::new(Tone::Plain, says)];
+                out::show(&[Block::paragraph(2, 4, spans)])?;
+                break;
             }
         }
-        Ok(())
+        print(Page::gap)?;
+        Ok(true)
+    }
+
+    /// Reads an answer: one key if there are `options`, otherwise a line.
+    fn answer(&self, options: usize) -> Result<Reading, Stop> {
+        let last = char::from(b'a' + options.clamp(1, 26) as u8 - 1);
+        let prompt = if options == 0 { "Your answer".to_owned() } else { format!("Your answer, a to {last}") };
+        out::print(format!("{prompt} (Enter goes on, q leaves): ").as_bytes())?;
+        let mut text = String::new();
+        let reading = loop {
+            match self.term.read_key_raw() {
+                Ok(Key::Enter) if text.is_empty() => break Reading::Nothing,
+                Ok(Key::Enter) => break Reading::Answer(text),
+                Ok(Key::CtrlC | Key::Escape | Key::Char(END_OF_TRANSMISSION)) => break Reading::Leave,
+                Ok(Key::Char('q')) if text.is_empty() => break Reading::Leave,
+                Ok(Key::Char(letter)) => {
+                    text.push(letter);
+                    out::print(letter.encode_utf8(&mut [0; 4]).as_bytes())?;
+                    if options > 0 {
+                        break Reading::Answer(text);
+                    }
+                }
+                Ok(Key::Backspace) if text.pop().is_some() => out::print(b"\x08 \x08")?,
+                Ok(_) => {}
+                Err(error) if matches!(error.kind(), ErrorKind::UnexpectedEof | ErrorKind::Interrupted) => {
+                    break Reading::Leave;
+                }
+                Err(error) => return Err(Stop::at("terminal", error)),
+            }
+        };
+        out::print(b"\n")?;
+        Ok(reading)
     }
 
     /// The step `at` as screens of the terminal as it is now, one line left for the prompt.
@@ -267,7 +316,8 @@ fn print(set: impl FnOnce(&mut Page)) -> Result<(), Stop> {
 /// Draws the figures of a step and says where they are; a folder that cannot be used does not end the walk.
 fn plot(step: &mut Selection, lesson: &Lesson) -> Result<(), Stop> {
     let progress = Progress::new();
-    let mut report = run::run(step, Parts { races: true, ..Parts::default() }, &progress);
+    // Checks too: one that breaks may leave something to look at.
+    let mut report = run::run(step, Parts { checks: true, races: true, stress: false }, &progress);
     let drawn = Folder::open(&lesson.out)
         .and_then(|folder| figures::write(step, &mut report, &folder, lesson.format, &progress));
     if matches!(drawn, Err(Stop::ClosedPipe)) {

@@ -2,7 +2,7 @@
 
 use chapters::lecture::LECTURE;
 use chapters::parameter::Setting;
-use chapters::vocabulary::{Exhibit, Item};
+use chapters::vocabulary::{Exhibit, Given, Item};
 use chapters::{CURRICULUM, Step, steps};
 use equation::derivation::{Chain, Claim};
 use equation::{Equation, sound};
@@ -218,5 +218,20 @@ fn every_figure_is_reached_without_its_step() {
         let apart = shown(&mut chapter.figures.exhibits.iter().copied());
         assert_eq!(chapter.figures.chapter, chapter.id);
         assert_eq!(apart, shown(&mut chapter.steps.iter().map(|step| step.exhibit)), "{}", chapter.id);
+    }
+}
+
+#[test]
+fn every_wrong_choice_is_told_what_leads_there() {
+    for (chapter, step) in steps() {
+        let setting = Setting::defaults(step.parameters());
+        for question in step.questions {
+            let place = format!("{}/{}/{}", chapter.id, step.id, question.id);
+            let replies: Vec<_> =
+                (0..question.options().len()).map(|at| question.reply(&setting, Given::Option(at))).collect();
+            assert!(replies.iter().all(|reply| !reply.says.is_empty()), "{place}");
+            let rights = replies.iter().filter(|reply| reply.right).count();
+            assert_eq!(rights, usize::from(!replies.is_empty()), "{place}");
+        }
     }
 }

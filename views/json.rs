@@ -80,7 +80,6 @@ fn block(block: &Block) -> Value {
             json!({ "kind": "quantities", "quantities": quantities.iter().map(quantity).collect::<Vec<_>>() })
         }
         Block::Figure(figure) => picture("figure", figure),
-        Block::Diagram(figure) => picture("diagram", figure),
         Block::Question(asked) => question(asked),
     }
 }

@@ -55,7 +55,7 @@ fn show(page: &mut Page, words: Words, block: &Block) {
             page.wrap(2, 4, &[(Tone::Plain, &at), (Tone::Code, &setting.join(", ")), (Tone::Plain, ":")]);
         }
         Block::Quantities(quantities) => measure(page, quantities),
-        Block::Figure(figure) | Block::Diagram(figure) => picture(page, figure),
+        Block::Figure(figure) => picture(page, figure),
         Block::Question(question) => ask(page, words, question),
     }
 }
@@ -259,7 +259,7 @@ fn ask(page: &mut Page, words: Words, question: &Question) {
     }
     if question.open {
         page.line(4, Tone::Address, &question.address);
-    } else {
+    } else if !question.address.is_empty() {
         let answer = words.tell("the answer: {command}", &[("command", &format!("lesson {}", question.address))]);
         page.line(4, Tone::Address, &answer);
     }

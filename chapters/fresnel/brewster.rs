@@ -72,17 +72,19 @@ const P_ALONE: Question = question(
     "From the normal to grazing, how does R_p, the reflectance of p light, run at this interface?",
     Answer::Trend {
         replies: [
-            "At grazing incidence every interface is a mirror, for p as for s: the curve must end at 1.",
-            "So it is only where both media are the same and nothing is reflected at all.",
-            "That is s. The wave that p reflects changes its sign on the way, so it passes zero.",
-            "Both media are the same here: there is nothing to reflect from.",
-            "At grazing incidence every interface is a mirror: the curve ends at its highest.",
+            "At grazing incidence a surface is a mirror, for p as for s: where anything is reflected at all, the curve \
+             ends at its highest.",
+            "So it is only between equal media, where nothing is reflected at any angle.",
+            "That is s. What p reflects changes its sign on the way: between clear media it passes zero, at a metal it \
+             comes near it. And equal media reflect nothing at all.",
+            "Both media are the same here: there is nothing to reflect from, at any angle.",
+            "At grazing incidence a surface is a mirror: where anything is reflected at all, the curve ends at its highest.",
         ],
         right: |setting, at| at_share(setting, at).r_p,
         slip: |setting, at| at_share(setting, at).r_s,
     },
-    "Where the media differ it falls until the reflected and the refracted ray stand at right angles, to zero if both \
-     are clear, and climbs from there to 1.",
+    "Where the media differ, R_p falls until the reflected and the refracted ray stand at right angles, to zero if both \
+     are clear, and climbs from there to 1. Equal media reflect nothing.",
 );
 
 /// What the setting's interface reflects at a share of a right angle.
@@ -187,4 +189,21 @@ fn zeros(setting: &Setting) -> Plot {
     }
     chart = chart.dashed(Hue::Natural, "the setting", reflectance(own.n_i, own.n_t));
     Plot::of("Where p is not reflected", chart)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vocabulary::Given;
+
+    /// What every textbook says of any pair of media, however alike or far apart.
+    #[test]
+    fn p_falls_and_rises_wherever_media_differ() {
+        let different = ["1.5", "1.05", "1.001", "1.000001", "2.4", "1e9", "0.7", "1e-9", "gold", "0.05+4i"];
+        for (n_t, right) in different.map(|n_t| (n_t, 3)).into_iter().chain([("1", 1)]) {
+            let changes = [("n_t".to_owned(), n_t.to_owned())];
+            let setting = Setting::defaults(INTERFACE).with(&changes).unwrap();
+            assert_eq!(P_ALONE.right(&setting), Given::Option(right), "n_t = {n_t}");
+        }
+    }
 }

@@ -200,6 +200,12 @@ pub struct Measured {
     pub picture: Option<Plot>,
 }
 
+impl fmt::Display for Measured {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:e} at {} ({} cases)", self.value, self.at, self.cases)
+    }
+}
+
 impl Measured {
     /// A value found over so many `cases`, with the place that it speaks of.
     pub fn new(value: f64, at: impl Into<String>, cases: usize) -> Self {

@@ -214,37 +214,41 @@ fn sign(x: f64) -> usize {
     }
 }
 
-/// At how many places a curve is looked at.
-const LOOKED_AT: u32 = 256;
-/// Share of a curve's span that counts as no change: less than anybody sees in a plot.
-const UNSEEN: f64 = 1e-3;
+/// At how many places a curve is looked at evenly.
+const EVENLY: u32 = 256;
+/// Steps to a decade towards both ends, and how many: what happens at the very ends is looked at too.
+const TOWARDS_THE_ENDS: (f64, u32) = (8.0, 128);
+/// What counts as no change [1, of the value]: rounding.
+const UNSEEN: f64 = 64.0 * f64::EPSILON;
 
 /// The place in [`TRENDS`] of how a curve over 0 … 1 runs; past its end if it is none of them.
 fn trend(curve: impl Fn(f64) -> f64) -> usize {
-    let values: Vec<f64> = (0..=LOOKED_AT).map(|at| curve(f64::from(at) / f64::from(LOOKED_AT))).collect();
-    let (least, most) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
+    let (per_decade, steps) = TOWARDS_THE_ENDS;
+    let near = (1..=steps).map(|step| 10f64.powf(-f64::from(step) / per_decade));
+    let mut places: Vec<f64> = (0..=EVENLY).map(|at| f64::from(at) / f64::from(EVENLY)).collect();
+    places.extend(near.flat_map(|share| [share, 1.0 - share]));
+    places.sort_by(f64::total_cmp);
+    let values: Vec<f64> = places.into_iter().map(curve).collect();
     if !values.iter().all(|x| x.is_finite()) {
         return TRENDS.len();
     }
-    let seen = UNSEEN * (most - least);
     let never_back = |way: f64, part: &[f64]| {
         let mut furthest = f64::NEG_INFINITY;
         part.iter().all(|x| {
             furthest = furthest.max(way * x);
-            way * x >= furthest - seen
+            way * x >= furthest - UNSEEN * furthest.abs().max(x.abs())
         })
     };
-    let turn = |extreme: f64| values.iter().position(|x| *x == extreme).unwrap_or(0);
-    // A curve that keeps to within rounding of its size is level.
-    if most - least <= 64.0 * f64::EPSILON * most.abs().max(least.abs()) {
-        return 1;
-    }
-    let (bottom, top) = (turn(least), turn(most));
+    let (falls, rises) = (|part: &[f64]| never_back(-1.0, part), |part: &[f64]| never_back(1.0, part));
+    let place_of = |extreme: f64| values.iter().position(|x| *x == extreme).unwrap_or(0);
+    let bottom = place_of(values.iter().copied().fold(f64::INFINITY, f64::min));
+    let top = place_of(values.iter().copied().fold(f64::NEG_INFINITY, f64::max));
     match () {
-        () if never_back(-1.0, &values) => 0,
-        () if never_back(1.0, &values) => 2,
-        () if never_back(-1.0, &values[..=bottom]) && never_back(1.0, &values[bottom..]) => 3,
-        () if never_back(1.0, &values[..=top]) && never_back(-1.0, &values[top..]) => 4,
+        () if falls(&values) && rises(&values) => 1,
+        () if falls(&values) => 0,
+        () if rises(&values) => 2,
+        () if falls(&values[..=bottom]) && rises(&values[bottom..]) => 3,
+        () if rises(&values[..=top]) && falls(&values[top..]) => 4,
         () => TRENDS.len(),
     }
 }

@@ -59,8 +59,6 @@ pub enum Block {
     Quantities(Vec<Quantity>),
     /// A plot.
     Figure(Figure),
-    /// A drawing that explains something.
-    Diagram(Figure),
     /// Something to think about first.
     Question(Question),
 }

@@ -116,7 +116,6 @@ impl Writer<'_> {
             }
             Block::Quantities(quantities) => self.quantities(quantities),
             Block::Figure(figure) => self.figure(figure, "plot"),
-            Block::Diagram(figure) => self.figure(figure, "diagram"),
             Block::Question(question) => self.question(question),
         }
     }

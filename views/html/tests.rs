@@ -203,7 +203,7 @@ fn figures_stand_inside() {
     let svg = plot::svg(&(step.exhibit.figures[0].plot)(&Setting::defaults(step.parameters())));
     let says = Phrase::parse("it's \"R_s\" < 1");
     let figure = Figure { address: "a/b/c".into(), says, picture: Picture::Svg(svg) };
-    let html = fragment(Words::ENGLISH, &[Block::Diagram(figure.clone()), Block::Figure(figure)]);
+    let html = fragment(Words::ENGLISH, &[Block::Figure(figure.clone()), Block::Figure(figure)]);
     let html = format!("<main>{html}</main>");
     let document = parsed(&html);
     assert_eq!(ids(&document), ["a/b/c"], "what is told twice has one id");

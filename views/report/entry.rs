@@ -4,7 +4,9 @@ use super::derivation::{Rows, derive, state};
 use super::*;
 use chapters::judge::{self, Checked, Clock, Raced, Timed, timed};
 use chapters::parameter::{Setting, Value};
-use chapters::vocabulary::{Bound, Claim, Expects, Extreme, Item, Lane, Question, Race, Step, Stress, digits};
+use chapters::vocabulary::{
+    Answer, Bound, Claim, Expects, Extreme, Given, Item, Lane, Question, Race, Step, Stress, digits,
+};
 use yardstick::precise;
 
 /// The report of one item.
@@ -126,7 +128,6 @@ fn readout(step: &Step, setting: &Setting) -> Vec<QuantityReport> {
 
 /// What a question asks, what may be answered, and what is said to each answer.
 pub fn ask(question: &Question, setting: &Setting, address: String) -> QuestionReport {
-    use chapters::vocabulary::{Answer, Given};
     let right = question.right(setting);
     let options = question.options().into_iter().enumerate().map(|(at, says)| {
         let reply = question.reply(setting, Given::Option(at));
@@ -146,6 +147,7 @@ pub fn ask(question: &Question, setting: &Setting, address: String) -> QuestionR
         unit,
         tolerance,
         because: question.because,
+        verdict: judge::question(question, setting).into(),
     }
 }
 

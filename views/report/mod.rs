@@ -181,6 +181,8 @@ pub struct QuestionReport {
     pub tolerance: Option<f64>,
     /// What the right answer shows.
     pub because: &'static str,
+    /// Whether the right answer is one that can be given, and is taken.
+    pub verdict: Verdict,
 }
 
 /// An answer that can be chosen.
@@ -426,10 +428,10 @@ impl From<bool> for Verdict {
 }
 
 impl Report {
-    /// Whether nothing was judged, asked or drawn.
+    /// Whether nothing was judged and nothing drawn.
     pub fn is_empty(&self) -> bool {
         let mut steps = self.chapters.iter().flat_map(|chapter| &chapter.steps);
-        self.passed + self.failed == 0 && steps.all(|step| step.figures.is_empty() && step.questions.is_empty())
+        self.passed + self.failed == 0 && steps.all(|step| step.figures.is_empty())
     }
 }
 
@@ -437,10 +439,11 @@ impl StepReport {
     /// The verdict of everything judged in this step.
     pub fn verdicts(&self) -> impl Iterator<Item = Verdict> + '_ {
         let statements = self.statements.iter().map(|item| item.verdict);
+        let questions = self.questions.iter().map(|item| item.verdict);
         let derivations = self.derivations.iter().map(|item| item.verdict);
         let checks = self.checks.iter().map(|item| item.verdict);
         let stress = self.stress.iter().map(|item| item.verdict);
         let lanes = self.races.iter().flat_map(|race| &race.lanes).map(|lane| lane.verdict);
-        statements.chain(derivations).chain(checks).chain(stress).chain(lanes)
+        statements.chain(questions).chain(derivations).chain(checks).chain(stress).chain(lanes)
     }
 }

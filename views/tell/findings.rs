@@ -66,12 +66,16 @@ impl Teller<'_> {
             1 => self.say("against {route}, at {at}", &parts),
             _ => self.say("against {route}; worst of {cases} cases at {at}", &parts),
         };
+        let mut details = vec![Block::paragraph(4, 6, vec![measured, bound]), Block::text(4, Tone::Dim, cases)];
+        if check.picture.is_some() {
+            details.push(Block::text(4, Tone::Bad, self.say("--plot draws what to look at", &[])));
+        }
         Block::Judged(Judged {
             address: check.address.clone(),
             verdict: Some(check.verdict),
             claim: vec![Span::new(Tone::Plain, field("claim", check.claim))],
             rows: owned(check.rows),
-            details: vec![Block::paragraph(4, 6, vec![measured, bound]), Block::text(4, Tone::Dim, cases)],
+            details,
         })
     }
 

@@ -63,6 +63,12 @@ impl Teller<'_> {
         vec![section_at(&found.address, blocks)]
     }
 
+    /// What opens a step: its heading and its claim.
+    pub fn opening(&self, found: &StepReport) -> Vec<Block> {
+        let says = self.phrase(&found.address, "says", found.says);
+        vec![Block::section(vec![self.heading(found), Block::text(0, Tone::Emphasis, says)])]
+    }
+
     fn taught(&self, chapter: &Chapter, step: &Step, found: &StepReport) -> Vec<Block> {
         let says = self.phrase(&found.address, "says", found.says);
         let mut blocks = vec![self.heading(found), Block::text(0, Tone::Emphasis, says)];

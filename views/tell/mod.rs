@@ -44,7 +44,7 @@ impl<'a> Teller<'a> {
     }
 
     /// The field of what stands at an address.
-    fn phrase(&self, address: &str, field: &str, english: &str) -> Phrase {
+    pub fn phrase(&self, address: &str, field: &str, english: &str) -> Phrase {
         self.words.0.phrase(address, field, english)
     }
 

@@ -27,8 +27,9 @@ impl MeanTest {
         let beyond = if gap <= rounding { 0.0 } else { gap - rounding };
         // Where nothing scatters, equal means are 0/0 and stand, unequal ones have infinite odds against them.
         let statistic = if beyond == 0.0 && standard_error >= 0.0 { 0.0 } else { beyond / standard_error };
-        // An infinite error is an overflow, not a reason to let everything pass.
-        let p = if standard_error.is_finite() { student_two_sided(statistic, dof) } else { f64::NAN };
+        // Infinities are overflows, not a reason to let everything pass.
+        let is_tested = [one, other, standard_error].into_iter().all(f64::is_finite);
+        let p = if is_tested { student_two_sided(statistic, dof) } else { f64::NAN };
         Self { statistic: statistic.copysign(one - other), dof, p }
     }
 }
@@ -72,6 +73,13 @@ mod tests {
     /// Student's own example (*Biometrika* 6 (1908) 1): hours of sleep gained with two drugs by ten patients.
     const FIRST: [f64; 10] = [0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0];
     const SECOND: [f64; 10] = [1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4];
+
+    #[test]
+    fn infinite_means_pass_nothing() {
+        for (mean, expected) in [(f64::INFINITY, 0.0), (1.0, f64::INFINITY), (f64::NEG_INFINITY, f64::NEG_INFINITY)] {
+            assert!(z_test(mean, 1.0, expected).p.is_nan(), "{mean} against {expected}");
+        }
+    }
 
     #[test]
     fn students_own_data() {
