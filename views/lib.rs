@@ -8,4 +8,5 @@ pub mod page;
 pub mod plot;
 pub mod race_plot;
 pub mod report;
+pub mod request;
 pub mod text;
