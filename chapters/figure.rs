@@ -3,6 +3,8 @@
 //! Labels use a small markup: `_x` or `_{xy}` lowers, `^x` or `^{−6}` raises, the rest is plain Unicode:
 //! `R_s`, `θ_B`, `10^{−6}`, `n_t/n_i`.
 
+use crate::diagram::Diagram;
+
 /// A figure: one or more panels side by side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plot {
@@ -35,6 +37,8 @@ pub enum Panel {
     Map(Map),
     /// A picture in linear radiance.
     Picture(Picture),
+    /// Geometry with names.
+    Diagram(Diagram),
 }
 
 impl From<Chart> for Panel {
@@ -52,6 +56,12 @@ impl From<Map> for Panel {
 impl From<Picture> for Panel {
     fn from(picture: Picture) -> Self {
         Self::Picture(picture)
+    }
+}
+
+impl From<Diagram> for Panel {
+    fn from(diagram: Diagram) -> Self {
+        Self::Diagram(diagram)
     }
 }
 

@@ -10,6 +10,7 @@ mod extremes;
 pub(crate) mod fields;
 mod films;
 mod functions;
+mod geometry;
 mod grazing;
 mod metals;
 mod natural;

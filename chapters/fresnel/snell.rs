@@ -69,12 +69,20 @@ pub(super) const STEP: Step = Step {
         cases: refracted_cosines,
     }],
     races: &[],
-    figures: &[Figure {
-        id: "refraction",
-        says: "The angle of refraction against the angle of incidence, into and out of the medium.",
-        rows: &["E33"],
-        plot: refraction,
-    }],
+    figures: &[
+        Figure {
+            id: "geometry",
+            says: "The three waves at the interface: their directions and wavelengths, and which way E_s and E_p count.",
+            rows: &["E33"],
+            plot: super::geometry::plot,
+        },
+        Figure {
+            id: "refraction",
+            says: "The angle of refraction against the angle of incidence, into and out of the medium.",
+            rows: &["E33"],
+            plot: refraction,
+        },
+    ],
 };
 
 /// k·r − ωt in the plane of incidence; a wave that `runs_back` from the interface has −cos θ.

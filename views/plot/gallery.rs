@@ -1,5 +1,6 @@
 //! Figures such as the chapters make, for looking at and for the tests.
 
+use chapters::diagram::{Behind, Diagram, Form, Part};
 use chapters::figure::*;
 
 /// R_s, R_p, R_n of glass against angle.
@@ -237,6 +238,38 @@ pub fn row() -> Plot {
     Plot::grid("", 3, vec![phases.into(), narrow.into(), far.into()])
 }
 
+/// A microfacet before a wall, with one part of every form.
+pub fn facet() -> Plot {
+    let (tilt, out) = (0.35f64, 1.1f64);
+    let way = |angle: f64, length: f64| [length * angle.sin(), length * angle.cos()];
+    let dune = (0..=120).map(|k| -1.4 + f64::from(k) / 42.0).map(|x| [x, -0.55 + 0.06 * (9.0 * x).sin()]).collect();
+    let diagram = Diagram::new("One facet of a rough surface", [-1.5, -0.8], [1.5, 1.1])
+        .with(Part::surface([1.4, 1.0], [1.4, -0.8], Behind::Nothing).dash(Dash::Dashed).label("wall"))
+        .with(Part::surface(way(tilt - 1.571, 0.7), way(tilt + 1.571, 0.7), Behind::Hatched).label("facet"))
+        .with(Part::surface([-1.5, -0.7], [1.5, -0.7], Behind::Tinted(0.7)))
+        .with(Part::curve(dune).hue(Hue::Nth(6)).label("height h(x)"))
+        .with(Part::line([0.0, 0.0], [0.0, 1.0]).dash(Dash::Dotted).hue(Hue::Reference).label("n"))
+        .with(Part::ray_with_heads([0.0, 0.0], way(out, 1.2), &[0.4, 0.7, 1.0]).hue(Hue::S).label("ω_o"))
+        .with(Part::ray([0.0, 0.0], way(2.0 * tilt - out, 0.95)).hue(Hue::P).label("ω_i"))
+        .with(Part::vector([0.0, 0.0], way(tilt, 0.5)).label("m"))
+        .with(Part::new(Form::Wavefronts {
+            from: [0.0, 0.0],
+            to: way(2.0 * tilt - out, 0.9),
+            first: 0.45,
+            spacing: 0.1,
+            sides: [0.08, 0.08],
+        }))
+        .with(Part::arc([0.0, 0.0], 0.3, 1.571, 1.571 - tilt).label("θ_m"))
+        .with(Part::arc([0.0, 0.0], 0.45, 1.571, 1.571 - out).hue(Hue::S).label("θ_o"))
+        .with(Part::across([-1.2, 0.6], false).hue(Hue::Transmitted).label("H"))
+        .with(Part::across([-1.2, 0.2], true).hue(Hue::Ours).label("E"))
+        .with(Part::point(way(out, 1.2)).label("eye"))
+        .with(Part::note([-1.4, -0.74], "the mean plane"))
+        .explain(Hue::S, Dash::Solid, "seen")
+        .explain(Hue::P, Dash::Solid, "lit");
+    Plot::of("Where a rough surface mirrors", diagram)
+}
+
 /// Every figure with its file name.
 pub fn all() -> Vec<(&'static str, Plot)> {
     vec![
@@ -247,5 +280,6 @@ pub fn all() -> Vec<(&'static str, Plot)> {
         ("spheres", spheres()),
         ("metals", metals()),
         ("row", row()),
+        ("facet", facet()),
     ]
 }

@@ -1,12 +1,13 @@
 //! Figures as pictures: [`chapters::figure::Plot`] to SVG and, with the feature `png`, to PNG.
 //!
-//! A figure is drawn once, on a [`canvas::Canvas`], onto a [`sheet::Sheet`] that keeps vector shapes; [`png`](mod@png)
-//! and [`svg`](mod@svg) write that sheet down. All lengths are in pixels of the sheet, which are CSS pixels; the PNG has
-//! [`DENSITY`] of its own to each.
+//! A figure is drawn once, on a `canvas::Canvas`, onto a `sheet::Sheet` that keeps vector shapes; `png` and `svg` write
+//! that sheet down. All lengths are in pixels of the sheet, which are CSS pixels; the PNG has `DENSITY` of its own to
+//! each.
 
 mod axes;
 mod canvas;
 mod chart;
+mod diagram;
 mod encode;
 #[cfg(all(test, feature = "png", feature = "plotters"))]
 mod gallery;
@@ -29,6 +30,7 @@ mod ticks;
 
 use axes::Axes;
 use canvas::{Across, Anchor, Canvas, Down, Frame, Place, Usual};
+use chapters::diagram::Diagram;
 use chapters::figure::{Axis, Chart, Map, Mark, Panel, Picture, Plot};
 use palette::Colour;
 use sheet::Sheet;
@@ -121,6 +123,7 @@ enum Content<'a> {
     Chart(&'a Chart, chart::Arrangement<'a>),
     Map(&'a Map, map::Arrangement<'a>),
     Picture(&'a Picture),
+    Diagram(diagram::Arrangement<'a>),
 }
 
 impl<'a> Laid<'a> {
@@ -128,7 +131,7 @@ impl<'a> Laid<'a> {
         match &mut self.content {
             Content::Chart(_, arrangement) => Some(&mut arrangement.axes),
             Content::Map(_, arrangement) => Some(&mut arrangement.axes),
-            Content::Picture(_) => None,
+            Content::Picture(_) | Content::Diagram(_) => None,
         }
     }
 }
@@ -136,17 +139,19 @@ impl<'a> Laid<'a> {
 fn lay(panel: &Panel, room: Frame) -> Laid<'_> {
     let whole = room;
     let (lines, room) = match panel {
-        Panel::Chart(_) | Panel::Map(_) => under_title(heading(panel), &whole),
+        Panel::Chart(_) | Panel::Map(_) | Panel::Diagram(_) => under_title(heading(panel), &whole),
         Panel::Picture(_) => (Vec::new(), whole),
     };
     let content = match panel {
         Panel::Chart(chart) => Content::Chart(chart, chart::arrange(chart, &room)),
         Panel::Map(map) => Content::Map(map, map::arrange(map, &room)),
         Panel::Picture(picture) => Content::Picture(picture),
+        Panel::Diagram(diagram) => Content::Diagram(diagram::arrange(diagram, &room)),
     };
     let frame = match &content {
         Content::Chart(_, arrangement) => arrangement.axes.frame,
         Content::Map(_, arrangement) => arrangement.axes.frame,
+        Content::Diagram(arrangement) => arrangement.frame,
         Content::Picture(_) => whole,
     };
     // Over the axes, but no further out than the panel.
@@ -158,7 +163,9 @@ fn lay(panel: &Panel, room: Frame) -> Laid<'_> {
 /// The title over a panel; a picture has a caption under it instead.
 fn heading(panel: &Panel) -> &str {
     match panel {
-        Panel::Chart(Chart { title, .. }) | Panel::Map(Map { title, .. }) => title,
+        Panel::Chart(Chart { title, .. }) | Panel::Map(Map { title, .. }) | Panel::Diagram(Diagram { title, .. }) => {
+            title
+        }
         Panel::Picture(_) => "",
     }
 }
@@ -190,6 +197,10 @@ fn size(panel: &Panel, usual: (f64, f64)) -> (f64, f64) {
             Panel::Chart(chart) => chart::arrange(chart, &room(&chart.title)).axes.frame,
             Panel::Map(map) => map::arrange(map, &room(&map.title)).axes.frame,
             Panel::Picture(picture) => return captioned_size(picture, usual),
+            Panel::Diagram(diagram) => {
+                let title = text::wrap(&diagram.title, HEADING, width - 2.0 * MARGIN);
+                return (width, block_height(title.len(), HEADING) + diagram::height(diagram, usual));
+            }
         };
         height += (LEAST * usual.1 - frame.height()).max(0.0);
     }
@@ -221,6 +232,7 @@ fn draw_panel(canvas: &dyn Canvas, Laid { title: (lines, (middle, top)), room, c
     match content {
         Content::Chart(chart, arrangement) => chart::draw(canvas, chart, arrangement),
         Content::Map(map, arrangement) => map::draw(canvas, map, arrangement, room),
+        Content::Diagram(arrangement) => diagram::draw(canvas, arrangement),
         Content::Picture(picture) => draw_picture(canvas, picture, room),
     }
 }
@@ -250,6 +262,7 @@ fn description(plot: &Plot) -> String {
         Panel::Chart(chart) => describe_chart(chart),
         Panel::Map(map) => describe_map(map),
         Panel::Picture(picture) => format!("Picture: {}.", picture.title),
+        Panel::Diagram(diagram) => describe_diagram(diagram),
     });
     panels.collect::<Vec<_>>().join(" ")
 }
@@ -264,6 +277,12 @@ fn describe_chart(Chart { title, x, y, marks }: &Chart) -> String {
 fn describe_map(Map { title, x, y, colour, marks, .. }: &Map) -> String {
     let [x, y, colour]: [String; 3] = [x, y, colour].map(|axis: &Axis| label::full(axis));
     format!("{}Map of {colour} over {x} and {y}{}.", introduction(title), describe_marks(marks))
+}
+
+fn describe_diagram(Diagram { title, parts, key, .. }: &Diagram) -> String {
+    let named: Vec<&str> = parts.iter().map(|part| part.label.as_str()).filter(|label| !label.is_empty()).collect();
+    let named = if named.is_empty() { String::new() } else { format!(" with {}", named.join("; ")) };
+    format!("{}Drawing{named}{}.", introduction(title), describe_marks(key))
 }
 
 fn introduction(title: &str) -> String {

@@ -21,7 +21,7 @@ pub fn write(sheet: &Sheet, title: &str, description: &str) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"lesson-figure\" viewBox=\"0 0 {width} {height}\" \
          width=\"{width}\" height=\"{height}\" role=\"img\">\n<title>{}</title>\n<desc>{}</desc>\n{}\
          <rect width=\"{width}\" height=\"{height}\"{}/>\n\
-         <g font-family=\"{}\" font-stretch=\"condensed\" stroke-linejoin=\"round\">\n",
+         <g font-family=\"{}\" font-stretch=\"condensed\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n",
         escaped(title),
         escaped(description),
         style(sheet),
@@ -104,10 +104,10 @@ fn short(length: f32) -> String {
 
 fn broken(dashes: &[f32]) -> String {
     if dashes.is_empty() {
-        return " stroke-linecap=\"round\"".into();
+        return String::new();
     }
     let lengths: Vec<String> = dashes.iter().copied().map(short).collect();
-    format!(" stroke-dasharray=\"{}\"", lengths.join(" "))
+    format!(" stroke-dasharray=\"{}\" stroke-linecap=\"butt\"", lengths.join(" "))
 }
 
 fn data(path: &Path) -> String {

@@ -66,7 +66,6 @@ impl Frame {
     }
 
     /// Whether two rectangles share more than an edge.
-    #[cfg(test)]
     pub fn meets(&self, other: &Self) -> bool {
         self.left < other.right && other.left < self.right && self.top < other.bottom && other.top < self.bottom
     }
