@@ -234,11 +234,27 @@ impl Walk {
                 let says = teller.phrase(&address, "reply", says);
                 let spans = vec![Span::verbatim(tone, verdict), Span::new(Tone::Plain, says)];
                 out::show(&[Block::paragraph(2, 4, spans)])?;
+                // The evidence would carry the reply off the screen before it is read.
+                if !self.goes_on()? {
+                    return Ok(false);
+                }
                 break;
             }
         }
         print(Page::gap)?;
         Ok(true)
+    }
+
+    /// Waits for a key; whether it leads on.
+    fn goes_on(&self) -> Result<bool, Stop> {
+        out::print(b"Enter on, q quit")?;
+        let key = self.term.read_key_raw();
+        self.term.clear_line().map_err(Stop::writing)?;
+        match key {
+            Ok(key) => Ok(!matches!(Turn::of(&key), Turn::Quit)),
+            Err(error) if matches!(error.kind(), ErrorKind::UnexpectedEof | ErrorKind::Interrupted) => Ok(false),
+            Err(error) => Err(Stop::at("terminal", error)),
+        }
     }
 
     /// Reads an answer: one key if there are `options`, otherwise a line.

@@ -125,7 +125,7 @@ impl Page {
     }
 
     /// Cells padded to `widths` (right-aligned where negative), at column `indent`; the last one is wrapped, or all as
-    /// a paragraph if that leaves it less than [`LAST_CELL`].
+    /// a paragraph if that leaves it too little.
     pub fn row(&mut self, indent: usize, widths: &[i32], cells: &[Span]) {
         let mut column = indent;
         let mut padded = Vec::new();

@@ -27,7 +27,10 @@ impl Teller<'_> {
             verdicts.extend(found.derivations.iter().map(|derivation| self.derivation(derivation, whole)));
             verdicts.extend(found.checks.iter().map(|check| self.check(check)));
         }
-        let mut blocks = vec![self.heading(found), Block::Group(verdicts)];
+        let mut blocks = vec![self.heading(found)];
+        // What is right depends on it.
+        blocks.extend(self.setting(found).filter(|_| whole && !found.questions.is_empty()));
+        blocks.push(Block::Group(verdicts));
         blocks.extend(found.stress.iter().map(|stress| self.stress(stress)));
         blocks.extend(found.races.iter().map(|race| self.race(race)));
         blocks.push(Block::Group(found.figures.iter().map(|figure| self.figure(figure)).collect()));

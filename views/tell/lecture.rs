@@ -63,10 +63,18 @@ impl Teller<'_> {
         vec![section_at(&found.address, blocks)]
     }
 
-    /// What opens a step: its heading and its claim.
+    /// What opens a step: its heading, its claim and the setting.
     pub fn opening(&self, found: &StepReport) -> Vec<Block> {
         let says = self.phrase(&found.address, "says", found.says);
-        vec![Block::section(vec![self.heading(found), Block::text(0, Tone::Emphasis, says)])]
+        let mut blocks = vec![self.heading(found), Block::text(0, Tone::Emphasis, says)];
+        blocks.extend(self.setting(found));
+        vec![Block::section(blocks)]
+    }
+
+    /// The parameters in force, if there are any.
+    pub(super) fn setting(&self, found: &StepReport) -> Option<Block> {
+        let assignment = |p: &ParameterReport| Assignment { name: p.name.to_owned(), text: p.text.clone() };
+        (!found.setting.is_empty()).then(|| Block::Setting(found.setting.iter().map(assignment).collect()))
     }
 
     fn taught(&self, chapter: &Chapter, step: &Step, found: &StepReport) -> Vec<Block> {
@@ -95,11 +103,7 @@ impl Teller<'_> {
 
     /// The setting and what the program computes at it.
     fn numbers(&self, found: &StepReport) -> Block {
-        let mut blocks = Vec::new();
-        if !found.setting.is_empty() {
-            let assignment = |p: &ParameterReport| Assignment { name: p.name.to_owned(), text: p.text.clone() };
-            blocks.push(Block::Setting(found.setting.iter().map(assignment).collect()));
-        }
+        let mut blocks: Vec<Block> = self.setting(found).into_iter().collect();
         let quantities = found.readout.iter().map(|quantity| Quantity {
             key: quantity.key.to_owned(),
             symbol: Phrase::parse(quantity.symbol),

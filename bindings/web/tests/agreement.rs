@@ -4,12 +4,27 @@
 mod difference;
 mod module;
 
-use chapters::parameter::Kind;
+use chapters::vocabulary::{Exhibit, Gallery};
 use chapters::{CURRICULUM, Chapter};
-use difference::difference;
-use module::Module;
-use std::path::PathBuf;
-use views::request;
+use difference::differences;
+use module::{Module, Refusal};
+use std::path::{Path, PathBuf};
+use views::request::{self, answer};
+
+/// Figures in which a last bit moves more than a last digit, how many of their elements it may move, and why.
+const ROUNDING: &[(&str, usize, &str)] = &[
+    (
+        "maxwell/grid/blow_up",
+        15,
+        "beyond the Courant limit roundings grow; the key, of 12 elements, makes way for them",
+    ),
+    ("maxwell/conduction/stiffness", 3, "curves of errors end at some ε"),
+    ("plane-wave/methods/after_a_while", 2, "curves of errors end at some ε"),
+    ("fresnel/snell/refraction", 1, "a last bit decides whether a curve has a point at the critical angle"),
+];
+
+/// What a parameter may be changed to: the first that it takes and that changes the figure.
+const CHANGES: [&str; 6] = ["1.2", "33deg", "4/1/0.05", "0.5", "3", "2e9"];
 
 /// The modules' folder, if it was given.
 fn folder() -> Option<PathBuf> {
@@ -20,96 +35,164 @@ fn folder() -> Option<PathBuf> {
     folder
 }
 
-/// The bytes of the chapter's module.
-fn built(folder: &std::path::Path, chapter: &Chapter) -> Vec<u8> {
-    let path = folder.join(format!("{}.wasm", chapter.id));
-    std::fs::read(&path).unwrap_or_else(|fault| panic!("{}: {fault}", path.display()))
+/// The chapter's module.
+fn built(folder: &Path, chapter: &str) -> Vec<u8> {
+    let path = folder.join(format!("{chapter}.wasm"));
+    std::fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// Requests for every figure of the chapter: at its defaults, and with one parameter changed, if it has any.
-fn requests(chapter: &'static Chapter) -> Vec<String> {
-    let exhibits = chapter.figures.exhibits.iter();
-    let figures = exhibits.flat_map(|exhibit| exhibit.figures.iter().map(move |figure| (exhibit, figure)));
-    let both = figures.flat_map(|(exhibit, figure)| {
-        let plain = format!("{}/{}/{}", chapter.id, exhibit.step, figure.id);
-        let changed = exhibit.parameters.iter().find_map(|parameter| changed(parameter.name, parameter.kind));
-        [changed.map(|change| format!("{plain}\n{change}")), Some(plain)].into_iter().flatten()
-    });
-    both.collect()
+fn galleries() -> Vec<Gallery> {
+    CURRICULUM.iter().map(|chapter| chapter.figures).collect()
 }
 
-/// A line that sets a parameter to something that is not its default.
-fn changed(name: &str, kind: Kind) -> Option<String> {
-    let value = match kind {
-        Kind::Number(range) if range.unit == "rad" => "33deg",
-        Kind::Medium => "2.4",
-        Kind::ClearMedium => "1.2",
-        Kind::Conductor => "4/1/0.05",
-        _ => return None,
-    };
-    Some(format!("{name}={value}"))
+fn chapter(id: &str) -> &'static Chapter {
+    CURRICULUM.iter().find(|chapter| chapter.id == id).expect("a chapter of the curriculum")
 }
 
-/// What a module of the chapter gets wrong, request by request.
-fn disagreements(chapter: &'static Chapter, wasm: &[u8]) -> Result<Vec<String>, String> {
-    let mut found = Vec::new();
-    for request in requests(chapter) {
+/// The figure's request with one parameter changed, if the figure depends on any.
+fn changed(plain: &str, exhibit: &Exhibit, drawn: &str) -> Option<String> {
+    let names = exhibit.parameters.iter().map(|parameter| parameter.name);
+    let mut tries = names.flat_map(|name| CHANGES.map(|value| format!("{plain}\n{name}={value}")));
+    tries.find(|request| answer(request, &galleries()).is_ok_and(|svg| svg != drawn))
+}
+
+/// What became of a chapter's figures.
+#[derive(Default)]
+struct Outcome {
+    agree: usize,
+    agree_changed: usize,
+    dear: Vec<String>,
+    wrong: Vec<String>,
+}
+
+impl Outcome {
+    /// Asks the module for the figure; `false` if that is too dear.
+    fn compare(&mut self, module: &Module, request: &str) -> bool {
         let place = request.replace('\n', " ");
-        let ours = request::answer(&request, &[chapter.figures]).map_err(|fault| fault.to_string())?;
+        let ours = answer(request, &galleries()).expect("the program draws it");
         // Anew for each, as after a trap the instance is of no use.
-        match Module::load(wasm)?.ask(&request) {
-            Ok(theirs) => found.extend(difference(&ours, &theirs).map(|difference| format!("{place}: {difference}"))),
-            Err(fault) => found.push(format!("{place}: {fault}")),
+        let theirs = match module.start().and_then(|mut running| running.ask(request)) {
+            Ok(theirs) => theirs,
+            Err(Refusal::TooDear) => {
+                self.dear.push(place);
+                return false;
+            }
+            Err(refusal) => {
+                self.wrong.push(format!("{place}: {refusal:?}"));
+                return true;
+            }
+        };
+        let found = differences(&ours, &theirs);
+        let rounded = ROUNDING.iter().find(|(address, ..)| request.lines().next() == Some(address));
+        if found.len() <= rounded.map_or(0, |(_, elements, _)| *elements) {
+            *if request.contains('\n') { &mut self.agree_changed } else { &mut self.agree } += 1;
+        } else {
+            self.wrong.push(format!("{place}: {} differ: {}", found.len(), found.join("; ")));
+        }
+        true
+    }
+}
+
+/// Every figure of the chapter, at its defaults and with a parameter changed.
+fn compare(chapter: &Chapter, wasm: &[u8]) -> Outcome {
+    let module = Module::new(wasm).expect("a valid module");
+    let mut outcome = Outcome::default();
+    let exhibits = chapter.figures.exhibits.iter();
+    for (exhibit, figure) in exhibits.flat_map(|exhibit| exhibit.figures.iter().map(move |figure| (exhibit, figure))) {
+        let plain = format!("{}/{}/{}", chapter.id, exhibit.step, figure.id);
+        if outcome.compare(&module, &plain) {
+            let drawn = answer(&plain, &galleries()).expect("the program draws it");
+            changed(&plain, exhibit, &drawn).map(|request| outcome.compare(&module, &request));
         }
     }
-    Ok(found)
+    outcome
+}
+
+fn every_figure_agrees(chapter: &str) {
+    let Some(folder) = folder() else { return };
+    let Outcome { agree, agree_changed, dear, wrong } = compare(self::chapter(chapter), &built(&folder, chapter));
+    println!("{chapter}: {agree} figures agree at their defaults, {agree_changed} with a parameter changed");
+    dear.iter().for_each(|place| println!("{chapter}: left out, too dear for the interpreter: {place}"));
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(agree > 0 && agree_changed > 0, "there was nothing to compare");
+}
+
+// A test a chapter, so that they run side by side.
+#[test]
+fn maxwell_agrees() {
+    every_figure_agrees("maxwell");
 }
 
 #[test]
-fn every_figure_is_that_of_the_program() {
-    let Some(folder) = folder() else { return };
-    for chapter in CURRICULUM {
-        let asked = requests(chapter).len();
-        assert!(asked > 0, "{} has no figures", chapter.id);
-        let start = std::time::Instant::now();
-        let found = disagreements(chapter, &built(&folder, chapter)).unwrap();
-        assert!(found.is_empty(), "{}", found.join("\n"));
-        println!("{}: {asked} figures agree, {:.1?}", chapter.id, start.elapsed());
-    }
+fn plane_wave_agrees() {
+    every_figure_agrees("plane-wave");
+}
+
+#[test]
+fn poynting_agrees() {
+    every_figure_agrees("poynting");
+}
+
+#[test]
+fn fresnel_agrees() {
+    every_figure_agrees("fresnel");
+}
+
+#[test]
+fn every_chapter_with_figures_has_its_test() {
+    let with_figures =
+        CURRICULUM.iter().filter(|chapter| chapter.steps.iter().any(|step| !step.exhibit.figures.is_empty()));
+    let ids: Vec<_> = with_figures.map(|chapter| chapter.id).collect();
+    assert_eq!(ids, ["maxwell", "plane-wave", "poynting", "fresnel"], "and its feature in the package's manifest");
+}
+
+#[test]
+fn what_rounds_is_in_the_curriculum() {
+    let all = request::addresses(&galleries());
+    ROUNDING.iter().for_each(|(address, ..)| assert!(all.iter().any(|known| known == address), "{address}"));
 }
 
 #[test]
 fn faults_come_through_in_words() {
     let Some(folder) = folder() else { return };
-    for chapter in CURRICULUM {
-        let mut module = Module::load(&built(&folder, chapter)).unwrap();
-        let address = &request::addresses(&[chapter.figures])[0];
-        for request in ["", "nowhere/at/all", chapter.id, &format!("{address}\nwrong"), &format!("{address}\nno=1")] {
-            let ours = request::answer(request, &[chapter.figures]).unwrap_err().to_string();
-            assert_eq!(module.ask(request), Err(ours));
-        }
-        assert_eq!(module.ask_bytes(b"\xff\xfe"), Err("request: not UTF-8".to_owned()));
-        // And after all that it still draws.
-        assert!(module.ask(address).unwrap().starts_with("<svg"));
+    let chapter = chapter("poynting");
+    let mut module = Module::new(&built(&folder, chapter.id)).unwrap().start().unwrap();
+    let address = &request::addresses(&[chapter.figures])[0];
+    for request in ["", "nowhere/at/all", chapter.id, &format!("{address}\nwrong"), &format!("{address}\nno=1")] {
+        let ours = answer(request, &[chapter.figures]).unwrap_err().to_string();
+        assert_eq!(module.ask(request), Err(Refusal::Fault(ours)));
     }
+    assert_eq!(module.ask(b"\xff\xfe"), Err(Refusal::Fault("request: not UTF-8".to_owned())));
+    // And after all that it still draws.
+    assert!(module.ask(address).unwrap().starts_with("<svg"));
 }
 
-/// A module that is not what was built must be caught: by the runtime, or by the figures it draws.
+/// A module that is not what was built is caught: when it is read, or by what it draws.
 #[test]
 fn a_corrupted_module_is_caught() {
     let Some(folder) = folder() else { return };
-    let chapter = CURRICULUM.iter().find(|chapter| chapter.id == "fresnel").unwrap();
-    let wasm = built(&folder, chapter);
-    assert!(Module::load(&wasm[..wasm.len() / 2]).is_err(), "half a module was taken");
-    // The number of radians in a degree, wrong in its eleventh bit.
+    let wasm = built(&folder, "fresnel");
+    assert!(Module::new(&wasm[..wasm.len() / 2]).is_err(), "half a module was taken");
+    // The number of radians in a degree, wrong by less than one per cent.
     let degree = (std::f64::consts::PI / 180.0).to_le_bytes();
     let places: Vec<usize> = (0..wasm.len() - 8).filter(|&at| wasm[at..at + 8] == degree).collect();
     assert!(!places.is_empty(), "the module holds no degree");
     let mut corrupted = wasm.clone();
     places.iter().for_each(|at| corrupted[at + 5] ^= 0x10);
-    let found = disagreements(chapter, &corrupted).unwrap();
-    assert!(!found.is_empty(), "a wrong degree went unnoticed");
-    // The module of another chapter does not know this one's figures.
-    let other = built(&folder, CURRICULUM.iter().find(|other| other.id == "maxwell").unwrap());
-    assert_eq!(disagreements(chapter, &other).unwrap().len(), requests(chapter).len());
+    let mut outcome = Outcome::default();
+    outcome.compare(&Module::new(&corrupted).unwrap(), "fresnel/natural/against_angle");
+    assert_eq!((outcome.agree, outcome.wrong.len()), (0, 1), "a wrong degree went unnoticed");
+}
+
+/// A chapter's module holds no other chapter, and another figure is not taken for the one asked for.
+#[test]
+fn another_module_and_another_figure_are_caught() {
+    let Some(folder) = folder() else { return };
+    let module = Module::new(&built(&folder, "maxwell")).unwrap();
+    let mut outcome = Outcome::default();
+    outcome.compare(&module, "fresnel/natural/against_angle");
+    assert_eq!((outcome.agree, outcome.wrong.len()), (0, 1));
+    let sheet = answer("maxwell/surface_current/sheet", &galleries()).unwrap();
+    let theirs = module.start().unwrap().ask("maxwell/media/walk_off").unwrap();
+    assert!(!differences(&sheet, &theirs).is_empty());
 }
