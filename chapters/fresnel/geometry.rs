@@ -24,6 +24,10 @@ const DENSE: f64 = 3.0;
 const FRONT: f64 = 0.12;
 /// Radius of the arcs.
 const ARC: f64 = 0.27;
+/// The narrowest angle [rad] whose name still stands on its own side of the normal; its value is in a corner anyway.
+const NARROW: f64 = 0.1;
+/// The least extinction [1] that is drawn as a metal: the wave is gone within a wavelength or two.
+const METALLIC: f64 = 0.1;
 /// Where on the incident ray its head is, as a distance from the origin.
 const HEAD: f64 = 0.3;
 /// Where wavefronts begin, as a distance from the origin, and where they end, as a share of the ray.
@@ -42,13 +46,19 @@ const DEEPEST: f64 = 0.6;
 /// Less than this share of the power is no reflected wave: what rounding leaves where the media are equal.
 const NOTHING: f64 = 1e-20;
 
+/// The arc between two directions [rad] at the origin, with its name where there is room for it.
+fn arc(from: f64, to: f64, name: &str) -> Part {
+    let arc = Part::arc([0.0; 2], ARC, from, to);
+    if (to - from).abs() < NARROW { arc } else { arc.label(name) }
+}
+
 /// Interface, normal, three waves and their angles. x runs to the right and z down into the second medium, so that y
 /// points at the reader.
 pub(super) fn plot(setting: &Setting) -> Plot {
     let (n_i, n_t) = (setting.index("n_i").re, setting.index("n_t"));
     let scene = Scene::new(setting);
     let [wide, high] = WINDOW;
-    let behind = if n_t.im > 0.0 { Behind::Hatched } else { Behind::Tinted(depth(n_t.re)) };
+    let behind = if n_t.im >= METALLIC { Behind::Hatched } else { Behind::Tinted(depth(n_t.re)) };
     let diagram = Diagram::new("", [-wide, -high], [wide, high])
         .with(Part::surface([wide, 0.0], [-wide, 0.0], Behind::Tinted(depth(n_i))))
         .with(Part::surface([-wide, 0.0], [wide, 0.0], behind))
@@ -145,7 +155,7 @@ impl Scene {
         let head = 1.0 - HEAD / ray.length;
         parts.push(Part::ray_with_heads(ray.at(ray.length), [0.0; 2], &[head]).label("k_1"));
         parts.extend(ray.fields(&self.fields, 0, ["E_s", "E_p"]));
-        parts.push(Part::arc([0.0; 2], ARC, FRAC_PI_2, FRAC_PI_2 + self.angle).label("θ_1"));
+        parts.push(arc(FRAC_PI_2, FRAC_PI_2 + self.angle, "θ_1"));
         parts
     }
 
@@ -158,7 +168,7 @@ impl Scene {
         let mut parts = ray.fronts(self.wavelength / self.n_i);
         parts.push(ray.drawn().label("k_1′"));
         parts.extend(ray.fields(&self.fields, 1, ["E_s′", "E_p′"]));
-        parts.push(Part::arc([0.0; 2], ARC, FRAC_PI_2, FRAC_PI_2 - self.angle).label("θ_1′"));
+        parts.push(arc(FRAC_PI_2, FRAC_PI_2 - self.angle, "θ_1′"));
         parts
     }
 
@@ -177,8 +187,7 @@ impl Scene {
         if self.n_t.im == 0.0 {
             parts.extend(ray.fields(&self.fields, 2, ["E_{s,2}", "E_{p,2}"]));
         }
-        let arc = Part::arc([0.0; 2], ARC, -FRAC_PI_2, self.refraction() - FRAC_PI_2);
-        parts.push(arc.hue(Hue::Transmitted).label("θ_2"));
+        parts.push(arc(-FRAC_PI_2, self.refraction() - FRAC_PI_2, "θ_2").hue(Hue::Transmitted));
         parts
     }
 
