@@ -29,7 +29,7 @@ const NARROW: f64 = 0.1;
 /// The least extinction [1] that is drawn as a metal: the wave is gone within a wavelength or two.
 const METALLIC: f64 = 0.1;
 /// Where on the incident ray its head is, as a distance from the origin.
-const HEAD: f64 = 0.3;
+const HEAD: f64 = 0.18;
 /// Where wavefronts begin, as a distance from the origin, and where they end, as a share of the ray.
 const FRONTS: (f64, f64) = (0.33, 0.61);
 /// Where on incident, reflected and refracted ray the fields stand, as shares of them: the first two apart, since at
