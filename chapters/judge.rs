@@ -177,6 +177,17 @@ pub fn survives(cases: &[Extreme]) -> bool {
     !cases.is_empty() && cases.iter().all(Extreme::holds)
 }
 
+/// What all heats of one race may take together [s], as long as each runs once.
+const RACE_TIME: f64 = 1.5;
+/// How long one heat is repeated [s], so that its fastest run is free of the machine's other business.
+const HEAT_TIME: f64 = 0.02;
+
+/// How long each heat of a race may be repeated [s].
+pub fn patience(race: &Race) -> f64 {
+    let heats: usize = race.lanes.iter().map(|lane| lane.works.len()).sum();
+    (RACE_TIME / heats.max(1) as f64).min(HEAT_TIME)
+}
+
 /// Runs a lane over all its works, each heat as often as fits into `patience` [s] by the `clock`.
 pub fn lane(lane: &Lane, setting: &Setting, address: &str, clock: &dyn Clock, patience: f64) -> Raced {
     let point = |&work: &u64| {

@@ -1,4 +1,4 @@
-//! From the curriculum to a [`Report`]. The only place with a clock.
+//! From the curriculum to a [`Report`]: threads, progress, and the clock that is lent to the judge.
 
 use crate::progress::Progress;
 use crate::select::{Chosen, Selection};

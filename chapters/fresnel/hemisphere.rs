@@ -85,7 +85,7 @@ fn mean_reflectance(bench: &mut Bench, sample: Sampler) -> Measured {
     let cosines = cosines(&mut bench.stream, sample);
     let mut reflectances = vec![0.0; cosines.len()];
     natural_reflectance(&cosines, 1.0, GLASS, &mut reflectances);
-    // The batch makes 1 of NaN, which a mean would hide.
+    // What is no direction of the hemisphere has no reflectance either: a cosine of 1.1 would pass for one.
     let found: Moments =
         cosines.iter().zip(reflectances).map(|(&cos, r_n)| if is_cosine(cos) { r_n } else { f64::NAN }).collect();
     let exact = diffuse_reflectance(GLASS);

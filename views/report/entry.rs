@@ -210,11 +210,6 @@ fn case(extreme: &Extreme) -> CaseReport {
     }
 }
 
-/// What all heats of one race may take together [s], as long as each runs once.
-const RACE_TIME: f64 = 1.5;
-/// How long one heat is repeated [s], so that its fastest run is free of the machine's other business.
-const HEAT_TIME: f64 = 0.02;
-
 fn race(
     race: &Race,
     setting: &Setting,
@@ -223,8 +218,7 @@ fn race(
     clock: &dyn Clock,
     wanted: &dyn Fn(&str) -> bool,
 ) -> RaceReport {
-    let heats: usize = race.lanes.iter().map(|lane| lane.works.len()).sum();
-    let patience = (RACE_TIME / heats.max(1) as f64).min(HEAT_TIME);
+    let patience = judge::patience(race);
     let lanes = race.lanes.iter().filter(|lane| wanted(lane.id)).map(|lane| {
         let address = format!("{address}/{}", lane.id);
         let found = judge::lane(lane, setting, &address, clock, patience);

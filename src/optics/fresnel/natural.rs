@@ -68,7 +68,8 @@ fn fill<const ABSORBING: bool>(cos_i: &[f64], n_i: f64, n_t: Complex64, out: &mu
         }
         let both = s * p;
         let share = 0.5 * contrast2 * (p * p + balance2 * (s * s)) / (both * both);
-        *out = if ABSORBING || q2 > 0.0 { share } else { 1.0 };
+        // Asked so that a cosine that is no number gives none: a mean must not take it for total reflection.
+        *out = if !ABSORBING && q2 <= 0.0 { 1.0 } else { share };
     }
     if ABSORBING {
         // A trace of absorption near the critical angle, or at the faintest grazing contrast, needs the care that
@@ -90,6 +91,19 @@ mod tests {
     use super::*;
     use crate::optics::incidence::normal_squared;
     use proptest::prelude::*;
+
+    #[test]
+    fn a_cosine_that_is_no_number_reflects_no_number() {
+        // Into the denser and the rarer medium, and among others that are numbers.
+        for n_t in [1.5, 1.0 / 1.5] {
+            let mut out = [0.0; 3];
+            natural_reflectance(&[0.5, f64::NAN, 1.0], 1.0, n_t, &mut out);
+            assert!(out[1].is_nan() && out[0].is_finite() && out[2].is_finite(), "{out:?}");
+        }
+        let mut out = [0.0];
+        natural_reflectance_absorbing(&[f64::NAN], 1.0, Complex64::new(0.2, 3.4), &mut out);
+        assert!(out[0].is_nan(), "{out:?}");
+    }
 
     proptest! {
         #[test]
