@@ -264,6 +264,9 @@ mod tests {
         assert_eq!(trend(f64::exp), 2);
         assert_eq!(trend(|x| (x - 0.4) * (x - 0.4)), 3);
         assert_eq!(trend(|x| x * (1.0 - x)), 4);
+        // A change that no eye sees in a plot is one all the same; what rounding leaves is none.
+        assert_eq!(trend(|x| 1.0 + 1e-6 * (x - 0.5) * (x - 0.5)), 3);
+        assert_eq!(trend(|x| 1.0 + 1e-15 * (9.0 * x).sin()), 1);
         assert_eq!(trend(|x| (9.0 * x).sin()), TRENDS.len());
         assert_eq!(trend(|x| if x > 0.5 { f64::NAN } else { x }), TRENDS.len());
     }
