@@ -12,7 +12,7 @@ use crate::vocabulary::{
     stress,
 };
 use equation::derivation::Chain;
-use equation::expr::{curl, divergence, dot, exp, i, laplacian, partial, pi, ratio, sqrt, tan, vector};
+use equation::expr::{cos, curl, divergence, dot, exp, i, laplacian, partial, pi, ratio, sin, sqrt, tan, vector};
 use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
 use light::media;
@@ -25,6 +25,10 @@ use yardstick::precise;
 
 /// The angle by which H lags E.
 const PHI: Symbol = Symbol::scalar("phi", Dimension::ONE).real(0.1, 0.7);
+/// The modulus of k = |k|e^{iφ}.
+const K_SIZE: Symbol = Symbol::scalar("|k|", Dimension::RADIAN_PER_METRE).real(0.5, 2.0);
+/// Amplitude and phase of H.
+const AMPLITUDE_H: Symbol = Symbol::scalar("H_0", Dimension::AMPERE_PER_METRE);
 /// A wave number that may be complex.
 const K_C: Symbol = Symbol::scalar("k", Dimension::RADIAN_PER_METRE).within(0.5, 2.0);
 
@@ -87,6 +91,12 @@ pub(super) const STEP: Step = step(
     .slip("the displacement current runs backwards", || solves_maxwell(Some(SIGMA), -(EPSILON * MU * partial(E, T)))),
     derivation("ohms", "Faraday's law ties H to E", || ohms(OMEGA * MU / K_C))
         .slip("H on the other side of E: that wave runs back", || ohms(-(OMEGA * MU / K_C))),
+    derivation(
+        "lag",
+        "H lags E by the angle of k, whose square has σ/(ωε) for the tangent of twice that angle",
+        || lag(SIGMA / (OMEGA * EPSILON)),
+    )
+    .slip("displacement current over conduction", || lag(OMEGA * EPSILON / SIGMA)),
     derivation("good_conductor", "k = (1 + i)/δ where the displacement current is nothing beside σE", || {
         good_conductor(sqrt(2 / (OMEGA * MU * SIGMA)))
     })
@@ -122,11 +132,6 @@ fn telegraph(conduction: Expr) -> Chain {
         .then(Equation::new(laplacian(E), conduction + EPSILON * MU * twice(E, T)), ["∇×∇× = ∇∇· − ∇²", "∇·E = 0"])
 }
 
-/// A e^{i(kz − ωt)}
-fn wave_along_z() -> Expr {
-    AMPLITUDE * exp(i() * (K_C * Z - OMEGA * T))
-}
-
 fn dispersion(loss: Expr) -> Chain {
     let square = EPSILON * MU * OMEGA.pow(2) + loss;
     oblique(laplacian(E) - MU * SIGMA * partial(E, T) - EPSILON * MU * twice(E, T))
@@ -136,12 +141,23 @@ fn dispersion(loss: Expr) -> Chain {
 }
 
 fn ohms(impedance: Expr) -> Chain {
-    Chain::new(Equation::new(curl(E), -(MU * partial(H, T))))
-        .because("Faraday's law")
-        .given(E, vector(wave_along_z(), 0, 0), "E = A e^{i(kz − ωt)} along x")
-        .given(H, vector(0, wave_along_z() / Z_C, 0), "H = E/Z along y")
-        .given(Z_C, impedance, "Z = ωμ/k")
-        .then(Equation::new(Z_C, OMEGA * MU / K_C), ["∂/∂z = ik, ∂/∂t = −iω", "divide by E"])
+    let along = |amplitude: Symbol| amplitude * exp(i() * (K_C * Z - OMEGA * T));
+    Chain::assume(
+        Equation::new(dot(vector(0, 1, 0), curl(E)), -(MU * dot(vector(0, 1, 0), partial(H, T)))),
+        "Faraday's law",
+    )
+    .given(E, vector(along(AMPLITUDE), 0, 0), "E = A e^{i(kz − ωt)} along x")
+    .given(H, vector(0, along(AMPLITUDE_H), 0), "H along y, of any size and phase")
+    .solve_for([AMPLITUDE_H])
+    .then(Equation::new(AMPLITUDE / AMPLITUDE_H, impedance), ["∂/∂z = ik, ∂/∂t = −iω"])
+}
+
+fn lag(tangent: Expr) -> Chain {
+    Chain::assume(Equation::new(K_SIZE.pow(2) * cos(2 * PHI), EPSILON * MU * OMEGA.pow(2)), "Re k²")
+        .and(Equation::new(K_SIZE.pow(2) * sin(2 * PHI), MU * SIGMA * OMEGA), "Im k²")
+        .solve_for([EPSILON, SIGMA])
+        .then(Equation::new(tan(2 * PHI), sin(2 * PHI) / cos(2 * PHI)), ["tan = sin/cos"])
+        .then(tangent, ["k² = εμω² + iμσω"])
 }
 
 fn good_conductor(depth: Expr) -> Chain {

@@ -39,14 +39,17 @@ pub(super) const STEP: Step = step(
     statement("impedance_ratio", "by which it is defined", || Equation::new(Z_C, abs(E) / abs(H))).rows(&["E17"]),
 ])
 .derivations(&[
-    derivation(
-        "no_part_along",
-        "a uniform wave has nothing along z, and Faraday's law turns E into B by a right angle, at the same phase",
-        || square(vector(0, K / OMEGA * AMPLITUDE * cos(phase()), 0)),
-    )
+    derivation("no_part_along", "without charges a wave that runs along z has nothing along z", || {
+        no_part_along(vector(0, 0, 1))
+    })
+    .rows(&["E15"])
+    .slip("the divergence read as a curl: nothing would be left across", || no_part_along(vector(1, 0, 0))),
+    derivation("in_step", "Faraday's law turns E into B by a right angle, at the same phase", || {
+        in_step(vector(0, K / OMEGA * AMPLITUDE * cos(phase()), 0))
+    })
     .rows(&["E15"])
     .slip("B a quarter of a period late, as in a standing wave", || {
-        square(vector(0, K / OMEGA * AMPLITUDE * sin(phase()), 0))
+        in_step(vector(0, K / OMEGA * AMPLITUDE * sin(phase()), 0))
     }),
     derivation("across", "in any direction: no charges, so nothing along k", || across(i() * dot(K_VECTOR, E)))
         .rows(&["E15"])
@@ -82,11 +85,20 @@ pub(crate) fn harmonic(start: impl Into<Claim>) -> Chain {
         .given(V, 1 / sqrt(EPSILON * MU), "v = 1/√(εμ)")
 }
 
-fn square(b: Expr) -> Chain {
-    Chain::new(Equation::new(dot(vector(0, 0, 1), E), 0))
+fn no_part_along(direction: Expr) -> Chain {
+    let [a_x, a_y, a_z] = ["A_x", "A_y", "A_z"].map(|name| Symbol::scalar(name, Dimension::VOLT_PER_METRE));
+    let amplitude = vector(a_x, a_y, &a_z);
+    Chain::assume(Equation::new(divergence(E), 0), "∇·E = 0")
+        .given(E, amplitude * exp(i() * phase()), "E = A e^{i(kz − ωt)}")
+        .solve_for([a_z])
+        .then(Equation::new(dot(direction, E), 0), ["∂/∂x = ∂/∂y = 0", "∂/∂z = ik"])
+}
+
+fn in_step(b: Expr) -> Chain {
+    Chain::new(Equation::new(dot(E, B), 0))
+        .because("x and y are square to each other")
         .given(E, vector(AMPLITUDE * cos(phase()), 0, 0), "E = A cos(kz − ωt) along x")
         .given(B, b, "the same cosine along y")
-        .then(Equation::new(dot(E, B), 0), ["x and y are square"])
         .then(Equation::new(curl(E), -partial(B, T)), ["∂cos", "in step"])
 }
 
@@ -95,16 +107,14 @@ pub(super) fn oblique(start: impl Into<Claim>) -> Chain {
     Chain::new(start).given(E, A_VECTOR * exp(i() * (dot(K_VECTOR, R) - OMEGA * T)), "E = A e^{i(k·r − ωt)}")
 }
 
-/// A stands across k.
+/// A stands across k: it is k×G with some G, whichever way k points.
 pub(crate) fn across_k(chain: Chain) -> Chain {
-    let k = |name| Symbol::scalar(name, Dimension::RADIAN_PER_METRE);
-    let a = |name| Symbol::scalar(name, Dimension::VOLT_PER_METRE);
-    let rest = (k("k_x") * a("A_x") + k("k_y") * a("A_y")) / k("k_z");
-    chain.given(a("A_z"), -rest, "k·A = 0")
+    const G: Symbol = Symbol::vector("G", Dimension::VOLT);
+    chain.given(A_VECTOR, cross(K_VECTOR, G), "k·A = 0")
 }
 
 fn across(last: Expr) -> Chain {
-    oblique(divergence(E)).then(last, ["∇ = ik"]).because("which vanishes if k·E does")
+    oblique(divergence(E)).then(last, ["∇ = ik"]).because("which is nought without charges, and so k·E is")
 }
 
 /// Such a wave in all four equations, with `displacement` in Ampère's law and `sigma` where the medium conducts.

@@ -68,8 +68,8 @@ pub enum Window {
     Hann,
     /// Harris's four terms with side lobes at −92 dB; its ends stand at 6e−5, so that it falls as 1/x after all.
     BlackmanHarris,
-    /// Nuttall's four terms with five vanishing derivatives, (16/5) sin⁶ πu: falls as 1/x⁷.
-    Nuttall,
+    /// (16/5) sin⁶ πu, four terms of which five derivatives vanish at the ends: falls as 1/x⁷.
+    Sine6,
 }
 
 /// aₖ of Harris's window.
@@ -77,7 +77,7 @@ const BLACKMAN_HARRIS: [f64; 4] = [0.35875, 0.48829, 0.14128, 0.01168];
 
 impl Window {
     /// Every window.
-    pub const ALL: [Self; 4] = [Self::Box, Self::Hann, Self::BlackmanHarris, Self::Nuttall];
+    pub const ALL: [Self; 4] = [Self::Box, Self::Hann, Self::BlackmanHarris, Self::Sine6];
 
     /// Weight [1] at the share 0 ≤ u ≤ 1 of the duration, of mean 1.
     pub fn weight(self, u: f64) -> f64 {
@@ -89,7 +89,7 @@ impl Window {
                 let [a_0, a_1, a_2, a_3] = BLACKMAN_HARRIS;
                 (a_0 - a_1 * cis(u).re + a_2 * cis(2.0 * u).re - a_3 * cis(3.0 * u).re) / a_0
             }
-            Self::Nuttall => 3.2 * sin2 * sin2 * sin2,
+            Self::Sine6 => 3.2 * sin2 * sin2 * sin2,
         }
     }
 
@@ -98,7 +98,7 @@ impl Window {
         match self {
             Self::Box | Self::BlackmanHarris => 1,
             Self::Hann => 3,
-            Self::Nuttall => 7,
+            Self::Sine6 => 7,
         }
     }
 
@@ -113,7 +113,7 @@ impl Window {
             Self::Box => (&[1.0], 0),
             Self::Hann => (&[-1.0], 1),
             Self::BlackmanHarris => (&HARRIS, 3),
-            Self::Nuttall => (&[-36.0], 3),
+            Self::Sine6 => (&[-36.0], 3),
         };
         let x = (frequency * duration).abs();
         let top = numerator.iter().rev().fold(0.0, |sum, coefficient| sum * x * x + coefficient);
@@ -232,7 +232,7 @@ mod tests {
             let expected = sine / (4.0 * PI * ripple.frequency * duration);
             let found = ripple.average(Window::Box, 0.0, duration);
             assert!((found / expected - 1.0).abs() < 1e-14, "{periods}: {found} {expected}");
-            let smooth = ripple.average(Window::Nuttall, 0.0, duration).abs();
+            let smooth = ripple.average(Window::Sine6, 0.0, duration).abs();
             assert!(smooth < 1e3 * periods.powi(-7), "{periods}: {smooth}");
         }
     }
