@@ -3,7 +3,7 @@
 //! J. A. Roden & S. D. Gedney, *Microw. Opt. Technol. Lett.* **27**, 334 (2000); T&H §7.9. In the layer every derivative
 //! along its normal is divided by s = κ + σ/(a + iωε₀) (engineers' sign), in time a convolution that one number ψ per
 //! derivative carries along: ψ′ = b ψ + c d, with b = e^(−(σ/κ + a)Δt/ε₀) and c = σ(b − 1)/(κ(σ + κa)).
-//! Behind it stands a conductor. σ and κ − 1 rise as the power `order` of the depth, a falls linearly.
+//! s is relative to ε₀ in any medium, so that a wave in one of index n decays as σ n Z₀. Behind it stands a conductor. σ and κ − 1 rise as the power `order` of the depth, a falls linearly.
 
 use super::refusal::{Refusal, demand};
 use super::{EPSILON_0, Z_0};
@@ -45,11 +45,11 @@ impl Cpml {
         )
     }
 
-    /// At a `depth` [cells] below the inner edge, in a medium of relative impedance √(μ_r/ε_r).
-    fn grade(&self, depth: f64, spacing: f64, dt: f64, impedance: f64) -> Grade {
+    /// At a `depth` [cells] below the inner edge, in a medium of `index` √(ε_r μ_r).
+    fn grade(&self, depth: f64, spacing: f64, dt: f64, index: f64) -> Grade {
         let share = (depth / self.cells as f64).clamp(0.0, 1.0);
         let thickness = self.cells as f64 * spacing;
-        let largest = -(self.order + 1.0) * self.reflection.ln() / (2.0 * Z_0 * impedance * thickness);
+        let largest = -(self.order + 1.0) * self.reflection.ln() / (2.0 * Z_0 * index * thickness);
         let sigma = largest * share.powf(self.order);
         let kappa = 1.0 + (self.kappa - 1.0) * share.powf(self.order);
         let alpha = self.alpha * (1.0 - share);
@@ -129,8 +129,8 @@ pub(super) struct Strips {
 }
 
 impl Strips {
-    /// For an axis of `cells`; `impedance` [1] is √(μ_r/ε_r) of what stands at each end.
-    pub fn new(walls: [Wall; 2], cells: usize, spacing: f64, dt: f64, impedance: [f64; 2]) -> Self {
+    /// For an axis of `cells`; `index` [1] is √(ε_r μ_r) of what stands at each end.
+    pub fn new(walls: [Wall; 2], cells: usize, spacing: f64, dt: f64, index: [f64; 2]) -> Self {
         let mut strips = Self::default();
         for (end, wall) in walls.into_iter().enumerate() {
             let Wall::Open(cpml) = wall else { continue };
@@ -140,7 +140,7 @@ impl Strips {
                 thick as f64 - from_wall
             };
             let strip = |start: usize, count: usize, shift: f64| {
-                let grade = |i: usize| cpml.grade(depth(i as f64 + shift), spacing, dt, impedance[end]);
+                let grade = |i: usize| cpml.grade(depth(i as f64 + shift), spacing, dt, index[end]);
                 let grades: Vec<Grade> = (start..start + count).map(grade).collect();
                 let column = |of: fn(&Grade) -> f64| grades.iter().map(of).collect();
                 Strip { start, b: column(|g| g.b), c: column(|g| g.c), k: column(|g| g.k) }

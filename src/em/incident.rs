@@ -99,7 +99,7 @@ impl Incident {
             Along { field: vec![0.0; LENGTH], spans, currents, q: 2.0 * (0.5 * phase).sin() }
         });
         let walls = [Wall::Conductor, Wall::Open(Cpml::thick(ABSORBER))];
-        let strips = Strips::new(walls, LENGTH, spacing, dt, [1.0, (medium.mu_r / medium.eps_r).sqrt()]);
+        let strips = Strips::new(walls, LENGTH, spacing, dt, [1.0, medium.bare_index()]);
         let zeros = |strips: &[Strip]| vec![0.0; strips.iter().map(|strip| strip.b.len()).sum()];
         Ok(Self {
             at,

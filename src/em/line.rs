@@ -174,8 +174,8 @@ impl Line {
             Surroundings::mean(cells).coefficients(courant, dt, conduction)
         });
         let magnetic = Spans::new(0..n, all(Need::Clear), |k| Coefficients::magnetic(courant, media[k].mu_r));
-        let impedance = [&media[0], &media[n - 1]].map(|medium| (medium.mu_r / medium.eps_r).sqrt());
-        let strips = Strips::new(setup.walls(), n, setup.spacing, dt, impedance);
+        let index = [&media[0], &media[n - 1]].map(Medium::bare_index);
+        let strips = Strips::new(setup.walls(), n, setup.spacing, dt, index);
         let zeros = |strips: &[Strip]| strips.iter().map(|strip| vec![0.0; strip.b.len()]).collect();
         Ok(Self {
             e: Aligned::zeros(n + 1, 0),

@@ -95,6 +95,11 @@ impl Medium {
         (self.permittivity(omega) * self.mu_r).sqrt()
     }
 
+    /// √(ε_r μ_r) [1], without conduction and electrons.
+    pub(super) fn bare_index(&self) -> f64 {
+        (self.eps_r * self.mu_r).sqrt()
+    }
+
     /// Refuses what is not physical, NaN included, and what no product of two such numbers could hold.
     pub(super) fn check(&self) -> Result<(), Refusal> {
         let positive = |value: f64| value > 0.0 && value <= HUGE;

@@ -104,14 +104,11 @@ impl Plane {
             level: Level::new(),
         };
         let [columns, rows] = grid.setup.cells;
-        let impedance = |i: usize, j: usize| {
-            let medium = grid.medium(i, j);
-            (medium.mu_r / medium.eps_r).sqrt()
-        };
+        let index = |i: usize, j: usize| grid.medium(i, j).bare_index();
         let (spacing, dt, middle) = (grid.setup.spacing, grid.dt(), (columns / 2, rows / 2));
-        let beside = [impedance(0, middle.1), impedance(columns - 1, middle.1)];
+        let beside = [index(0, middle.1), index(columns - 1, middle.1)];
         let across = Strips::new(grid.setup.walls_across(), columns, spacing, dt, beside);
-        let beyond = [impedance(middle.0, 0), impedance(middle.0, rows - 1)];
+        let beyond = [index(middle.0, 0), index(middle.0, rows - 1)];
         grid.along = Strips::new(grid.setup.ends, rows, spacing, dt, beyond);
         grid.across = across;
         grid.layouts = grid.layouts();
