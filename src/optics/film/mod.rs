@@ -8,7 +8,7 @@
 //!
 //! - e^(Im δ), which grows without bound, is factored out of each layer and only its exponent is summed.
 //! - The rest is written as the identity and a change, which vanishes with the layer, and the change is added with
-//!   the rounding carried along: a thousand thin layers are as exact as one. In an absorbing layer the change is
+//!   the rounding carried along, as losses and phases are: a hundred thousand thin layers are as exact as one. In an absorbing layer the change is
 //!   u (1, −Y)ᵀ (1, −1/Y), u = (e^(2iδ) − 1)/2, of M e^(iδ): it leaves the wave that runs forward untouched.
 //! - Nothing divides by q: at the critical angle sin δ/Y → k₀ d (s) or n² k₀ d (p).
 //! - The sweep runs from the substrate to the light, the direction in which the wanted solution grows, and powers
