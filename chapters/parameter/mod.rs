@@ -5,6 +5,7 @@
 //! way: words for people ([`Parameter::domain`]), an [`Argument`] for programs ([`Parameter::describe`]).
 
 mod argument;
+mod draw;
 mod fault;
 mod function;
 mod kind;

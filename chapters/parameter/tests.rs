@@ -3,6 +3,7 @@
 use super::*;
 use proptest::prelude::*;
 use std::f64::consts::FRAC_PI_2;
+use yardstick::random::stream;
 
 const FIELDS: &[Parameter] = &[
     Parameter::new("n", "", "", Kind::Medium).aliases(&[Alias::same("medium")]),
@@ -28,66 +29,14 @@ const ALL: &[Parameter] = &[
     Parameter::new("substrate", "", "", Kind::Record(FIELDS)),
 ];
 
-/// A number within `range`, its ends and its smallest steps among them.
-fn within(range: Range) -> impl Strategy<Value = f64> {
-    let Range { min, max, .. } = range;
-    let between = (0.0..=1.0).prop_map(move |share: f64| (min * (1.0 - share) + max * share).clamp(min, max));
-    let log = (0.0..=1.0).prop_map(move |share: f64| {
-        let low = if min > 0.0 { min } else { max * 1e-20 };
-        (low * (max / low).powf(share)).clamp(min, max)
-    });
-    prop_oneof![Just(min), Just(max), between, log]
-}
-
-fn index() -> impl Strategy<Value = Argument> {
-    let part = || within(Range::new(INDEX_MIN, INDEX_MAX, "1"));
-    let pair = || (part(), prop_oneof![Just(0.0), part()]);
-    prop_oneof![
-        part().prop_map(Argument::Number),
-        pair().prop_map(|(n, k)| format!("{n:?}+{k:?}i").into()),
-        pair().prop_map(|(n, k)| Argument::record([("n", n.into()), ("k", k.into())])),
-        prop::sample::select(vec!["gold", "bk7", "Fused Silica"]).prop_map(Argument::from),
-    ]
-}
-
 /// Something that a kind takes.
-fn valid(kind: Kind) -> BoxedStrategy<Argument> {
-    match kind {
-        Kind::Number(range) => within(range).prop_map(Argument::Number).boxed(),
-        Kind::Count { min, max } => (min..=max).prop_map(|count| (count as f64).into()).boxed(),
-        Kind::Choice(words) => prop::sample::select(words.to_vec()).prop_map(Argument::from).boxed(),
-        Kind::Medium => index().boxed(),
-        Kind::ClearMedium => prop_oneof![
-            within(Range::new(INDEX_MIN, INDEX_MAX, "1")).prop_map(Argument::Number),
-            prop::sample::select(vec!["bk7", "water"]).prop_map(Argument::from),
-        ]
-        .boxed(),
-        Kind::Conductor => {
-            let relative = || within(Range::new(RELATIVE.0, RELATIVE.1, "1"));
-            let three = || (relative(), relative(), within(Range::new(CONDUCTIVITY.0, CONDUCTIVITY.1, "1")));
-            let text = three().prop_map(|(e, m, s)| format!("{e:?}/{m:?}/{s:?}").into());
-            let fields = three()
-                .prop_map(|(e, m, s)| Argument::record([("eps_r", e.into()), ("mu_r", m.into()), ("sigma", s.into())]));
-            prop_oneof![text, fields, Just(Argument::from("sea-water"))].boxed()
-        }
-        Kind::Vector(range) => {
-            prop::collection::vec(within(range).prop_map(Argument::Number), 3).prop_map(Argument::List).boxed()
-        }
-        Kind::List { of, most } => prop::collection::vec(valid(*of), 0..=most).prop_map(Argument::List).boxed(),
-        Kind::Record(parameters) => {
-            let field = |parameter: &'static Parameter| {
-                let value = valid(parameter.kind).prop_map(move |value| (parameter.name.to_owned(), value));
-                if parameter.is_required() { value.prop_map(Some).boxed() } else { prop::option::of(value).boxed() }
-            };
-            let fields: Vec<_> = parameters.iter().map(field).collect();
-            fields.prop_map(|fields| Argument::Record(fields.into_iter().flatten().collect())).boxed()
-        }
-    }
+fn taken_by(kind: Kind) -> impl Strategy<Value = Argument> {
+    any::<u64>().prop_map(move |seed| kind.draw(&mut stream(seed, kind.name())))
 }
 
 /// A parameter and something that it takes.
 fn taken() -> impl Strategy<Value = (Parameter, Argument)> {
-    prop::sample::select(ALL).prop_flat_map(|parameter| (Just(parameter), valid(parameter.kind)))
+    prop::sample::select(ALL).prop_flat_map(|parameter| (Just(parameter), taken_by(parameter.kind)))
 }
 
 /// Anything at all.
@@ -175,7 +124,7 @@ proptest! {
     }
 
     #[test]
-    fn a_frequency_is_a_wavelength(hertz in within(Range::new(3e11, 2.9e17, "Hz"))) {
+    fn a_frequency_is_a_wavelength(hertz in 3e11..=2.9e17_f64) {
         let Value::Number(metres) = WAVELENGTH.parse_as("freq", &format!("{hertz:?}")).unwrap() else { panic!() };
         prop_assert!((metres * hertz / 299_792_458.0 - 1.0).abs() < 4.0 * f64::EPSILON);
     }
