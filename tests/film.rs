@@ -348,6 +348,56 @@ fn exactly_critical_layers_stay_finite() {
 }
 
 #[test]
+fn a_matched_stack_reflects_nothing_at_all() {
+    for direction in [Direction::Angle(0.0), Direction::Angle(0.7), Direction::Angle(1.3), Direction::Cos(1e-9)] {
+        for polarisation in BOTH {
+            let layers = [0.3e-6, 1e-6, 0.0, 7e-3].map(|thickness| layer(1.37, 0.0, thickness));
+            let stack = Stack { n_i: 1.37, layers: &layers, substrate: clear(1.37) };
+            let incidence = Incidence::from(direction);
+            let found = stack.response(GREEN, incidence, polarisation);
+            assert_eq!((found.r, found.reflectance), (Complex64::ZERO, 0.0), "{direction:?}");
+            assert_eq!((found.transmittance, found.absorptance, found.ln_transmittance), (1.0, 0.0, 0.0));
+            let exact = yardstick::precise::to_complex64(&reference(&stack, GREEN, direction, polarisation).t);
+            // 10⁵ rad of phase across the stack, each layer's path rounded twice.
+            assert!((found.t - exact).norm() <= 4.0 * EPSILON * 1e5, "{found:?} {exact}");
+        }
+    }
+}
+
+#[test]
+fn the_faintest_film_between_equal_media_keeps_its_digits() {
+    // One atom's layer thinned by twenty orders: R is far below the square of any rounding.
+    let faint = [1e-30, 1e-24, 1e-20].into_iter().flat_map(|d| {
+        [0.0, 0.3, 1.4].map(|angle| Case {
+            n_i: 1.33,
+            layers: vec![layer(1.5, 0.0, d), layer(1.7, 1e-3, d)],
+            substrate: clear(1.33),
+            wavelength: GREEN,
+            angle: Direction::Angle(angle),
+        })
+    });
+    judge_all("faintest films", faint);
+}
+
+#[test]
+fn metals_without_loss_absorb_nothing() {
+    // Re(n²) < 0 and Im(n²) = 0: films that waves tunnel through, and substrates that send everything back.
+    let angles = [0.0, 0.8, 1.5].map(Direction::Angle).into_iter().chain([Direction::Grazing(1e-9)]);
+    let cases = angles.flat_map(|angle| {
+        [1e-9, 20e-9, 3e-7, 1e-3].into_iter().flat_map(move |d| {
+            let case = |layers, substrate| Case { n_i: 1.5, layers, substrate, wavelength: GREEN, angle };
+            [
+                case(vec![layer(0.0, 2.0, d)], clear(1.5)),
+                case(vec![layer(1.38, 0.0, 1e-7), layer(0.0, 1e9, d)], clear(1.0)),
+                case(vec![layer(2.3, 0.0, d), layer(0.0, 1e-9, 1e-7)], Complex64::new(0.0, 3.0)),
+                case(vec![layer(1.38, 0.01, d)], Complex64::new(0.0, 1.2)),
+            ]
+        })
+    });
+    judge_all("metals without loss", cases);
+}
+
+#[test]
 fn surface_plasmons() {
     let cases = [30e-9, 50e-9, 70e-9].into_iter().flat_map(|d| {
         (0..12).map(move |i| Case {

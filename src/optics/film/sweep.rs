@@ -8,6 +8,8 @@ use std::f64::consts::{LN_2, TAU};
 /// A layer reduced to what its kind needs. `path` is 2π d q [m]: over the wavelength it is the phase δ.
 #[derive(Clone, Debug)]
 pub(super) enum Coat {
+    /// Clear, with nothing but its own medium behind: the wave that runs on is alone, and only turns by δ = path/λ.
+    Unbroken { path: f64 },
     /// Clear, and the wave propagates: δ and Y are real.
     Clear { path: f64, y: f64, inverse: f64 },
     /// Clear, beyond its critical angle: δ = i path/λ, Y = i `y`.
@@ -19,12 +21,15 @@ pub(super) enum Coat {
 }
 
 impl Coat {
-    pub fn new(layer: &Layer, admittance: &Admittance) -> Self {
+    /// `is_unbroken` if there is nothing but the layer's own medium behind.
+    pub fn new(layer: &Layer, admittance: &Admittance, is_unbroken: bool) -> Self {
         debug_assert!(layer.thickness.is_finite());
         let Admittance { q, y, inverse, q_over_y, loss } = *admittance;
         let length = TAU * layer.thickness;
         if loss != (0.0, 0.0) {
             Self::Absorbing { path: length * q, y, inverse, loss: (length * loss.0, length * loss.1) }
+        } else if q.re > 0.0 && is_unbroken {
+            Self::Unbroken { path: length * q.re }
         } else if q.re > 0.0 {
             Self::Clear { path: length * q.re, y: y.re, inverse: inverse.re }
         } else if q.im > 0.0 {
@@ -115,7 +120,7 @@ pub(super) struct Sweep<const L: usize> {
     absorbed: Total<L>,
     /// Σ Im δ.
     decay: Total<L>,
-    /// Σ Re δ of absorbing layers, less half turns.
+    /// Σ Re δ of layers that leave the wave that runs on as it is, less half turns.
     phase: Total<L>,
     /// Half turns taken out.
     turns: Lanes<L>,
@@ -153,6 +158,7 @@ impl<const L: usize> Sweep<L> {
     #[inline(always)]
     fn pass(&mut self, coat: &Coat, wave_number: Lanes<L>) {
         match *coat {
+            Coat::Unbroken { path } => self.turn(&half_turn(wave_number * path)),
             Coat::Clear { path, y, inverse } => self.pass_clear(wave_number * path, y, inverse),
             Coat::Evanescent { path, y, inverse } => self.pass_evanescent(wave_number * path, y, inverse),
             Coat::Critical { path } => {
@@ -178,6 +184,13 @@ impl<const L: usize> Sweep<L> {
         if halved.contains(&true) {
             self.absorbed.replace(halved, behind * decay.exp + absorbed);
         }
+    }
+
+    /// The phase of a layer for which the wave that runs on is left as it is.
+    #[inline(always)]
+    fn turn(&mut self, half: &HalfTurn<L>) {
+        self.phase.add(half.remainder);
+        self.turns = self.turns + half.turns;
     }
 
     #[inline(always)]
@@ -225,8 +238,7 @@ impl<const L: usize> Sweep<L> {
     ) {
         let half = half_turn(delta.re);
         let decay = decay(delta.im * 2.0);
-        self.phase.add(half.remainder);
-        self.turns = self.turns + half.turns;
+        self.turn(&half);
         let (psi, phi) = (self.psi.sum(), self.phi.sum());
         let split = Split::new(psi, phi, inverse);
         let opaque = decay.exp.0.map(|exp| exp < OPAQUE);

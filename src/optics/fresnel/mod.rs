@@ -54,7 +54,8 @@ impl Powers {
     }
 }
 
-/// Field ratios at the interface from the clear medium `n_i` (1e−9 … 1e9) into `n_t` = n + iκ, κ ≥ 0.
+/// Field ratios at the interface from the clear medium `n_i` (1e−9 … 1e9) into `n_t` = n + iκ, n ≥ 0 and κ ≥ 0 but not
+/// both zero; n = 0 is a metal without loss, which reflects everything.
 /// Real and imaginary part each keep their digits. Total reflection is an answer: complex r of modulus 1.
 pub fn amplitudes(incidence: Incidence, n_i: f64, n_t: Complex64) -> Amplitudes {
     let Some(side) = Solution::new(incidence, n_i, n_t) else { return NOTHING_THERE };
@@ -78,7 +79,7 @@ pub fn powers(incidence: Incidence, n_i: f64, n_t: Complex64) -> Powers {
         r_s,
         t_s: 4.0 * side.q_i * side.q_t.re / side.s_norm,
         r_p,
-        t_p: 4.0 * side.cos_i * side.g.re / side.p_norm,
+        t_p: 4.0 * side.cos_i * (side.g.re / side.p_norm),
     }
 }
 
@@ -117,7 +118,7 @@ impl Solution {
     /// None between equal media: there is no interface to speak of.
     #[inline]
     fn new(incidence: Incidence, n_i: f64, n_t: Complex64) -> Option<Self> {
-        debug_assert!(n_i > 0.0 && n_t.re > 0.0 && n_t.im >= 0.0);
+        debug_assert!(n_i > 0.0 && n_t.re >= 0.0 && n_t.im >= 0.0 && n_t != Complex64::ZERO);
         let contrast = Complex64::new((n_t.re - n_i) * (n_t.re + n_i) - n_t.im * n_t.im, 2.0 * n_t.re * n_t.im);
         if contrast.re == 0.0 && contrast.im == 0.0 {
             return None;
@@ -175,12 +176,13 @@ impl Solution {
         Complex64::new(re, 0.0 - 2.0 * q_i * q_t.im / s_norm)
     }
 
-    /// (cos_i − g)(cos_i + g*)/|cos_i + g|².
+    /// (cos_i − g)(cos_i + g*)/|cos_i + g|². As in T_p, g is divided first: its product with cos_i may
+    /// underflow near grazing where the ratio does not.
     fn r_p(&self) -> Complex64 {
         let Self { cos_i, g, p_norm, .. } = *self;
         let (cos2, g2) = (cos_i * cos_i, g.norm_sqr());
         let difference = if (cos2 - g2).abs() > 0.5 * cos2 { cos2 - g2 } else { self.brewster_difference(g2) };
-        Complex64::new(difference / p_norm, 0.0 - 2.0 * cos_i * g.im / p_norm)
+        Complex64::new(difference / p_norm, 0.0 - 2.0 * cos_i * (g.im / p_norm))
     }
 
     /// cos² θ_i − |g|² near its zero, from cos⁴ θ_i |n_t|⁸ − n_i⁴ |q_t|⁴ in factors that do not cancel:
