@@ -91,11 +91,6 @@ impl<const L: usize> Carried<L> {
     }
 
     #[inline(always)]
-    fn carry(&self) -> Complexes<L> {
-        Complexes { re: self.re.carry, im: self.im.carry }
-    }
-
-    #[inline(always)]
     fn add(&mut self, change: Complexes<L>) {
         self.re.add(change.re);
         self.im.add(change.im);
@@ -284,8 +279,7 @@ impl<const L: usize> Sweep<L> {
     fn incident_waves(&self, waves: &Waves) -> (Complexes<L>, Complexes<L>) {
         let y_i = Lanes::splat(waves.y_i);
         let (psi, phi) = (self.psi.sum().scaled(y_i), self.phi.sum());
-        let (psi_carry, phi_carry) = (self.psi.carry().scaled(y_i), self.phi.carry());
-        ((psi - phi) + (psi_carry - phi_carry), (psi + phi) + (psi_carry + phi_carry))
+        (psi - phi, psi + phi)
     }
 
     pub fn powers_into(&self, waves: &Waves, powers: &mut [Powers]) {
