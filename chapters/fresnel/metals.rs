@@ -1,15 +1,17 @@
 //! C14: media that absorb. The index becomes complex, and nothing else changes.
 
+use super::boundary::bounded;
 use super::fields::{flow, waves};
-use super::symbols::{N_1, N_2, Q_2, R_0, R_P, R_S, THETA_1};
-use super::{N_I, N_T, extremes, incidence, interface, over_angle, pseudo_brewster, sample_media};
+use super::symbols::{E_1, E_1R, E_2, K_0, N_1, N_2, Q_2, R_0, R_P, R_S, THETA_1, THETA_2, Z};
+use super::{N_I, N_T, extremes, incidence, interface, over_angle, pseudo_brewster, sample_media, total_reflection};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::parameter::{Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{
-    ALLOWED_ULPS, Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, exhibit, figure, statement, step,
-    stress,
+    ALLOWED_ULPS, Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, figure,
+    statement, step, stress,
 };
-use equation::expr::{cos, i, sin, sqrt, tan};
+use equation::derivation::Chain;
+use equation::expr::{conj, cos, exp, i, sin, sqrt, tan};
 use equation::value::Bindings;
 use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
@@ -28,6 +30,8 @@ use yardstick::random::uniform;
 /// The metal behind the interface.
 const METAL: Parameter = N_T.default("gold");
 
+/// The incident index, which is real.
+const N_1R: Symbol = Symbol::scalar("n_1", Dimension::ONE).real(1.0, 2.0);
 /// Real part of a complex index.
 const N: Symbol = Symbol::scalar("n", Dimension::ONE).real(0.1, 4.0);
 /// Extinction: its imaginary part.
@@ -67,6 +71,38 @@ pub(super) const STEP: Step = step(
         Equation::new(N_2, from_ellipsometer())
     }),
 ])
+.derivations(&[
+    derivation("decay", "a wave along the normal: what is imaginary in the index fades it", || {
+        fading(exp(-(KAPPA * K_0 * Z)) * exp(i() * N * K_0 * Z))
+    })
+    .slip("κ with the sign of the other time convention", || fading(exp(KAPPA * K_0 * Z) * exp(i() * N * K_0 * Z))),
+    derivation(
+        "normal_wave_from_snell",
+        "the square of n₂cosθ₂ by Snell's law, whose sines may be complex",
+        || total_reflection::normal_wave(sin(THETA_1)),
+    )
+    .slip("cosine for sine", || total_reflection::normal_wave(cos(THETA_1))),
+    derivation("s_from_boundary", "E35 solved for E₁′/E₁, with q₂ for n₂cosθ₂", || {
+        reflected(Polarisation::S, contrast(N_1 * cos(THETA_1), Q_2.into()))
+    })
+    .slip("the sign of r_s", || reflected(Polarisation::S, contrast(Q_2.into(), N_1 * cos(THETA_1)))),
+    derivation("p_from_boundary", "E38 solved for E₁′/E₁, with q₂ for n₂cosθ₂", || {
+        reflected(Polarisation::P, contrast(N_2.pow(2) * cos(THETA_1), N_1 * Q_2))
+    })
+    .slip("n₁² for n₁", || reflected(Polarisation::P, contrast(N_2.pow(2) * cos(THETA_1), N_1.pow(2) * Q_2))),
+    derivation("along_the_normal", "|r|² of either at θ = 0, with n₂ = n + iκ", || {
+        squared_at_normal(at_normal_incidence(KAPPA.pow(2)))
+    })
+    .slip("the complex index is squared where its modulus should be", || {
+        squared_at_normal(at_normal_incidence(-KAPPA.pow(2)))
+    }),
+    derivation(
+        "inversion",
+        "the square of what the ellipsometer's equation says, by r_s and r_p: that of the index",
+        || inverted(R_P / R_S),
+    )
+    .slip("ρ by r_p of the other convention", || inverted(-(R_P / R_S))),
+])
 .readout(readout)
 .checks(&[&ENERGY, &NORMAL, &PHASE, &TABLE, &MIRRORS, &CONTINUITY])
 .stress(&[
@@ -98,6 +134,48 @@ fn at_normal_incidence(absorbed: Expr) -> Expr {
 /// n₁ sin θ₁ √(1 + tan² θ₁ ((1 − ρ)/(1 + ρ))²) (Azzam & Bashara, *Ellipsometry and Polarized Light*, §4.2).
 fn from_ellipsometer() -> Expr {
     N_1 * sin(THETA_1) * sqrt(1 + tan(THETA_1).pow(2) * ((1 - RHO) / (1 + RHO)).pow(2))
+}
+
+/// e^(ik₀n₂z) of a complex index.
+fn fading(last: Expr) -> Chain {
+    Chain::new(exp(i() * K_0 * N_2 * Z))
+        .because("E over E at the interface, θ₂ = 0")
+        .given(N_2, N + i() * KAPPA, "complex index")
+        .then(last, ["complex index", "i² = −1"])
+}
+
+/// E₁′/E₁ by the boundary conditions.
+fn reflected(polarisation: Polarisation, last: Expr) -> Chain {
+    bounded(polarisation)
+        .solve_for([E_1R, E_2])
+        .given(cos(THETA_2), Q_2 / N_2, "q₂ = n₂cosθ₂")
+        .then(Equation::new(E_1R / E_1, last), ["linear solve", "q₂ = n₂cosθ₂"])
+}
+
+/// r r* at normal incidence, where q₂ = n₂.
+fn squared_at_normal(last: Expr) -> Chain {
+    let r = contrast(N_1R.into(), N_2.into());
+    Chain::new(&r * conj(r.clone()))
+        .because("|r|², q₁ = n₁ and q₂ = n₂")
+        .given(N_2, N + i() * KAPPA, "complex index")
+        .then(last, ["conjugate", "i² = −1"])
+}
+
+/// n₁² sin² θ₁ (1 + tan² θ₁ ((1 − ρ)/(1 + ρ))²) is n₂².
+fn inverted(ratio: Expr) -> Chain {
+    let along = N_1 * sin(THETA_1);
+    let square = Q_2.pow(2) + along.pow(2);
+    Chain::new(from_ellipsometer().pow(2))
+        .given(RHO, ratio, "definition of ρ")
+        .given(R_S, contrast(N_1 * cos(THETA_1), Q_2.into()), "r_s")
+        .given(R_P, contrast(N_2.pow(2) * cos(THETA_1), N_1 * Q_2), "r_p")
+        .given(N_2.pow(2), &square, "q₂² = n₂² − n₁²sin²θ₁")
+        .then(
+            along.pow(2) * (1 + (Q_2 * cos(THETA_1) / (N_1 * sin(THETA_1).pow(2)) * tan(THETA_1)).pow(2)),
+            ["r_s", "r_p"],
+        )
+        .then(square, ["tan θ = sin θ/cos θ"])
+        .then(N_2.pow(2), ["q₂² = n₂² − n₁²sin²θ₁"])
 }
 
 fn readout(setting: &Setting) -> Vec<Quantity> {

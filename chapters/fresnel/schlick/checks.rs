@@ -115,35 +115,33 @@ pub(super) const INSIDE: Check<fn(f64, f64, f64) -> f64> = check(
     "from inside glass the rarer side's cosine makes the same error as from outside, and none beyond the critical angle",
 )
 .against("Schlick and the exact R_n from outside, at the angle that Snell's law joins")
-.within(64.0, "ε", "R_n is the same from both sides; the refracted cosine's roundings, times a slope of R_n of six or less")
+.within(
+    64.0,
+    "ε/cos θ₂",
+    "R_n is the same from both sides; by Snell's law a rounding of cos θ₁ is n²cos θ₁/cos θ₂ of them in the refracted cosine, \
+     times a slope of R_n of six or less",
+)
 .of(from_inside, schlick_rarer_side)
 .slip("cos θ₁ is used in the denser medium", |cos_i, n_i, n_t| schlick(cos_i, normal_reflectance(n_i, n_t.into())));
 
-/// Error from inside less that from outside. The angles are given outside, where all of them have one inside.
+/// Error from inside less that from outside, at angles given outside, where each has one inside; and what is missing to
+/// 1 beyond the critical one.
 fn from_inside(_: &mut Bench, approximate: fn(f64, f64, f64) -> f64) -> Measured {
-    Measured::worst(
-        GLASSES
-            .into_iter()
-            .flat_map(|n| {
-                let joined = cosines().map(move |outside| {
-                    let inside = ((n - 1.0) * (n + 1.0) + outside * outside).sqrt() / n;
-                    let error = |approximate, cos_i, n_i, n_t: f64| {
-                        approximate - powers(Incidence::from_cos(cos_i), n_i, n_t.into()).r_n()
-                    };
-                    let there = error(schlick(outside, normal_reflectance(1.0, n.into())), outside, 1.0, n);
-                    (
-                        error(approximate(inside, n, 1.0), inside, n, 1.0) - there,
-                        format!("n {n} → 1, cos θ₂ = {outside:.4}"),
-                    )
-                });
-                let beyond = [0.0, 0.3, 0.6].map(|share| {
-                    let cos_i = share * ((n - 1.0) * (n + 1.0)).sqrt() / n;
-                    (approximate(cos_i, n, 1.0) - 1.0, format!("n {n} → 1, cos θ₁ = {cos_i:.4}"))
-                });
-                joined.chain(beyond)
-            })
-            .map(|(error, place)| (error / f64::EPSILON, place)),
-    )
+    let r_n = |cos_i, n_i, n_t: f64| powers(Incidence::from_cos(cos_i), n_i, n_t.into()).r_n();
+    Measured::worst(GLASSES.into_iter().flat_map(|n| {
+        let critical = ((n - 1.0) * (n + 1.0)).sqrt() / n;
+        let joined = cosines().map(move |outside| {
+            let inside = critical.hypot(outside / n);
+            let there = schlick(outside, normal_reflectance(1.0, n.into())) - r_n(outside, 1.0, n);
+            let here = approximate(inside, n, 1.0) - r_n(inside, n, 1.0);
+            ((here - there) * outside / f64::EPSILON, format!("n {n} → 1, cos θ₂ = {outside:.4}"))
+        });
+        let beyond = [0.0, 0.3, 0.6].map(|share| {
+            let missing = 1.0 - approximate(share * critical, n, 1.0);
+            (missing / f64::EPSILON, format!("n {n} → 1, cos θ₁ = {:.4}", share * critical))
+        });
+        joined.chain(beyond)
+    }))
 }
 
 pub(super) const METALS: Check<fn(f64, f64) -> f64> = check(
