@@ -398,6 +398,9 @@ const CONTINUITY: Check<fn(Complex64) -> Complex64> =
         .of(approach, |r| r)
         .slip("the root on the other branch behind total reflection", |r| r.conj());
 
+/// One of the amplitudes.
+type Ratio = fn(&Amplitudes) -> Complex64;
+
 /// How far the slope of |r(κ) − r(0)| is from 1, in partial and in total reflection.
 fn approach(_: &mut Bench, amend: fn(Complex64) -> Complex64) -> Measured {
     let cases = [(1.0, 1.5, 0.3), (1.0, 1.5, 1.3), (1.5, 1.0, 0.3), (1.5, 1.0, 0.9), (1.5, 1.0, 1.3)];
@@ -406,7 +409,7 @@ fn approach(_: &mut Bench, amend: fn(Complex64) -> Complex64) -> Measured {
         let at = |k: f64| amplitudes(Incidence::from(direction), n_i, Complex64::new(n, k));
         let exact = Exact::new(&Input { direction, n_i, n_t: n.into() }).outputs.map(|part| precise::to_f64(&part));
         let clear = |at: usize| Complex64::new(exact[at], exact[at + 1]);
-        let ratios: [(fn(&Amplitudes) -> Complex64, Complex64); 4] =
+        let ratios: [(Ratio, Complex64); 4] =
             [(|a| a.r_s, clear(0)), (|a| a.t_s, clear(2)), (|a| a.r_p, clear(4)), (|a| a.t_p, clear(6))];
         ratios.map(|(ratio, clear)| {
             let trace = (2..=8).map(|decade| 10f64.powi(-decade));

@@ -160,7 +160,7 @@ pub(super) const STEP: Step = step(
     )
     .textbook("Rouard's recursion of Fresnel coefficients in f64")
     .against("Parratt's recursion in 256 bits or more"),
-    stress("many", "a thousand films keep the digits of R and T", |_| many())
+    stress("many", "thousands of films keep the digits of R, T and A", |_| many())
         .textbook("the characteristic matrix in f64")
         .against("Parratt's recursion in 256 bits or more"),
 ])
