@@ -6,7 +6,7 @@ use light::Polarisation;
 use light::optics::film::{Layer, Powers, Stack};
 use light::optics::incidence::normal_squared;
 use light::optics::{Direction, Incidence};
-use light::references::film::{condition, reference};
+use light::references::film::{Condition, condition, reference};
 use rand::RngExt;
 use std::f64::consts::{FRAC_PI_2, PI};
 use yardstick::precise::{Real, relative_error, to_f64};
@@ -58,9 +58,13 @@ struct Worst {
 const LIMIT: f64 = 16.0;
 
 fn judge(case: &Case, polarisation: Polarisation, worst: &mut Worst) {
+    let kappa = condition(&case.stack(), case.wavelength, case.angle, polarisation);
+    judge_by(&kappa, case, polarisation, worst);
+}
+
+fn judge_by(kappa: &Condition, case: &Case, polarisation: Polarisation, worst: &mut Worst) {
     let stack = case.stack();
     let exact = reference(&stack, case.wavelength, case.angle, polarisation);
-    let kappa = condition(&stack, case.wavelength, case.angle, polarisation);
     let ours = stack.response(case.wavelength, Incidence::from(case.angle), polarisation);
     let describe = || {
         let mut layers = case.layers.clone();
@@ -134,11 +138,18 @@ fn judge_all(family: &str, cases: impl IntoIterator<Item = Case>) {
             judge(&case, polarisation, &mut worst);
         }
     }
-    assert!(worst.count > 0);
-    println!(
-        "{family:28} {:4} cases: R {:6.2} T {:6.2} ln T {:6.2} A {:6.2} ε(1+κ); |R + T − 1| {:6.2} ε",
-        worst.count, worst.reflectance, worst.transmittance, worst.ln_transmittance, worst.absorptance, worst.energy
-    );
+    worst.report(family);
+}
+
+impl Worst {
+    fn report(&self, family: &str) {
+        let Self { reflectance, transmittance, ln_transmittance, absorptance, energy, count } = self;
+        assert!(*count > 0);
+        println!(
+            "{family:28} {count:4} cases: R {reflectance:6.2} T {transmittance:6.2} ln T {ln_transmittance:6.2} \
+             A {absorptance:6.2} ε(1+κ); |R + T − 1| {energy:6.2} ε"
+        );
+    }
 }
 
 /// From the normal to grazing.
@@ -337,6 +348,57 @@ fn exactly_critical_layers_stay_finite() {
 }
 
 #[test]
+fn a_matched_stack_reflects_nothing_at_all() {
+    let angles = (0..16).map(|step| Direction::Angle(0.1 * f64::from(step)));
+    for direction in angles.chain([Direction::Cos(1e-9)]) {
+        for polarisation in BOTH {
+            let layers = [0.3e-6, 1e-6, 0.0, 7e-3].map(|thickness| layer(1.37, 0.0, thickness));
+            let stack = Stack { n_i: 1.37, layers: &layers, substrate: clear(1.37) };
+            let incidence = Incidence::from(direction);
+            let found = stack.response(GREEN, incidence, polarisation);
+            assert_eq!((found.r, found.reflectance), (Complex64::ZERO, 0.0), "{direction:?}");
+            assert_eq!((found.transmittance, found.absorptance, found.ln_transmittance), (1.0, 0.0, 0.0));
+            let exact = yardstick::precise::to_complex64(&reference(&stack, GREEN, direction, polarisation).t);
+            // 10⁵ rad of phase across the stack, each layer's path rounded twice.
+            assert!((found.t - exact).norm() <= 4.0 * EPSILON * 1e5, "{found:?} {exact}");
+        }
+    }
+}
+
+#[test]
+fn the_faintest_film_between_equal_media_keeps_its_digits() {
+    // One atom's layer thinned by twenty orders: R is far below the square of any rounding.
+    let faint = [1e-30, 1e-24, 1e-20].into_iter().flat_map(|d| {
+        [0.0, 0.3, 1.4].map(|angle| Case {
+            n_i: 1.33,
+            layers: vec![layer(1.5, 0.0, d), layer(1.7, 0.0, d)],
+            substrate: clear(1.33),
+            wavelength: GREEN,
+            angle: Direction::Angle(angle),
+        })
+    });
+    judge_all("faintest films", faint);
+}
+
+#[test]
+fn metals_without_loss_absorb_nothing() {
+    // Re(n²) < 0 and Im(n²) = 0: films that waves tunnel through, and substrates that send everything back.
+    let angles = [0.0, 0.8, 1.5].map(Direction::Angle).into_iter().chain([Direction::Grazing(1e-9)]);
+    let cases = angles.flat_map(|angle| {
+        [1e-9, 20e-9, 3e-7, 1e-3].into_iter().flat_map(move |d| {
+            let case = |layers, substrate| Case { n_i: 1.5, layers, substrate, wavelength: GREEN, angle };
+            [
+                case(vec![layer(0.0, 2.0, d)], clear(1.5)),
+                case(vec![layer(1.38, 0.0, 1e-7), layer(0.0, 1e9, d)], clear(1.0)),
+                case(vec![layer(2.3, 0.0, d), layer(0.0, 1e-9, 1e-7)], Complex64::new(0.0, 3.0)),
+                case(vec![layer(1.38, 0.01, d)], Complex64::new(0.0, 1.2)),
+            ]
+        })
+    });
+    judge_all("metals without loss", cases);
+}
+
+#[test]
 fn surface_plasmons() {
     let cases = [30e-9, 50e-9, 70e-9].into_iter().flat_map(|d| {
         (0..12).map(move |i| Case {
@@ -428,6 +490,70 @@ fn a_thousand_random_layers() {
     let mut random = stream(3, "film/thousand");
     let cases = [random_case(&mut random, 1000)];
     judge_all("1000 random layers", cases);
+}
+
+/// `count` slices, each a share of one of the films in turn, which together are as thick as those.
+fn sliced(films: &[Layer], count: usize) -> Vec<Layer> {
+    let share = |film: &Layer| Layer { thickness: film.thickness * films.len() as f64 / count as f64, ..*film };
+    (0..count).map(|at| share(&films[at % films.len()])).collect()
+}
+
+/// Films cut into `count` slices. The condition is that of a thousand: how finely a film is cut does not change how much
+/// its answer depends on what it is made of.
+fn slices(count: usize, cases: &[(f64, &[Layer], f64)]) {
+    let mut worst = Worst::default();
+    for &(n_i, films, angle) in cases {
+        let cut = |count| Case {
+            n_i,
+            layers: sliced(films, count),
+            substrate: clear(1.52),
+            wavelength: GREEN,
+            angle: Direction::Angle(angle),
+        };
+        for polarisation in BOTH {
+            let kappa = condition(&cut(1000).stack(), GREEN, Direction::Angle(angle), polarisation);
+            for (part, name) in [(kappa.reflectance, "R"), (kappa.transmittance, "T")] {
+                assert!(part < 1e4, "{name} of {films:?} tells nothing: {part}");
+            }
+            judge_by(&kappa, &cut(count), polarisation, &mut worst);
+        }
+    }
+    worst.report(&format!("{count} slices"));
+}
+
+#[test]
+fn a_film_of_thousands_of_slices_is_as_exact_as_one() {
+    let cases: [(f64, &[Layer], f64); 6] = [
+        (1.0, &[layer(2.0, 0.1, 64e-9)], 0.0),
+        (1.0, &[layer(2.0, 0.0, 64e-9)], 0.8),
+        (1.0, &[layer(0.2, 3.4, 40e-9), layer(2.3, 1e-3, 90e-9)], 0.8),
+        (1.0, &[layer(0.0, 2.0, 30e-9), layer(1.38, 0.0, 1e-6)], 0.0),
+        (1.5, &[layer(1.0, 0.0, 100e-9), layer(1.0, 1e-6, 1e-7)], 1.0),
+        (1.0, &[layer(1.5, 0.5, 3e-6)], 0.8),
+    ];
+    slices(1000, &cases);
+    slices(1 << 14, &cases[..3]);
+}
+
+#[test]
+fn a_hundred_thousand_slices_keep_the_promise() {
+    slices(100_000, &[(1.0, &[layer(2.0, 0.1, 64e-9)], 0.8), (1.0, &[layer(2.0, 0.0, 64e-9)], 0.8)]);
+}
+
+#[test]
+fn amplitudes_of_a_hundred_thousand_slices_keep_their_phase() {
+    // 900 rad of phase in absorbing slices: what rounds off on the way must not add up.
+    let layers = sliced(&[layer(1.5, 1e-5, 55e-6)], 100_000);
+    let stack = Stack { n_i: 1.0, layers: &layers, substrate: clear(1.5) };
+    let angle = Direction::Angle(0.3);
+    let (ours, exact) = (
+        stack.response(GREEN, Incidence::from(angle), Polarisation::S),
+        reference(&stack, GREEN, angle, Polarisation::S),
+    );
+    let off = |ours: Complex64, exact| (ours - yardstick::precise::to_complex64(exact)).norm() / ours.norm();
+    // The phase itself is the condition: a relative change of any thickness turns t by that share of it.
+    let limit = LIMIT * EPSILON * 1000.0;
+    assert!(off(ours.t, &exact.t) <= limit && off(ours.r, &exact.r) <= limit, "{ours:?}");
 }
 
 #[test]

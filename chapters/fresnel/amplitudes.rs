@@ -113,9 +113,7 @@ pub(super) const R_P_STEP: Step =
             .against(ROUTE)
             .bound(AS_PROMISED)
             .of::<fn() -> Expr>(|bench, equation| against_equation(bench, &equation(), |a| a.r_p, 4), r_p)
-            .slip("θ₂ is squared in the denominator", || {
-                tan(THETA_1 - THETA_2) / tan(THETA_1 - THETA_2 + 2 * THETA_2 * THETA_2)
-            })])
+            .slip("the sign of the other convention, in which r_p = r_s along the normal", || -r_p())])
         .stress(&[stress(
             "brewster",
             "r_p keeps its digits where it vanishes: at Brewster's angle, and between nearly equal media",

@@ -13,7 +13,7 @@ use crate::vocabulary::{
 use equation::derivation::Chain;
 use equation::expr::{cos, pi, sin, tan};
 use equation::{Dimension, Equation, Expr, Symbol};
-use light::optics::fresnel::{Powers, brewster_angle, powers, refract};
+use light::optics::fresnel::{Powers, amplitudes, brewster_angle, critical_angle, powers, refract};
 use light::optics::{Direction, Incidence};
 use light::references::fresnel::Input;
 use std::f64::consts::FRAC_PI_2;
@@ -134,25 +134,36 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
 }
 
 const NOTHING_REFLECTED: Check<fn(f64, f64) -> f64> =
-    check("minimum", "the least R_p over all angles is at arctan(n₂/n₁)")
-        .against("golden-section search for the zero of R_p, by values alone")
+    check("minimum", "the least R_p over all angles, none, is at arctan(n₂/n₁)")
+        .against("bisection for the angle at which r_p changes its sign, by values alone")
         .within(
-            1e-8,
-            "rad",
-            "√R_p falls linearly to its zero, so the search finds it to rounding; 1e−8 leaves room for the slope",
+            4.0,
+            "ε",
+            "relative: the two angles between which r_p changes its sign are neighbours, half an ε to an ε apart, the \
+             arctangent rounds its argument and its value, and so does the critical angle at which the search may end",
         )
-        .of(distance_of_minimum, brewster_angle)
+        .of(distance_of_zero, brewster_angle)
         .slip("the angle of the way back", |n_i, n_t| brewster_angle(n_t, n_i));
 
-fn distance_of_minimum(bench: &mut Bench, angle: fn(f64, f64) -> f64) -> Measured {
+fn distance_of_zero(bench: &mut Bench, angle: fn(f64, f64) -> f64) -> Measured {
     let own = interface(bench.setting);
-    let media = [(1.0, 1.33), (1.0, 1.5), (1.0, 2.4), (1.5, 1.0), (1.0, 4.0), (own.n_i, own.n_t.re)];
-    Measured::worst(media.into_iter().filter(|(n_i, n_t)| n_i != n_t).map(|(n_i, n_t)| {
-        // Below the critical angle there is one minimum; beyond it R = 1.
-        let last = light::optics::fresnel::critical_angle(n_i, n_t).unwrap_or(FRAC_PI_2);
-        let root = |theta: f64| powers(Incidence::from_angle(theta), n_i, n_t.into()).r_p.sqrt();
-        let found = super::golden_section(root, 0.0, last);
-        (found - angle(n_i, n_t), format!("n {n_i} → {n_t}"))
+    let mut media = vec![(1.0, 1.33), (1.0, 1.5), (1.0, 2.4), (1.5, 1.0), (1.0, 4.0), (1.0, 1e8), (1e9, 1e-9)];
+    // A metal's r_p turns its phase and has no sign to change.
+    if own.n_t.im == 0.0 && own.n_t.re != own.n_i {
+        media.push((own.n_i, own.n_t.re));
+    }
+    Measured::worst(media.into_iter().map(|(n_i, n_t)| {
+        let is_before = |theta: f64| {
+            let r_p = amplitudes(Incidence::from_angle(theta), n_i, n_t.into()).r_p.re;
+            (r_p > 0.0) == (n_t > n_i)
+        };
+        // Beyond the critical angle r_p turns its phase too.
+        let (mut before, mut behind) = (0.0, critical_angle(n_i, n_t).unwrap_or(FRAC_PI_2));
+        while f64::next_up(before) < behind {
+            let middle = 0.5 * (before + behind);
+            *(if is_before(middle) { &mut before } else { &mut behind }) = middle;
+        }
+        ((behind / angle(n_i, n_t) - 1.0) / f64::EPSILON, format!("n {n_i} → {n_t}"))
     }))
 }
 

@@ -20,6 +20,14 @@ pub struct Wave {
     pub h: Vector,
 }
 
+impl Wave {
+    /// The fields of both together.
+    pub fn plus(&self, other: &Self) -> Self {
+        let sum = |a: Vector, b: Vector| [0, 1, 2].map(|axis| a[axis] + b[axis]);
+        Self { e: sum(self.e, other.e), h: sum(self.h, other.h) }
+    }
+}
+
 /// Incident, reflected and transmitted wave for the amplitude ratios `a`.
 pub fn waves(polarisation: Polarisation, incidence: Incidence, n_i: f64, n_t: Complex64, a: &Amplitudes) -> [Wave; 3] {
     let (sin, cos) = (Complex64::from(incidence.sin()), Complex64::from(incidence.cos()));

@@ -2,7 +2,7 @@
 
 use super::{N_I, N_T};
 use crate::parameter::{
-    Alias, BY_FREQUENCY, Fault, Function, INDEX_MAX, Kind, Output, Parameter, Setting, THETA, WAVELENGTH,
+    Alias, BY_FREQUENCY, Fault, Function, INDEX_MAX, INDEX_MIN, Kind, Output, Parameter, Setting, THETA, WAVELENGTH,
 };
 use light::Complex64;
 use light::Polarisation;
@@ -73,7 +73,7 @@ const SCHLICK: Function = Function {
 /// An interface, by the names that the chapter's steps use; the older ones are aliases.
 const INTERFACE: &[Parameter] = &[
     N_I.required().aliases(&[Alias::same("n1")]),
-    N_T.required().aliases(&[Alias::same("n2")]),
+    Parameter { kind: Kind::MediumInParts, ..N_T.required().aliases(&[Alias::same("n2")]) },
     extinction("k_t", "κ_2", "imaginary part of n_t where that is a plain number; positive absorbs")
         .aliases(&[Alias::same("k2")]),
     THETA.required().aliases(&[Alias::same("theta1")]),
@@ -108,7 +108,8 @@ const THIN_FILM: Function = Function {
             "the films, in the order in which the light meets them; may be none",
             Kind::List { of: &Kind::Record(LAYER), most: 100_000 },
         ),
-        Parameter::new("substrate", "", "what lies behind", Kind::Record(SUBSTRATE)),
+        Parameter::new("substrate", "n_s", "what lies behind", Kind::Record(SUBSTRATE))
+            .aliases(&[Alias::same("n_s"), Alias::same("n_t")]),
         THETA.required().aliases(&[Alias::same("theta0")]),
         COS_THETA.aliases(&[Alias::same("cos_theta0")]),
         Parameter::new("pol", "", "polarisation", Kind::Choice(&["s", "p"])),
@@ -158,7 +159,7 @@ const NM: f64 = 1e-9;
 const WAVELENGTHS: (f64, f64) = (1e-3 * NM, 1e12 * NM);
 
 const N: Parameter =
-    Parameter::new("n", "n", "index, or a medium by name", Kind::Medium).aliases(&[Alias::same("medium")]);
+    Parameter::new("n", "n", "index, or a medium by name", Kind::MediumInParts).aliases(&[Alias::same("medium")]);
 const K: Parameter = extinction("k", "κ", "imaginary part of n where that is a plain number");
 const SUBSTRATE: &[Parameter] = &[N, K];
 const LAYER: &[Parameter] = &[
@@ -177,6 +178,10 @@ fn interface(setting: &Setting) -> Result<(Incidence, f64, Complex64), Fault> {
 fn index(setting: &Setting, n: &'static str, k: &'static str, wavelength: f64) -> Result<Complex64, Fault> {
     let (medium, extinction) = (setting.medium(n), setting.number(k));
     match medium {
+        Medium::Constant(index) if index.re == 0.0 && index.im + extinction < INDEX_MIN => {
+            let place = setting.given(n).unwrap_or(n);
+            Err(Fault::new(place, format!("0 needs {k} of at least {INDEX_MIN:e}: a metal without loss")))
+        }
         Medium::Constant(index) if index.im == 0.0 => Ok(Complex64::new(index.re, extinction)),
         _ if extinction != 0.0 => {
             let (place, other) = (setting.given(k).unwrap_or(k), setting.given(n).unwrap_or(n));
@@ -242,6 +247,36 @@ mod tests {
             let names = found.iter().map(|(name, _)| *name);
             assert!(names.eq(function.outputs.iter().map(|output| output.name)), "{}", function.name);
         }
+    }
+
+    #[test]
+    fn a_metal_without_loss_reflects_everything() {
+        let angle = [("n_i", Argument::from(1.5)), ("theta", "40deg".into())];
+        let whole = call(&FRESNEL, &[&angle[..], &[("n_t", "0+2i".into())]].concat()).unwrap();
+        let parts = call(&FRESNEL, &[&angle[..], &[("n_t", 0.0.into()), ("k_t", 2.0.into())]].concat()).unwrap();
+        assert_eq!(whole, parts);
+        assert_eq!((whole[8], whole[10]), (("R_s", 1.0), ("R_p", 1.0)));
+        let nothing = call(&FRESNEL, &[&angle[..], &[("n_t", 0.0.into())]].concat()).unwrap_err();
+        assert_eq!(nothing.place, "n_t");
+        let film = thin_film(vec![record(&[("n", 0.0), ("k", 3.0), ("d_nm", 20.0)])]).unwrap();
+        assert_eq!(film[6], ("A", 0.0));
+        assert_eq!(thin_film(vec![record(&[("n", 0.0), ("d_nm", 20.0)])]).unwrap_err().place, "layers[0].n");
+    }
+
+    #[test]
+    fn a_substrate_is_given_as_other_media_are() {
+        let on = |name: &str, substrate: Argument| {
+            let rest =
+                [("wavelength", "550nm".into()), ("n_i", 1.0.into()), ("theta", 0.3.into()), ("pol", "s".into())];
+            call(&THIN_FILM, &[&rest[..], &[("layers", Argument::List(vec![])), (name, substrate)]].concat())
+        };
+        let bk7 = on("substrate", Argument::record([("n", "bk7".into())])).unwrap();
+        assert_eq!(on("substrate", "bk7".into()).unwrap(), bk7);
+        assert_eq!(on("n_s", "bk7".into()).unwrap(), bk7);
+        assert_eq!(on("n_t", "bk7".into()).unwrap(), bk7);
+        assert_eq!(on("substrate", 1.52.into()), on("substrate", record(&[("n", 1.52)])));
+        assert_eq!(on("substrate", "0.2+3.4i".into()), on("substrate", record(&[("n", 0.2), ("k", 3.4)])));
+        assert_eq!(on("substrate", "kryptonite".into()).unwrap_err().place, "substrate");
     }
 
     #[test]

@@ -14,6 +14,7 @@ use glam::DVec3;
 use light::Complex64;
 use light::optics::Incidence;
 use light::optics::fresnel::powers;
+use light::optics::incidence::mirrored;
 
 use super::symbols::{N_REL, R_N, THETA_1};
 
@@ -187,9 +188,9 @@ fn meet(ray: Ray) -> Option<(DVec3, DVec3)> {
 fn look(ray: Ray, share: &impl Fn(f64) -> f64) -> DVec3 {
     let Some((point, normal)) = meet(ray) else { return surroundings(ray) };
     let cos = -ray.direction.dot(normal);
-    let mirrored = Ray { origin: point, direction: ray.direction + 2.0 * cos * normal };
+    let onwards = Ray { origin: point, direction: mirrored(ray.direction.into(), normal.into()).into() };
     let reflected = share(cos);
-    reflected * surroundings(mirrored) + (1.0 - reflected) * DVec3::new(0.012, 0.018, 0.03)
+    reflected * surroundings(onwards) + (1.0 - reflected) * DVec3::new(0.012, 0.018, 0.03)
 }
 
 /// A tiled floor under a sky that is bright at the horizon, with one lamp.

@@ -11,9 +11,10 @@ use crate::vocabulary::{
 use equation::derivation::Chain;
 use equation::expr::{asin, cos, partial, pi, sin};
 use equation::{Dimension, Equation, Expr, Symbol};
+use glam::DVec3;
 use light::Complex64;
 use light::optics::fresnel::refract;
-use light::optics::incidence::{normal_squared, outgoing_root};
+use light::optics::incidence::{mirrored, normal_squared, outgoing_root};
 use light::optics::{Direction, Incidence, fresnel};
 use yardstick::precise;
 
@@ -180,19 +181,29 @@ fn least_time(_: &mut Bench, order: fn(f64, f64) -> (f64, f64)) -> Measured {
     ))
 }
 
-const MIRROR: Check<fn(f64) -> f64> = check("shortest_way", "the reflected ray leaves at the angle of incidence")
-    .against("Fermat's principle: golden-section search for the point of the shortest way by way of the interface")
-    .within(1e-7, "1", "as for the refracted ray: √ε")
-    .of(shortest_way, |height| height)
-    .slip("the tangent upside down", |height| height.recip());
+/// Where a mirror of the given normal sends what runs in a direction.
+type Mirror = fn([f64; 3], [f64; 3]) -> [f64; 3];
 
-/// From (0, 1) by way of (x, 0) to (1, `height`): the tangents of the two angles.
-fn shortest_way(_: &mut Bench, amend: fn(f64) -> f64) -> Measured {
+const MIRROR: Check<Mirror> = check(
+    "shortest_way",
+    "a mirror sends the ray on along the shortest way to where it goes: at the angle of incidence",
+)
+.against("Fermat's principle: golden-section search for the point of the shortest way by way of the interface")
+.within(1e-7, "1", "as for the refracted ray: √ε")
+.of(shortest_way, mirrored)
+.slip("the normal part is taken away once, not twice", |direction, normal| {
+    let [direction, normal] = [direction, normal].map(DVec3::from);
+    (direction - direction.dot(normal) * normal).normalize().into()
+});
+
+/// From (0, 0, −1) by way of (x, 0, 0) to (1, 0, −`height`): how far the program's mirror points past the end.
+fn shortest_way(_: &mut Bench, mirror: Mirror) -> Measured {
     Measured::worst([0.2, 0.5, 2.0, 3.0].map(|height| {
         let way = |x: f64| x.hypot(1.0) + (1.0 - x).hypot(height);
         let x = super::golden_section(way, 0.0, 1.0);
-        let (incident, reflected) = (x.atan(), ((1.0 - x) / amend(height)).atan());
-        (incident - reflected, format!("height {height}"))
+        let towards = DVec3::new(1.0 - x, 0.0, -height).normalize();
+        let sent = mirror(DVec3::new(x, 0.0, 1.0).normalize().into(), DVec3::Z.into());
+        ((DVec3::from(sent) - towards).length(), format!("height {height}"))
     }))
 }
 

@@ -16,7 +16,7 @@ impl Kind {
             Self::Number(range) => range.draw(dice).into(),
             Self::Count { min, max } => Range::new(*min as f64, *max as f64, "1").draw(dice).round().into(),
             Self::Choice(words) => (*pick(dice, words)).into(),
-            Self::Medium => medium(Taken::All, dice),
+            Self::Medium | Self::MediumInParts => medium(Taken::All, dice),
             Self::ClearMedium => medium(Taken::Clear, dice),
             Self::Conductor => conductor(dice),
             Self::Vector(range) => Argument::List((0..3).map(|_| range.draw(dice).into()).collect()),
@@ -86,7 +86,10 @@ fn medium(taken: Taken, dice: &mut Stream) -> Argument {
     match (below(dice, 4), taken) {
         (0 | 1, _) => (*pick(dice, &names)).into(),
         (2, Taken::All) => {
-            let (n, k) = (index.draw(dice), Range::new(0.0, INDEX_MAX, "1").draw(dice));
+            let (n, k) = match below(dice, 8) {
+                0 => (0.0, index.draw(dice)),
+                _ => (index.draw(dice), Range::new(0.0, INDEX_MAX, "1").draw(dice)),
+            };
             match below(dice, 2) {
                 0 => format!("{n:?}+{k:?}i").into(),
                 _ => Argument::record([("n", n.into()), ("k", k.into())]),

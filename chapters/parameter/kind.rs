@@ -22,6 +22,9 @@ pub enum Kind {
     Choice(&'static [&'static str]),
     /// A refractive index: a number, `n+ki`, or a material by name, evaluated at the setting's wavelength.
     Medium,
+    /// The same, of which a number may be the real part alone: the imaginary one is another parameter, and its owner sees
+    /// to it that both are not zero.
+    MediumInParts,
     /// A medium that does not absorb.
     ClearMedium,
     /// A medium that may conduct, at any frequency: `ε_r/μ_r/σ` with σ in S/m (`80/1/4`), or one by name.
@@ -51,7 +54,7 @@ impl Kind {
             Self::Number(_) => "number",
             Self::Count { .. } => "count",
             Self::Choice(_) => "choice",
-            Self::Medium => "medium",
+            Self::Medium | Self::MediumInParts => "medium",
             Self::ClearMedium => "clear_medium",
             Self::Conductor => "conducting_medium",
             Self::Vector(_) => "vector",
@@ -64,7 +67,7 @@ impl Kind {
     pub fn unit(&self) -> &'static str {
         match self {
             Self::Number(range) | Self::Vector(range) => range.unit,
-            Self::Count { .. } | Self::Medium | Self::ClearMedium => "1",
+            Self::Count { .. } | Self::Medium | Self::MediumInParts | Self::ClearMedium => "1",
             Self::Choice(_) | Self::Conductor | Self::List { .. } | Self::Record(_) => "",
         }
     }
@@ -82,6 +85,7 @@ impl Kind {
             }),
             Self::Choice(words) => read_word(argument, words).map(Value::Word),
             Self::Medium => Taken::All.read(argument).map(Value::Medium),
+            Self::MediumInParts => Taken::Parts.read(argument).map(Value::Medium),
             Self::ClearMedium => Taken::Clear.read(argument).map(Value::Medium),
             Self::Conductor => read_conductor(argument).map(Value::Conductor),
             Self::Vector(range) => match argument {
@@ -105,8 +109,15 @@ impl Kind {
                 Argument::List(items) => Err(fault(format!("{} of them; {}", items.len(), self.words()))),
                 _ => Err(fault(format!("must be a list; {}", self.words()))),
             },
-            Self::Record(parameters) => match argument {
-                Argument::Record(fields) => Setting::record(parameters, fields).map(Value::Record),
+            Self::Record(parameters) => match (argument, alone(parameters)) {
+                (Argument::Record(fields), _) => Setting::record(parameters, fields).map(Value::Record),
+                (Argument::Number(_) | Argument::Text(_), Some(field)) => {
+                    let fields = [(field.name.to_owned(), argument.clone())];
+                    let at_whole = |fault: Fault| {
+                        if fault.place == field.name { Fault { place: String::new(), ..fault } } else { fault }
+                    };
+                    Setting::record(parameters, &fields).map(Value::Record).map_err(at_whole)
+                }
                 _ => Err(fault(format!("must have fields; {}", self.words()))),
             },
         }
@@ -121,7 +132,7 @@ impl Kind {
                 format!("valid: {} to {}", end(*min), end(*max))
             }
             Self::Choice(words) => format!("valid: {}", words.join(", ")),
-            Self::Medium => Taken::All.words().into(),
+            Self::Medium | Self::MediumInParts => Taken::All.words().into(),
             Self::ClearMedium => Taken::Clear.words().into(),
             Self::Conductor => CONDUCTOR_DOMAIN.into(),
             Self::Vector(range) => format!("{}, three times", range.words("", "")),
@@ -134,7 +145,8 @@ impl Kind {
                     let names = parameter.names().collect::<Vec<_>>().join(" or ");
                     parameter.default.map_or(names.clone(), |default| format!("{names} = {default}"))
                 };
-                format!("valid: {{{}}}", parameters.iter().map(field).collect::<Vec<_>>().join(", "))
+                let alone = alone(parameters).map_or(String::new(), |field| format!(", or {} alone", field.name));
+                format!("valid: {{{}}}{alone}", parameters.iter().map(field).collect::<Vec<_>>().join(", "))
             }
         }
     }
@@ -162,7 +174,7 @@ impl Kind {
             Self::Number(range) | Self::Vector(range) => fields.extend(ends(range)),
             Self::Count { min, max } => fields.extend([("min", (*min as f64).into()), ("max", (*max as f64).into())]),
             Self::Choice(words) => fields.push(("words", Argument::words(words.iter().copied()))),
-            Self::Medium => fields.extend([
+            Self::Medium | Self::MediumInParts => fields.extend([
                 ("n", pair((INDEX_MIN, INDEX_MAX))),
                 ("k", pair((0.0, INDEX_MAX))),
                 ("names", Argument::words(Taken::All.names())),
@@ -193,7 +205,7 @@ impl Kind {
             Self::Number(range) => vec![range.min.into(), range.max.into()],
             Self::Count { min, max } => vec![(*min as f64).into(), (*max as f64).into()],
             Self::Choice(words) => words.iter().map(|word| (*word).into()).collect(),
-            Self::Medium => vec![1.0.into(), "4+9i".into()],
+            Self::Medium | Self::MediumInParts => vec![1.0.into(), "4+9i".into()],
             Self::ClearMedium => vec![1.0.into(), 4.0.into()],
             Self::Conductor => vec!["vacuum".into(), "1e-9/1e-9/0".into(), "1e9/1e9/1e30".into()],
             Self::Vector(range) => [range.min, range.max].map(|end| Argument::List(vec![end.into(); 3])).to_vec(),
@@ -207,6 +219,12 @@ impl Kind {
             }
         }
     }
+}
+
+/// The field that may stand for a whole record: the only one that has to be given.
+fn alone(parameters: &'static [Parameter]) -> Option<&'static Parameter> {
+    let mut needed = parameters.iter().filter(|field| field.is_required());
+    needed.next().filter(|_| needed.next().is_none())
 }
 
 /// A whole number, however it is written: 100, 100.0 and 1e2 are one.

@@ -100,6 +100,8 @@ impl fmt::Display for Conductor {
 pub(super) enum Taken {
     /// All.
     All,
+    /// All, and zero, whose imaginary part stands apart.
+    Parts,
     /// Those that do not absorb.
     Clear,
 }
@@ -108,7 +110,9 @@ impl Taken {
     /// The valid values in words.
     pub fn words(self) -> &'static str {
         match self {
-            Self::All => "valid: 1e-9 to 1e9, n+ki with k from 0 to 1e9, or a material by name",
+            Self::All | Self::Parts => {
+                "valid: 1e-9 to 1e9, n+ki with k from 0 to 1e9 (n = 0 where k is at least 1e-9), or a material by name"
+            }
             Self::Clear => "valid: 1e-9 to 1e9, or a clear material by name",
         }
     }
@@ -123,7 +127,7 @@ impl Taken {
                 at.iter().all(|wavelength| optics.index(*wavelength).is_some_and(|index| index.im == 0.0))
             })
         };
-        media::optical().filter(move |known| self == Self::All || is_clear(known)).map(|known| known.name)
+        media::optical().filter(move |known| self != Self::Clear || is_clear(known)).map(|known| known.name)
     }
 
     /// Reads an index (a number, a text, or the fields n and k) or a name. Whether a named medium absorbs is judged at
@@ -160,7 +164,11 @@ impl Taken {
         if !(index.re.is_finite() && index.im.is_finite()) {
             return Err(Fault::new("", format!("`{}` is not a finite index; {}", excerpt(given), self.words())));
         }
-        if !(INDEX_MIN..=INDEX_MAX).contains(&index.re) || !(0.0..=INDEX_MAX).contains(&index.im) {
+        let is_part = |part: f64| (INDEX_MIN..=INDEX_MAX).contains(&part);
+        // Without a real part: a metal without loss.
+        let is_zero = index == Complex64::ZERO && self == Self::Parts;
+        let is_n = is_part(index.re) || is_zero || self != Self::Clear && index.re == 0.0 && is_part(index.im);
+        if !(is_n && (0.0..=INDEX_MAX).contains(&index.im)) {
             return Err(Fault::new("", format!("{} is out of range; {}", excerpt(given), self.words())));
         }
         Ok(Medium::Constant(index))
@@ -301,9 +309,11 @@ mod tests {
 
     #[test]
     fn media_outside_the_domain_are_refused() {
-        for bad in ["-1.5", "0", "1-2i", "nan", "1e400", "unobtainium"] {
+        for bad in ["-1.5", "0", "0+0i", "0+1e-10i", "1e-10+2i", "1-2i", "nan", "1e400", "unobtainium"] {
             assert!(parse_medium("n", bad).is_err(), "{bad}");
         }
+        assert_eq!(parse_medium("n", "0+2i"), Ok(Medium::Constant(Complex64::new(0.0, 2.0))));
+        assert!(Taken::Clear.read(&"0+2i".into()).is_err());
     }
 
     #[test]

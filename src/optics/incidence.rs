@@ -84,6 +84,12 @@ impl Incidence {
     }
 }
 
+/// The direction in which a mirror sends on what runs along `direction`; `normal` is its unit normal, of either sense (E33).
+pub fn mirrored(direction: [f64; 3], normal: [f64; 3]) -> [f64; 3] {
+    let along: f64 = direction.iter().zip(normal).map(|(d, n)| d * n).sum();
+    std::array::from_fn(|axis| direction[axis] - 2.0 * along * normal[axis])
+}
+
 /// The square of the normal wave number over the vacuum wave number, (n cos θ_n)² = n² − n_i² sin² θ [1], of a
 /// wave in the medium `n` whose tangential wave number was set in the clear medium `n_i`.
 ///

@@ -55,17 +55,18 @@ impl Exact {
     }
 }
 
-/// cos θ_t [1] between clear media below the critical angle, and its condition number.
+/// cos θ_t [1] between clear media up to the critical angle, and its condition number.
 pub fn refracted_cosine(input: &Input) -> (Real, f64) {
-    let cosine = |resolved: &Resolved| {
+    let square = |resolved: &Resolved| {
         let sin_t = &resolved.n_i * &resolved.sin / &resolved.n;
-        (precise::real(1.0) - &sin_t * &sin_t).sqrt()
+        precise::real(1.0) - &sin_t * &sin_t
     };
     let resolved = Resolved::new(input);
-    let here = cosine(&resolved);
-    let change = |moved: Resolved| precise::to_f64(&((cosine(&moved) - &here) / &here)).abs() / STEP;
+    let here = square(&resolved);
+    // Half that of the square, which a step may well take below zero.
+    let change = |moved: Resolved| precise::to_f64(&((square(&moved) - &here) / &here)).abs() / (2.0 * STEP);
     let condition = resolved.neighbours(&precise::real(STEP)).map(change).sum();
-    (here, condition)
+    (here.sqrt(), condition)
 }
 
 /// Relative step of the difference quotients: far below f64, far above the rounding of [`precise::BITS`].
@@ -136,11 +137,11 @@ impl Resolved {
         let q_t = Pair(&square.0 - &self.n_i * &self.n_i + &q_i * &q_i, square.1.clone()).root();
         let n2_i = &self.n_i * &self.n_i;
         let s = Pair(&q_i + &q_t.0, q_t.1.clone());
-        let r_s = Pair(&q_i - &q_t.0, -q_t.1.clone()).over(&s);
+        let r_s = Pair(q_i.clone(), precise::real(0.0)).contrast(&q_t);
         let t_s = Pair(precise::real(2.0) * &q_i, precise::real(0.0)).over(&s);
         let (straight, crossed) = (square.times(&q_i), q_t.times(&n2_i));
         let p = Pair(&straight.0 + &crossed.0, &straight.1 + &crossed.1);
-        let r_p = Pair(&straight.0 - &crossed.0, &straight.1 - &crossed.1).over(&p);
+        let r_p = straight.contrast(&crossed);
         let twice = precise::real(2.0) * &self.n_i * &q_i;
         let t_p = Pair(n * &twice, k * &twice).over(&p);
         // n·S_t/n·S_i with H from E: Re(q_t)/q_i |t_s|², and Re(n_t* q_t/n_t)/(n_i cos_i) |t_p|² for p.
@@ -174,6 +175,14 @@ impl Pair {
         let norm = other.norm();
         let re = (&self.0 * &other.0 + &self.1 * &other.1) / &norm;
         let im = (&self.1 * &other.0 - &self.0 * &other.1) / &norm;
+        Self(re, im)
+    }
+
+    /// (self − other)/(self + other), with an imaginary part that is not lost beside a real one of 1.
+    fn contrast(&self, other: &Self) -> Self {
+        let norm = Pair(&self.0 + &other.0, &self.1 + &other.1).norm();
+        let re = (self.norm() - other.norm()) / &norm;
+        let im = precise::real(2.0) * (&self.1 * &other.0 - &self.0 * &other.1) / norm;
         Self(re, im)
     }
 

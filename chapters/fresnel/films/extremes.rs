@@ -21,6 +21,7 @@ enum Output {
     Reflectance,
     Transmittance,
     LnTransmittance,
+    Absorptance,
 }
 
 /// One number of a stack at 550 nm beside its reference and a textbook form.
@@ -42,6 +43,7 @@ fn extreme(
         Output::Transmittance => {
             ("T", exact.transmittance, book.transmittance, ours.transmittance, kappa.transmittance)
         }
+        Output::Absorptance => ("A", exact.absorptance, book.absorptance, ours.absorptance, kappa.absorptance),
         Output::LnTransmittance => (
             "ln T",
             exact.ln_transmittance.unwrap_or(precise::real(0.0)),
@@ -124,6 +126,9 @@ pub(super) fn critical() -> Vec<Extreme> {
     cases
 }
 
+/// Slices that a film is cut into. Each of them rounds, and the roundings must not add up.
+const SLICES: usize = 1 << 12;
+
 pub(super) fn many() -> Vec<Extreme> {
     let mut tinted = quarter_wave_mirror(1000, 3.5, 1.38);
     for layer in &mut tinted.layers {
@@ -135,7 +140,12 @@ pub(super) fn many() -> Vec<Extreme> {
     let case = |name: &str, films: &Films, theta, output| {
         extreme(name, films, Direction::Angle(theta), Polarisation::S, output, characteristic_matrix)
     };
+    let slices = vec![film(2.0, 0.1, 64e-9 / SLICES as f64); SLICES];
+    let slices = Films { n_i: 1.0, layers: slices, substrate: 1.52.into() };
+    let sliced = format!("one film of 64 nm, n = 2 + 0.1i, in {SLICES} slices");
     vec![
+        case(&sliced, &slices, 0.8, Output::Absorptance),
+        case(&sliced, &slices, 0.8, Output::Transmittance),
         case("1000 quarter waves of 3.5 and 1.38, κ = 1e−6", &tinted, 0.0, Output::Reflectance),
         case("500 air gaps of 1 µm between films of glass, θ = 60°", &gaps, FRAC_PI_3, Output::LnTransmittance),
     ]

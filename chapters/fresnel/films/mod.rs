@@ -160,7 +160,7 @@ pub(super) const STEP: Step = step(
     )
     .textbook("Rouard's recursion of Fresnel coefficients in f64")
     .against("Parratt's recursion in 256 bits or more"),
-    stress("many", "a thousand films keep the digits of R and T", |_| many())
+    stress("many", "thousands of films keep the digits of R, T and A", |_| many())
         .textbook("the characteristic matrix in f64")
         .against("Parratt's recursion in 256 bits or more"),
 ])
@@ -304,7 +304,9 @@ fn quarter_film(n: f64, design: f64) -> Layer {
 fn mirror(setting: &Setting, wavelength: f64) -> Option<Films> {
     let design = setting.wavelength();
     let medium = |name: &str| setting.medium(name).index(wavelength).ok();
-    let coat = |name: &str| Some(Layer { index: medium(name)?, thickness: design / (4.0 * setting.index(name).re) });
+    // |n|, not its real part: a metal without loss has none.
+    let coat =
+        |name: &str| Some(Layer { index: medium(name)?, thickness: design / (4.0 * setting.index(name).norm()) });
     let (high, low) = (coat("n_h")?, coat("n_l")?);
     let count = 2 * setting.number("pairs").round() as usize + 1;
     let layers = (0..count).map(|at| if at % 2 == 0 { high } else { low }).collect();

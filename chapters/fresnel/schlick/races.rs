@@ -1,7 +1,7 @@
 //! What its speed costs.
 
 use super::GLASS_INDEX;
-use super::checks::{DIPPED_ERROR, GLASS_ERROR};
+use super::checks::GLASS_ERROR;
 use crate::parameter::DEFAULT_WAVELENGTH;
 use crate::vocabulary::{Expects, Heat, Measured, Race, lane, race};
 use light::Complex64;
@@ -17,6 +17,9 @@ use yardstick::precise;
 fn metal() -> Complex64 {
     media::named("chromium").and_then(|metal| metal.index(DEFAULT_WAVELENGTH).ok()).expect("a listed metal")
 }
+
+/// How far the form with two reflectances is from R_n of the metal. Nobody owes it: it is what is seen, largest near 87°.
+const DIPPED_ERROR: f64 = 0.05;
 
 const EVALUATIONS: &[u64] = &[1 << 10, 1 << 12, 1 << 14];
 
@@ -40,7 +43,7 @@ pub(super) const SPEED: Race =
                     each(cos_i, out, |cos_i| schlick(cos_i, r_0));
                 })
             })
-            .within(GLASS_ERROR, "its known error for glass (check glass_in_air)"),
+            .within(GLASS_ERROR, "23 % of R_n (check glass_in_air), which is 1 at most"),
             lane("exact_inside", "exact, from inside", EVALUATIONS, |_, work| {
                 heat_inside(work, |cos_i, out| natural_reflectance(cos_i, GLASS_INDEX, 1.0, out))
             })
@@ -51,7 +54,7 @@ pub(super) const SPEED: Race =
             lane("rarer_side", "Schlick, rarer side", EVALUATIONS, |_, work| {
                 heat_inside(work, |cos_i, out| each(cos_i, out, |cos_i| schlick_rarer_side(cos_i, GLASS_INDEX, 1.0)))
             })
-            .within(GLASS_ERROR, "reciprocity (check from_inside)"),
+            .within(GLASS_ERROR, "as from outside (check from_inside)"),
             lane("schlick_inside", "Schlick with cos θ_1", EVALUATIONS, |_, work| {
                 heat_inside(work, |cos_i, out| {
                     let r_0 = normal_reflectance(GLASS_INDEX, 1.0.into());
@@ -77,7 +80,7 @@ pub(super) const SPEED: Race =
                     each(cos_i, out, |cos_i| dipped.reflectance(cos_i));
                 })
             })
-            .within(DIPPED_ERROR, "its known error for metals (check metals)"),
+            .within(DIPPED_ERROR, "an observation: what one lobe through one point leaves beside it"),
         ]);
 
 fn each(cosines: &[f64], out: &mut [f64], value: impl Fn(f64) -> f64) {
@@ -143,7 +146,7 @@ pub(super) const TABLE: Race = race(
         run: Box::new(|| vec![normal_reflectance(1.0, black_box(GLASS_INDEX).into())]),
         error: Box::new(|r_0| largest_error(1.0, GLASS_INDEX.into(), |cos_i| schlick(cos_i, r_0[0]))),
     })
-    .within(GLASS_ERROR, "its known error for glass (check glass_in_air)"),
+    .within(GLASS_ERROR, "23 % of R_n (check glass_in_air), which is 1 at most"),
 ]);
 
 /// Filling a table of `entries` steps in cos θ₁ with the exact R_n; the error is that of looking up between them.

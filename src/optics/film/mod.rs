@@ -8,8 +8,10 @@
 //!
 //! - e^(Im δ), which grows without bound, is factored out of each layer and only its exponent is summed.
 //! - The rest is written as the identity and a change, which vanishes with the layer, and the change is added with
-//!   the rounding carried along: a thousand thin layers are as exact as one. In an absorbing layer the change is
+//!   the rounding carried along, as losses and phases are: a hundred thousand thin layers are as exact as one. In an absorbing layer the change is
 //!   u (1, −Y)ᵀ (1, −1/Y), u = (e^(2iδ) − 1)/2, of M e^(iδ): it leaves the wave that runs forward untouched.
+//! - Layers of the substrate's own clear medium in front of it only turn the wave, so that a stack that is matched
+//!   throughout reflects nothing, not even its rounding.
 //! - Nothing divides by q: at the critical angle sin δ/Y → k₀ d (s) or n² k₀ d (p).
 //! - The sweep runs from the substrate to the light, the direction in which the wanted solution grows, and powers
 //!   of two taken out on the way keep the fields within range.
@@ -28,7 +30,7 @@ use sweep::{Coat, Sweep};
 /// A homogeneous film.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layer {
-    /// n + iκ [1], not zero, κ ≥ 0.
+    /// n + iκ [1], n ≥ 0 and κ ≥ 0, not both zero; n = 0 is a metal without loss.
     pub index: Complex64,
     /// [m], ≥ 0.
     pub thickness: f64,
@@ -41,7 +43,7 @@ pub struct Stack<'a> {
     pub n_i: f64,
     /// From the light to the substrate; may be empty.
     pub layers: &'a [Layer],
-    /// Index n + iκ [1] of the half-space behind, κ ≥ 0.
+    /// Index n + iκ [1] of the half-space behind, as a layer's.
     pub substrate: Complex64,
 }
 
@@ -89,14 +91,20 @@ impl Stack<'_> {
             Polarisation::S => self.n_i * incidence.cos(),
             Polarisation::P => incidence.cos() / self.n_i,
         };
+        // The incident medium again: to the last bit, or a vacant interface would reflect its rounding.
+        let y_s = if self.substrate == self.n_i.into() { y_i.into() } else { admittance(self.substrate).y };
         // Towards the light, and without what has no thickness.
+        let mut is_unbroken = true;
         let solid = self.layers.iter().rev().filter(|layer| layer.thickness > 0.0);
-        let coats = solid.map(|layer| Coat::new(layer, &admittance(layer.index))).collect();
+        let coats = solid.map(|layer| {
+            is_unbroken &= layer.index == self.substrate;
+            Coat::new(layer, &admittance(layer.index), is_unbroken)
+        });
         let t_unit = match polarisation {
             Polarisation::S => Complex64::ONE,
             Polarisation::P => self.n_i / self.substrate,
         };
-        Waves { y_i, y_s: admittance(self.substrate).y, t_unit, coats }
+        Waves { y_i, y_s, t_unit, coats: coats.collect() }
     }
 
     /// The response at one vacuum wavelength [m], > 0.

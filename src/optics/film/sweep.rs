@@ -8,6 +8,8 @@ use std::f64::consts::{LN_2, TAU};
 /// A layer reduced to what its kind needs. `path` is 2π d q [m]: over the wavelength it is the phase δ.
 #[derive(Clone, Debug)]
 pub(super) enum Coat {
+    /// Clear, with nothing but its own medium behind: the wave that runs on is alone, and only turns by δ = path/λ.
+    Unbroken { path: f64 },
     /// Clear, and the wave propagates: δ and Y are real.
     Clear { path: f64, y: f64, inverse: f64 },
     /// Clear, beyond its critical angle: δ = i path/λ, Y = i `y`.
@@ -19,12 +21,15 @@ pub(super) enum Coat {
 }
 
 impl Coat {
-    pub fn new(layer: &Layer, admittance: &Admittance) -> Self {
+    /// `is_unbroken` if there is nothing but the layer's own medium behind.
+    pub fn new(layer: &Layer, admittance: &Admittance, is_unbroken: bool) -> Self {
         debug_assert!(layer.thickness.is_finite());
         let Admittance { q, y, inverse, q_over_y, loss } = *admittance;
         let length = TAU * layer.thickness;
         if loss != (0.0, 0.0) {
             Self::Absorbing { path: length * q, y, inverse, loss: (length * loss.0, length * loss.1) }
+        } else if q.re > 0.0 && is_unbroken {
+            Self::Unbroken { path: length * q.re }
         } else if q.re > 0.0 {
             Self::Clear { path: length * q.re, y: y.re, inverse: inverse.re }
         } else if q.im > 0.0 {
@@ -35,45 +40,70 @@ impl Coat {
     }
 }
 
-/// A complex sum that carries its rounding error along (Kahan 1965; two-sum of Knuth, TAOCP 2, §4.2.2).
+/// A sum that carries its rounding error along (Kahan 1965; two-sum of Knuth, TAOCP 2, §4.2.2).
 #[derive(Clone, Copy)]
-struct Carried<const L: usize> {
-    sum: Complexes<L>,
-    carry: Complexes<L>,
+struct Total<const L: usize> {
+    sum: Lanes<L>,
+    carry: Lanes<L>,
 }
 
-/// The rounded sum and its exact error.
-#[inline(always)]
-fn two_sum<const L: usize>(a: Lanes<L>, b: Lanes<L>) -> (Lanes<L>, Lanes<L>) {
-    let sum = a + b;
-    let virtual_b = sum - a;
-    (sum, (a - (sum - virtual_b)) + (b - virtual_b))
-}
-
-impl<const L: usize> Carried<L> {
-    fn new(start: Complex64) -> Self {
-        Self { sum: Complexes::splat(start), carry: Complexes::ZERO }
-    }
+impl<const L: usize> Total<L> {
+    const ZERO: Self = Self { sum: Lanes::ZERO, carry: Lanes::ZERO };
 
     #[inline(always)]
-    fn add(&mut self, change: Complexes<L>) {
-        let (re, re_carry) = two_sum(self.sum.re, change.re + self.carry.re);
-        let (im, im_carry) = two_sum(self.sum.im, change.im + self.carry.im);
-        self.sum = Complexes { re, im };
-        self.carry = Complexes { re: re_carry, im: im_carry };
+    fn add(&mut self, change: Lanes<L>) {
+        let change = change + self.carry;
+        let sum = self.sum + change;
+        let seen = sum - self.sum;
+        self.carry = (self.sum - (sum - seen)) + (change - seen);
+        self.sum = sum;
     }
 
     /// Takes the `lanes` of a new value instead.
-    fn replace(&mut self, lanes: [bool; L], value: Complexes<L>) {
+    fn replace(&mut self, lanes: [bool; L], value: Lanes<L>) {
         for (i, _) in lanes.iter().enumerate().filter(|(_, replaced)| **replaced) {
-            (self.sum.re.0[i], self.sum.im.0[i]) = (value.re.0[i], value.im.0[i]);
-            (self.carry.re.0[i], self.carry.im.0[i]) = (0.0, 0.0);
+            (self.sum.0[i], self.carry.0[i]) = (value.0[i], 0.0);
         }
     }
 
     fn scale(&mut self, factor: Lanes<L>) {
-        self.sum = self.sum.scaled(factor);
-        self.carry = self.carry.scaled(factor);
+        self.sum = self.sum * factor;
+        self.carry = self.carry * factor;
+    }
+}
+
+/// A complex [`Total`].
+#[derive(Clone, Copy)]
+struct Carried<const L: usize> {
+    re: Total<L>,
+    im: Total<L>,
+}
+
+impl<const L: usize> Carried<L> {
+    fn new(start: Complex64) -> Self {
+        let [re, im] = [start.re, start.im].map(|part| Total { sum: Lanes::splat(part), ..Total::ZERO });
+        Self { re, im }
+    }
+
+    #[inline(always)]
+    fn sum(&self) -> Complexes<L> {
+        Complexes { re: self.re.sum, im: self.im.sum }
+    }
+
+    #[inline(always)]
+    fn add(&mut self, change: Complexes<L>) {
+        self.re.add(change.re);
+        self.im.add(change.im);
+    }
+
+    fn replace(&mut self, lanes: [bool; L], value: Complexes<L>) {
+        self.re.replace(lanes, value.re);
+        self.im.replace(lanes, value.im);
+    }
+
+    fn scale(&mut self, factor: Lanes<L>) {
+        self.re.scale(factor);
+        self.im.scale(factor);
     }
 }
 
@@ -82,11 +112,11 @@ pub(super) struct Sweep<const L: usize> {
     psi: Carried<L>,
     phi: Carried<L>,
     /// 4Y₀ times this, over |2Y₀ incident ψ|², is the absorptance so far.
-    absorbed: Lanes<L>,
-    /// Σ Im δ and its carry.
-    decay: (Lanes<L>, Lanes<L>),
-    /// Σ Re δ of absorbing layers, less half turns.
-    phase: Lanes<L>,
+    absorbed: Total<L>,
+    /// Σ Im δ.
+    decay: Total<L>,
+    /// Σ Re δ of layers that leave the wave that runs on as it is, less half turns.
+    phase: Total<L>,
     /// Half turns taken out.
     turns: Lanes<L>,
     exponent: [i32; L],
@@ -105,9 +135,9 @@ impl<const L: usize> Sweep<L> {
         let mut sweep = Self {
             psi: Carried::new(Complex64::ONE),
             phi: Carried::new(waves.y_s),
-            absorbed: Lanes::ZERO,
-            decay: (Lanes::ZERO, Lanes::ZERO),
-            phase: Lanes::ZERO,
+            absorbed: Total::ZERO,
+            decay: Total::ZERO,
+            phase: Total::ZERO,
             turns: Lanes::ZERO,
             exponent: [0; L],
         };
@@ -123,10 +153,11 @@ impl<const L: usize> Sweep<L> {
     #[inline(always)]
     fn pass(&mut self, coat: &Coat, wave_number: Lanes<L>) {
         match *coat {
+            Coat::Unbroken { path } => self.turn(&half_turn(wave_number * path)),
             Coat::Clear { path, y, inverse } => self.pass_clear(wave_number * path, y, inverse),
             Coat::Evanescent { path, y, inverse } => self.pass_evanescent(wave_number * path, y, inverse),
             Coat::Critical { path } => {
-                let change = self.phi.sum.times_minus_i().scaled(wave_number * path);
+                let change = self.phi.sum().times_minus_i().scaled(wave_number * path);
                 self.psi.add(change);
             }
             Coat::Absorbing { path, y, inverse, loss } => {
@@ -137,11 +168,24 @@ impl<const L: usize> Sweep<L> {
         }
     }
 
+    /// What a layer with the phase `delta` takes from the wave, of which it absorbs `absorbed` itself.
     #[inline(always)]
-    fn fade(&mut self, delta: Lanes<L>, decay: &Decay<L>) {
-        let (sum, carry) = two_sum(self.decay.0, delta + self.decay.1);
-        self.decay = (sum, carry);
-        self.absorbed = self.absorbed * decay.exp;
+    fn fade(&mut self, delta: Lanes<L>, decay: &Decay<L>, absorbed: Lanes<L>) {
+        self.decay.add(delta);
+        let behind = self.absorbed.sum;
+        self.absorbed.add(behind * decay.exp_m1 + absorbed);
+        // Half of it gone, the product is exacter than the change.
+        let halved = decay.exp.0.map(|exp| exp < 0.5);
+        if halved.contains(&true) {
+            self.absorbed.replace(halved, behind * decay.exp + absorbed);
+        }
+    }
+
+    /// The phase of a layer for which the wave that runs on is left as it is.
+    #[inline(always)]
+    fn turn(&mut self, half: &HalfTurn<L>) {
+        self.phase.add(half.remainder);
+        self.turns = self.turns + half.turns;
     }
 
     #[inline(always)]
@@ -149,7 +193,7 @@ impl<const L: usize> Sweep<L> {
         let half = half_turn(delta);
         self.turns = self.turns + half.turns;
         let (across, along) = (half.sin * inverse, half.sin * y);
-        let (psi, phi) = (self.psi.sum, self.phi.sum);
+        let (psi, phi) = (self.psi.sum(), self.phi.sum());
         self.psi.add(phi.times_minus_i().scaled(across) - psi.scaled(half.versine));
         self.phi.add(psi.times_minus_i().scaled(along) - phi.scaled(half.versine));
     }
@@ -157,8 +201,8 @@ impl<const L: usize> Sweep<L> {
     #[inline(always)]
     fn pass_evanescent(&mut self, delta: Lanes<L>, y: f64, inverse: f64) {
         let decay = decay(delta * 2.0);
-        self.fade(delta, &decay);
-        let (psi, phi) = (self.psi.sum, self.phi.sum);
+        self.fade(delta, &decay, Lanes::ZERO);
+        let (psi, phi) = (self.psi.sum(), self.phi.sum());
         let backward = Complexes { re: psi.re - phi.im * inverse, im: psi.im + phi.re * inverse };
         let change = backward.scaled(decay.exp_m1 * 0.5);
         self.psi.add(change);
@@ -189,10 +233,8 @@ impl<const L: usize> Sweep<L> {
     ) {
         let half = half_turn(delta.re);
         let decay = decay(delta.im * 2.0);
-        self.phase = self.phase + half.remainder;
-        self.turns = self.turns + half.turns;
-        self.fade(delta.im, &decay);
-        let (psi, phi) = (self.psi.sum, self.phi.sum);
+        self.turn(&half);
+        let (psi, phi) = (self.psi.sum(), self.phi.sum());
         let split = Split::new(psi, phi, inverse);
         let opaque = decay.exp.0.map(|exp| exp < OPAQUE);
         let squares = MeanSquares::new(delta, &half, &decay);
@@ -212,13 +254,13 @@ impl<const L: usize> Sweep<L> {
                 absorbed.0[i] = across.0[i];
             }
         }
-        self.absorbed = self.absorbed + absorbed;
+        self.fade(delta.im, &decay, absorbed);
     }
 
     /// Brings fields that have left the room back to about 1, by a power of two.
     fn rescale(&mut self) {
         let size = |z: Complexes<L>| z.re.zip(z.im, |a, b| a.abs().max(b.abs()));
-        let size = size(self.psi.sum).zip(size(self.phi.sum), f64::max);
+        let size = size(self.psi.sum()).zip(size(self.phi.sum()), f64::max);
         if size.0.iter().all(|s| (1.0 / ROOM..=ROOM).contains(s)) {
             return;
         }
@@ -226,7 +268,7 @@ impl<const L: usize> Sweep<L> {
         let factor = shift.map(|shift| (-shift).exp2());
         self.psi.scale(factor);
         self.phi.scale(factor);
-        self.absorbed = self.absorbed * factor.squared();
+        self.absorbed.scale(factor.squared());
         for (exponent, shift) in self.exponent.iter_mut().zip(shift.0) {
             *exponent += shift as i32;
         }
@@ -236,9 +278,8 @@ impl<const L: usize> Sweep<L> {
     #[inline(always)]
     fn incident_waves(&self, waves: &Waves) -> (Complexes<L>, Complexes<L>) {
         let y_i = Lanes::splat(waves.y_i);
-        let (psi, phi) = (self.psi.sum.scaled(y_i), self.phi.sum);
-        let (psi_carry, phi_carry) = (self.psi.carry.scaled(y_i), self.phi.carry);
-        ((psi - phi) + (psi_carry - phi_carry), (psi + phi) + (psi_carry + phi_carry))
+        let (psi, phi) = (self.psi.sum().scaled(y_i), self.phi.sum());
+        (psi - phi, psi + phi)
     }
 
     pub fn powers_into(&self, waves: &Waves, powers: &mut [Powers]) {
@@ -246,12 +287,12 @@ impl<const L: usize> Sweep<L> {
         let incident = incident.norm_sqr();
         let reflectance = reflected.norm_sqr().zip(incident, |a, b| a / b);
         let unit = incident.map(|b| 4.0 * waves.y_i / b);
-        let absorptance = unit * self.absorbed;
+        let absorptance = unit * self.absorbed.sum;
         for (i, powers) in powers.iter_mut().enumerate() {
             *powers = if incident.0[i] == 0.0 {
                 UNHINDERED
             } else {
-                let transmittance = faded(unit.0[i] * waves.y_s.re, 2.0 * self.decay.0.0[i], 2 * self.exponent[i]);
+                let transmittance = faded(unit.0[i] * waves.y_s.re, 2.0 * self.decay.sum.0[i], 2 * self.exponent[i]);
                 Powers { reflectance: reflectance.0[i], transmittance, absorptance: absorptance.0[i] }.balanced()
             };
         }
@@ -286,10 +327,10 @@ impl Sweep<1> {
             let (r, t, ln_transmittance) = (Complex64::ZERO, Complex64::ONE, 0.0);
             return Response { r, t, reflectance, transmittance, absorptance, ln_transmittance };
         }
-        let (decay, exponent) = (self.decay.0.0[0], self.exponent[0]);
+        let (decay, exponent) = (self.decay.sum.0[0], self.exponent[0]);
         let sign = if self.turns.0[0] % 2.0 == 0.0 { 1.0 } else { -1.0 };
         let size = sign * faded(2.0 * waves.y_i, decay, exponent);
-        let t = waves.t_unit * Complex64::from_polar(1.0, self.phase.0[0]) * size / incident;
+        let t = waves.t_unit * Complex64::from_polar(1.0, self.phase.sum.0[0]) * size / incident;
         let kept_back = reflectance + absorptance;
         let ln_transmittance = if kept_back <= transmittance {
             (-kept_back).ln_1p()

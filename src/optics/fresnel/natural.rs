@@ -89,8 +89,10 @@ fn fill<const ABSORBING: bool>(cos_i: &[f64], n_i: f64, n_t: Complex64, out: &mu
 mod tests {
     use super::super::tests::{angle, extinction, index};
     use super::*;
-    use crate::optics::incidence::normal_squared;
+    use crate::optics::incidence::{Direction, normal_squared};
+    use crate::references::fresnel::{Exact, Input, NAMES};
     use proptest::prelude::*;
+    use yardstick::precise::relative_error;
 
     #[test]
     fn a_cosine_that_is_no_number_reflects_no_number() {
@@ -103,6 +105,40 @@ mod tests {
         let mut out = [0.0];
         natural_reflectance_absorbing(&[f64::NAN], 1.0, Complex64::new(0.2, 3.4), &mut out);
         assert!(out[0].is_nan(), "{out:?}");
+    }
+
+    /// Error of one R_n of a batch into an absorbing medium, in ε(1 + κ).
+    fn error_absorbing(cos: f64, n_i: f64, n_t: Complex64) -> f64 {
+        let mut out = [f64::NAN];
+        natural_reflectance_absorbing(&[cos], n_i, n_t, &mut out);
+        let exact = Exact::new(&Input { direction: Direction::Cos(cos), n_i, n_t });
+        let at = NAMES.iter().position(|name| *name == "R_n").expect("an output");
+        relative_error(out[0], &exact.outputs[at]) / (f64::EPSILON * (1.0 + exact.conditions()[at]))
+    }
+
+    #[test]
+    fn a_batch_keeps_the_promise_where_a_trace_of_absorption_meets_the_critical_angle() {
+        for (n_i, n) in [(1.5_f64, 1.0), (2.4, 1.0), (1.0, 0.13), (1.7, 1.69)] {
+            let critical = ((n_i - n) * (n_i + n)).sqrt() / n_i;
+            for k in [1e-300, 1e-30, 1e-16, 1e-12, 1e-8, 1e-5] {
+                for offset in [0.0, 1e-16, 3e-16, 1e-14, 1e-12, 1e-9, 1e-6, 1e-3] {
+                    for cos in [critical * (1.0 - offset), critical * (1.0 + offset)] {
+                        let error = error_absorbing(cos, n_i, Complex64::new(n, k));
+                        assert!(error <= 16.0, "{error} at n {n_i} → {n} + {k:e}i, cos θ = {cos}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_batch_keeps_the_promise_at_the_faintest_contrast() {
+        for k in [1e-290, 1e-160, 1e-100] {
+            for cos in [1e-300, 1e-200, 1e-120, 1e-60] {
+                let error = error_absorbing(cos, 1.0, Complex64::new(1.0, k));
+                assert!(error <= 16.0, "{error} at κ = {k:e}, cos θ = {cos:e}");
+            }
+        }
     }
 
     proptest! {

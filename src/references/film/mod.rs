@@ -62,7 +62,8 @@ pub fn reference(stack: &Stack, wavelength: f64, direction: Direction, polarisat
             let rho = (y - below) / &sum;
             let round = &one + &rho * &crossed.0;
             r = (&rho + &crossed.0) / &round;
-            t = (&one + &rho) * &crossed.1 / &round;
+            // 1 + ρ as 2Y/(Y + Y'): grazing light makes ρ −1 to more digits than there are.
+            t = (y + y) / &sum * &crossed.1 / &round;
         }
         if let Some((y, step)) = above {
             crossed = (&r * step * step, &t * step);
