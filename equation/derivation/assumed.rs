@@ -26,14 +26,21 @@ pub struct Assumed {
 impl Chain {
     /// What is assumed of the quantities in the lines, in the order of their names.
     pub fn assumed(&self) -> Assumed {
-        let mut all: Vec<Symbol> =
-            self.lines.iter().flat_map(sides).flat_map(Expr::symbols).filter(|symbol| is_real(symbol)).cloned().collect();
+        let mut all: Vec<Symbol> = self
+            .lines
+            .iter()
+            .flat_map(sides)
+            .flat_map(Expr::symbols)
+            .filter(|symbol| is_real(symbol))
+            .cloned()
+            .collect();
         all.sort_by(|a, b| a.name().cmp(b.name()));
         all.dedup_by(|a, b| a.name() == b.name());
         let atoms = Atoms::default();
         let hypotheses = Hypotheses::of(self, &atoms).ok();
         let may_be_positive = |symbol: &Symbol| {
-            let value = hypotheses.as_ref().and_then(|found| found.resolve(&atoms, &symbol.into(), &symbol.into()).ok());
+            let value =
+                hypotheses.as_ref().and_then(|found| found.resolve(&atoms, &symbol.into(), &symbol.into()).ok());
             value.and_then(|mut pairs| pairs.pop()).is_none_or(|(value, _)| is_somewhere_positive(&value))
         };
         let (positive, real): (Vec<_>, Vec<_>) = all.into_iter().partition(|symbol| symbol.domain().re.0 > 0.0);

@@ -34,7 +34,12 @@ impl Model {
 }
 
 /// Points that satisfy `premises` and `admission`, with values for all of `symbols`.
-pub(super) fn find(premises: &[Equation], admission: &Admission, symbols: &[Symbol], stream: &mut Stream) -> Vec<Model> {
+pub(super) fn find(
+    premises: &[Equation],
+    admission: &Admission,
+    symbols: &[Symbol],
+    stream: &mut Stream,
+) -> Vec<Model> {
     let differences: Vec<Expr> = premises.iter().map(|premise| &premise.lhs - &premise.rhs).collect();
     let mut found = Vec::new();
     for _ in 0..STARTS {
@@ -65,7 +70,8 @@ fn descend(differences: &[Expr], mut at: Vec<(Symbol, Complex64)>) -> Option<Mod
             return Some(Model { at, is_sharp: true });
         }
     }
-    let last = differences.iter().map(|difference| step(difference, &mut at)).try_fold(0.0, |a: f64, b| Some(a.max(b?)))?;
+    let last =
+        differences.iter().map(|difference| step(difference, &mut at)).try_fold(0.0, |a: f64, b| Some(a.max(b?)))?;
     (last < NEAR).then_some(Model { at, is_sharp: false })
 }
 

@@ -24,7 +24,8 @@ fn part() -> impl Strategy<Value = Expr> {
 
 /// Equations whose solutions, where they have any, lie on the grid too.
 fn premise() -> impl Strategy<Value = Equation> {
-    let factor = || prop_oneof![3 => Just(symbol(0)), 1 => (1..4_usize).prop_map(symbol), 1 => Just(symbol(0) * symbol(3))];
+    let factor =
+        || prop_oneof![3 => Just(symbol(0)), 1 => (1..4_usize).prop_map(symbol), 1 => Just(symbol(0) * symbol(3))];
     let scaled = |(factor, a, b): (Expr, Expr, Expr)| Equation::new(&factor * a, factor * b);
     let ahead = |(factor, a, b): (Expr, Expr, Expr)| Equation::new(factor * (a - b), 0);
     let below = |(factor, a, b): (Expr, Expr, Expr)| Equation::new(a / &factor, b / factor);

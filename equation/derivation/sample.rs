@@ -270,9 +270,7 @@ impl Comparison {
             (_, Some(verdict), _) => verdict,
             (Err(_), None, Some(digits)) => Verdict::Agrees { points: self.compared, skipped: self.skipped, digits },
             (_, None, None) if self.skipped > 0 => Verdict::Unknown { why: singular() },
-            (_, None, None) => {
-                Verdict::Unknown { why: NO_MODEL.to_owned() }
-            }
+            (_, None, None) => Verdict::Unknown { why: NO_MODEL.to_owned() },
         }
     }
 }
