@@ -123,11 +123,12 @@ impl<'a> Hypotheses<'a> {
     }
 
     /// Every premise as a hypothesis about one of its symbols, where that can be. One that was divided by what the others
-    /// make zero says nothing before they do: it waits until they have spoken.
+    /// make zero says nothing before they do: it waits until they have spoken. So does one that was divided by anything,
+    /// where another contradicts what came of it.
     fn oriented(chain: &'a Chain, atoms: &Atoms) -> Result<Self, Refusal> {
         let mut order: Vec<Premise> = Self::new(chain, &[]).premises().collect();
         let mut last = None;
-        for _ in 0..=order.len() {
+        for _ in 0..=2 * order.len() {
             let mut all = Self::new(chain, &chain.given);
             match all.orient(&order, atoms)? {
                 None => return Ok(all),
@@ -156,7 +157,8 @@ impl<'a> Hypotheses<'a> {
                     }
                     Err(Unsolvable::NoSymbol(_)) => self.unsolved.push((premise, by)),
                     Err(why @ Unsolvable::Contradiction(_)) => {
-                        return Ok(Some((at, Refusal { why: why.to_string(), is_contradiction: true })));
+                        let refusal = Refusal { why: why.to_string(), is_contradiction: owners.is_empty() };
+                        return Ok(Some((owners.last().copied().unwrap_or(at), refusal)));
                     }
                     Err(why) => {
                         let zero = self.first_zero(&divisors_of(order[at].0), atoms);

@@ -67,7 +67,7 @@ fn under(claim: [&str; 2], premises: &[&str], more: &[&str]) -> i32 {
 
 #[test]
 fn nothing_is_proved_through_a_divisor_that_is_zero() {
-    let cases: [([&str; 2], &[&str]); 10] = [
+    let cases: [([&str; 2], &[&str]); 11] = [
         (["x", "y"], &["a*(x-y)=0", "a=0"]),
         (["x", "1"], &["x*y=y", "y=0"]),
         (["x", "1"], &["x*y=y", "y+z=z"]),
@@ -78,6 +78,7 @@ fn nothing_is_proved_through_a_divisor_that_is_zero() {
         (["x", "y"], &["x*a=y*a", "exp(a)=1"]),
         (["x", "y"], &["x=1", "x=2"]),
         (["x", "y"], &["x*a=y*a", "a*b=b", "a=c", "c+b=b"]),
+        (["b", "1"], &["a*b=b", "a=2"]),
     ];
     for (claim, premises) in cases {
         assert_ne!(under(claim, premises, &[]), 0, "{claim:?} from {premises:?}");
