@@ -111,6 +111,9 @@ fn products_and_quotients() -> Vec<(Equation, &'static str, &'static str)> {
         (Equation::proportional(mean(abs(F)), ALPHA.pow(2)), "⟨|u|⟩ ∝ α²", "m/s"),
         (Equation::approximate(ALPHA, BETA + (1 - BETA) * (1 + cos(THETA)).pow(3)), "α ≈ β + (1 − β)(1 + cos θ)³", "1"),
         (eq(THETA_1, one("theta_1'")), "θ₁ = θ₁′", "1"),
+        // A sign that a program puts in.
+        (eq(ALPHA - 1 * (BETA * PHI), ALPHA + -1 * (BETA * PHI)), "α − βφ = α − βφ", "1"),
+        (eq(ALPHA - -1 * (BETA + PHI), 1 * ALPHA), "α + β + φ = α", "1"),
         (eq(sin(THETA_1) / A, sin(THETA_2) / B), "sin(θ₁)/a = sin(θ₂)/b", "m/s"),
         (
             eq((G.named("g_1") - G.named("g_1'")) * cos(THETA_1), G.named("g_2") * tan(THETA_2)),

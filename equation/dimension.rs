@@ -65,7 +65,7 @@ impl Dimension {
 
 /// Units that readers expect to see, by themselves or per something. Where two fit, the earlier stands: V/m², not T/s.
 /// The newton is left out: N/m² would come before the J/m³ of an energy density.
-const NAMED: [(Dimension, &str); 16] = [
+const NAMED: [(Dimension, &str); 17] = [
     (Dimension::ONE, "1"),
     (Dimension::METRE, "m"),
     (Dimension::SECOND, "s"),
@@ -77,20 +77,25 @@ const NAMED: [(Dimension, &str); 16] = [
     (Dimension::AMPERE, "A"),
     (Dimension::COULOMB, "C"),
     (Dimension::TESLA, "T"),
+    (Dimension::WEBER, "Wb"),
     (Dimension::OHM, "Ω"),
     (Dimension::SIEMENS, "S"),
     (Dimension::FARAD, "F"),
     (Dimension::HENRY, "H"),
     (Dimension::JOULE, "J"),
 ];
-const PER: [(Dimension, &str); 6] = [
+const PER: [(Dimension, &str); 8] = [
     (Dimension::ONE, ""),
     (Dimension::METRE, "/m"),
     (Dimension::SQUARE_METRE, "/m²"),
     (Dimension::CUBIC_METRE, "/m³"),
     (Dimension::SECOND, "/s"),
     (Dimension::METRE.times(Dimension::SECOND), "/(m s)"),
+    (Dimension::SECOND.times(Dimension::SECOND), "/s²"),
+    (Dimension::METRE.times(Dimension::SECOND).times(Dimension::SECOND), "/(m s²)"),
 ];
+/// How many of the units, counted from the last, may stand in a product of two: V T/m.
+const DERIVED: usize = 11;
 
 impl Dimension {
     /// The exponent of each base unit, in the order m, kg, s, A, K, mol, cd.
@@ -181,10 +186,17 @@ const fn small(n: i64) -> Option<i16> {
 
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let above = |below: Dimension| self.checked_times(below);
         for (below, per) in PER {
-            let above = self.checked_times(below);
-            if let Some((_, name)) = NAMED.iter().find(|(dimension, _)| Some(*dimension) == above) {
+            if let Some((_, name)) = NAMED.iter().find(|(dimension, _)| Some(*dimension) == above(below)) {
                 return write!(f, "{name}{per}");
+            }
+        }
+        let derived = &NAMED[NAMED.len() - DERIVED..];
+        let pairs = || derived.iter().flat_map(|a| derived.iter().map(move |b| (a, b)));
+        for (below, per) in PER {
+            if let Some(((_, a), (_, b))) = pairs().find(|(a, b)| a.0.checked_times(b.0) == above(below)) {
+                return write!(f, "{a} {b}{per}");
             }
         }
         let exponents = self.exponents();
@@ -212,6 +224,11 @@ mod tests {
         assert_eq!(Dimension::WATT.per(Dimension::SECOND).to_string(), "W/s");
         assert_eq!(Dimension::JOULE.per(Dimension::CUBIC_METRE).to_string(), "J/m³");
         assert_eq!(Dimension::METRE_PER_SECOND.inverse().to_string(), "s/m");
+        assert_eq!(Dimension::TESLA.times(Dimension::SQUARE_METRE).to_string(), "Wb");
+        assert_eq!(Dimension::TESLA.per(Dimension::SECOND).to_string(), "V/m²");
+        assert_eq!(Dimension::VOLT_PER_METRE.per(Dimension::SECOND).per(Dimension::SECOND).to_string(), "V/(m s²)");
+        assert_eq!(Dimension::VOLT_PER_METRE.times(Dimension::TESLA).to_string(), "V T/m");
+        assert_eq!(Dimension::METRE.per(Dimension::SECOND).per(Dimension::SECOND).to_string(), "m/s²");
         let root = Dimension::SECOND.checked_power(Rational::new(1, 2).unwrap()).unwrap();
         assert_eq!(root.to_string(), "s^(1/2)");
         assert_eq!(root.checked_times(root), Some(Dimension::SECOND));

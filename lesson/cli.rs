@@ -164,14 +164,16 @@ Examples:
   lesson prove \"sin(a)^2 - sin(b)^2\" \"sin(a+b)*sin(a-b)\"
   lesson prove \"n1*cos(t1)\" \"n2*cos(t2)\" --given \"n1*sin(t1)=n2*sin(t2)\"
   lesson prove \"x + y = 2\" \"y = 2 - x\"
+  lesson prove \"sqrt(x^2)\" \"|x|\" --real x
 
 Written as on paper: + - * / ^, brackets, 2x, sin 2x, sqrt(x), |x|, conj(z), Re(z),
 e^(i x), pi, i; names theta_1, theta1, θ₁, E_1'. What could mean two things is refused.
 
-Every name stands for a positive number, unless --given says otherwise. Proved
-means for all of them, where what the answer names is not zero; a refutation
-names a point. Undecided are nested
-roots, and relations between sines of different numbers.
+Every name stands for a positive number, unless --given says otherwise or --real
+names it. Proved means for all of them, where what the answer names is not zero;
+a refutation names a point. Of a --given product that is zero every factor may
+be: what is proved holds in each case. Undecided are nested roots, and relations
+between sines of different numbers.
 
 Exit status: 0 if proved, 1 if refuted, 2 if undecided or unreadable.";
 
@@ -186,6 +188,9 @@ struct ProveArgs {
     /// An equation that holds besides.
     #[arg(long, value_name = "EQUATION", allow_hyphen_values = true)]
     given: Vec<String>,
+    /// Names that stand for real numbers of either sign.
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    real: Vec<String>,
     /// The single steps inside the lines.
     #[arg(long)]
     unfold: bool,
@@ -200,8 +205,8 @@ struct ProveArgs {
 
 impl From<ProveArgs> for Question {
     fn from(args: ProveArgs) -> Self {
-        let ProveArgs { from, to, given, unfold, json, help: _ } = args;
-        Self { from, to, given, unfold, json }
+        let ProveArgs { from, to, given, real, unfold, json, help: _ } = args;
+        Self { from, to, given, real, unfold, json }
     }
 }
 

@@ -7,12 +7,12 @@ use equation::derivation::{Chain, Claim, Hop, Verdict};
 use equation::expr::Node;
 use equation::parse::{Fault, parse, parse_equation};
 use equation::value::Bindings;
-use equation::{Equation, Expr, Relation};
+use equation::{Equation, Expr, Relation, Symbol};
 use num_complex::Complex64;
 use std::process::ExitCode;
 use views::block::Details;
 use views::report::derivation::{conditions, hypothesis, lines};
-use views::report::proof::{ProofReport, Sides, Witness};
+use views::report::proof::{ProofReport, Sides, Witness, assumed};
 use views::tell::Teller;
 
 /// What is asked.
@@ -21,6 +21,7 @@ pub struct Question {
     pub from: String,
     pub to: String,
     pub given: Vec<String>,
+    pub real: Vec<String>,
     pub unfold: bool,
     pub json: bool,
 }
@@ -45,6 +46,8 @@ pub fn serve(question: &Question) -> Result<ExitCode, Stop> {
 
 /// The premises, and what is to be shown of them.
 fn read(question: &Question) -> Result<(Chain, Equation), Stop> {
+    let real = question.real.iter().map(|text| real(text)).collect::<Result<Vec<_>, _>>()?;
+    let (expression, equation) = (|text: &str| expression(text, &real), |text: &str| equation(text, &real));
     let mut chain = Chain::default();
     for text in &question.given {
         chain = chain.and(equation(text)?, "given");
@@ -57,12 +60,25 @@ fn read(question: &Question) -> Result<(Chain, Equation), Stop> {
     }
 }
 
-fn expression(text: &str) -> Result<Expr, Stop> {
-    parse(text, &[]).map_err(|fault| point_at(text, &fault))
+/// Where a name that is declared real is looked at.
+const REAL: f64 = 4.0;
+/// Where names are looked at that no difference was found between nearer to zero.
+const FAR: f64 = 60.0;
+
+/// A name that stands for a real number of either sign.
+fn real(name: &str) -> Result<Symbol, Stop> {
+    match expression(name, &[])?.node() {
+        Node::Symbol(symbol) => Ok(symbol.clone().real(-REAL, REAL)),
+        _ => Err(Stop::at("--real", format!("expected a name such as x or theta_1, found {name}"))),
+    }
 }
 
-fn equation(text: &str) -> Result<Equation, Stop> {
-    let equation = parse_equation(text, &[]).map_err(|fault| point_at(text, &fault))?;
+fn expression(text: &str, known: &[Symbol]) -> Result<Expr, Stop> {
+    parse(text, known).map_err(|fault| point_at(text, &fault))
+}
+
+fn equation(text: &str, known: &[Symbol]) -> Result<Equation, Stop> {
+    let equation = parse_equation(text, known).map_err(|fault| point_at(text, &fault))?;
     match equation.relation {
         Relation::Equal => Ok(equation),
         _ => Err(Stop::at(equation, "only equations with = can be proved or given")),
@@ -85,8 +101,15 @@ fn point_at(text: &str, fault: &Fault) -> Stop {
 
 /// Decides the goal first; only what holds is worth a search for lines.
 fn answer(premises: &Chain, goal: &Equation) -> ProofReport {
-    let whole = premises.clone().find(goal.clone());
-    let decisions = hops(&whole, "prove");
+    let mut whole = premises.clone().find(goal.clone());
+    let mut decisions = hops(&whole, "prove");
+    if let Some(Verdict::Agrees { .. }) = decisions.last().map(|hop| &hop.verdict) {
+        let far = further_out(&whole);
+        let found = hops(&far, "prove");
+        if let Some(Verdict::Refuted { .. }) = found.last().map(|hop| &hop.verdict) {
+            (whole, decisions) = (far, found);
+        }
+    }
     let decided = decisions.last().map_or(Verdict::Proved, |hop| hop.verdict.clone());
     let is_proof = |hops: &[Hop]| !hops.is_empty() && hops.iter().all(|hop| hop_holds(&hop.verdict));
     let complete = decided.agrees().then(|| whole.complete());
@@ -117,10 +140,30 @@ fn answer(premises: &Chain, goal: &Equation) -> ProofReport {
         claim: goal.to_string(),
         lines,
         hypotheses: hypotheses.iter().map(hypothesis).collect(),
+        assumed: assumed(&found),
         conditions: if proved { conditions(&found) } else { Vec::new() },
         why,
         witness,
     }
+}
+
+/// The same chain with its names over larger numbers.
+fn further_out(chain: &Chain) -> Chain {
+    fn wider(expr: &Expr) -> Expr {
+        match expr.node() {
+            Node::Symbol(symbol) if symbol.domain().re.0 > 0.0 => Expr::from(symbol.clone().real(1.0 / FAR, FAR)),
+            Node::Symbol(symbol) => Expr::from(symbol.clone().real(-FAR, FAR)),
+            _ => expr.map(&mut wider),
+        }
+    }
+    let mut far = chain.clone();
+    for line in &mut far.lines {
+        line.claim = match &line.claim {
+            Claim::Expr(expr) => wider(expr).into(),
+            Claim::Equation(equation) => Equation::new(wider(&equation.lhs), wider(&equation.rhs)).into(),
+        };
+    }
+    far
 }
 
 /// Both sides of `goal` at a point, under the hypotheses of `chain`; none if they need more than the point says.

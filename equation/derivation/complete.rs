@@ -32,7 +32,7 @@ impl Chain {
     /// # Errors
     /// Why the premises cannot be solved, or never hold.
     pub fn hypotheses(&self) -> Result<Vec<Given>, String> {
-        Hypotheses::of(self, &Atoms::default()).map(|all| all.given)
+        Hypotheses::of(self, &Atoms::default()).map(|all| all.given).map_err(|refusal| refusal.why)
     }
 }
 

@@ -39,7 +39,7 @@ impl Chain {
     }
 }
 
-fn sides(line: &Line) -> Vec<&Expr> {
+pub(super) fn sides(line: &Line) -> Vec<&Expr> {
     match &line.claim {
         Claim::Expr(expr) => vec![expr],
         Claim::Equation(equation) => vec![&equation.lhs, &equation.rhs],
@@ -47,16 +47,19 @@ fn sides(line: &Line) -> Vec<&Expr> {
 }
 
 fn collect(expr: &Expr, found: &mut Vec<Expr>) {
-    match expr.node() {
+    divisors(expr).iter().for_each(|divisor| divide(divisor, found));
+}
+
+/// Everything that stands below a line in `expr`.
+pub(super) fn divisors(expr: &Expr) -> Vec<Expr> {
+    let own = match expr.node() {
         // The quotient of two differentials is a derivative.
-        Node::Quotient(_, below) if !matches!(below.node(), Node::Differential(_)) => divide(below, found),
-        Node::Power(base, exponent) if exponent.is_negative() => divide(base, found),
-        Node::Function(Function::Tan, of) => divide(&cos(of), found),
-        _ => {}
-    }
-    for child in expr.children() {
-        collect(child, found);
-    }
+        Node::Quotient(_, below) if !matches!(below.node(), Node::Differential(_)) => Some(below.clone()),
+        Node::Power(base, exponent) if exponent.is_negative() => Some(base.clone()),
+        Node::Function(Function::Tan, of) => Some(cos(of)),
+        _ => None,
+    };
+    own.into_iter().chain(expr.children().into_iter().flat_map(divisors)).collect()
 }
 
 /// The factors of a divisor that may vanish.

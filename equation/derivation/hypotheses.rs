@@ -2,6 +2,7 @@
 
 use super::atoms::Atoms;
 use super::chain::{Chain, Claim, Role};
+use super::conditions::divisors;
 use super::sample::Admission;
 use crate::Equation;
 use crate::calculus::{Calculus, Unresolved};
@@ -15,13 +16,35 @@ use std::borrow::Cow;
 pub(super) struct Hypotheses<'a> {
     chain: &'a Chain,
     pub given: Vec<Given>,
-    /// What was divided by where the premises were solved.
+    /// What was divided by where the premises were solved, and what they divide by themselves.
     pub divisors: Vec<Expr>,
     /// Positive symbols that premises were solved for: what they come out as must be positive.
     positive: Vec<Expr>,
-    /// Premises that no symbol could be taken from.
-    pub unsolved: Vec<Equation>,
+    /// Premises that no symbol could be taken from, each with its name.
+    pub unsolved: Vec<(Equation, &'static str)>,
 }
+
+/// Why a chain has no hypotheses to be judged under.
+#[derive(Clone, Debug)]
+pub(super) struct Refusal {
+    pub why: String,
+    /// Whether the premises contradict one another.
+    pub is_contradiction: bool,
+}
+
+/// Everything that a premise divides by.
+fn divisors_of(premise: &Equation) -> Vec<Expr> {
+    [&premise.lhs, &premise.rhs].into_iter().flat_map(divisors).collect()
+}
+
+impl<T: std::error::Error> From<T> for Refusal {
+    fn from(why: T) -> Self {
+        Self { why: why.to_string(), is_contradiction: false }
+    }
+}
+
+/// A premise and its name.
+type Premise<'a> = (&'a Equation, &'static str);
 
 impl<'a> Hypotheses<'a> {
     fn new(chain: &'a Chain, given: &[Given]) -> Self {
@@ -29,35 +52,54 @@ impl<'a> Hypotheses<'a> {
     }
 
     /// The hypotheses of `chain`, with what its premises are solved for.
-    pub fn of(chain: &'a Chain, atoms: &Atoms) -> Result<Self, String> {
+    pub fn of(chain: &'a Chain, atoms: &Atoms) -> Result<Self, Refusal> {
         let mut all = Self::new(chain, &chain.given);
         if chain.unknowns.is_empty() {
-            all.orient(atoms)?;
+            all = Self::oriented(chain, atoms)?;
         } else {
             let early = Self::new(chain, &chain.given[..chain.solved_under]);
             let solution = early.solve(atoms).or_else(|_| all.solve(atoms))?;
             all.take(solution, "linear solve", atoms);
+            if let Some(divisor) = all.first_zero(&all.divisors, atoms)? {
+                return Err(all.divided_by(divisor));
+            }
         }
         all.settle(atoms)?;
         Ok(all)
     }
 
-    /// Looks again at what was divided by and at what could not be solved, now that every hypothesis is known.
-    fn settle(&mut self, atoms: &Atoms) -> Result<(), String> {
-        for divisor in &self.divisors {
-            let pairs = self.resolve(atoms, divisor, divisor).map_err(|why| why.to_string())?;
+    /// Looks again at what the premises divide by and at what could not be solved, now that every hypothesis is known.
+    fn settle(&mut self, atoms: &Atoms) -> Result<(), Refusal> {
+        let written: Vec<Expr> = self.premises().flat_map(|(premise, _)| divisors_of(premise)).collect();
+        if let Some(divisor) = self.first_zero(&written, atoms)? {
+            return Err(self.divided_by(divisor));
+        }
+        self.divisors.extend(written);
+        let mut unsolved = Vec::new();
+        for (premise, by) in &self.unsolved {
+            let (left, right) = (atoms.meant(&premise.lhs), atoms.meant(&premise.rhs));
+            let pairs = self.resolve(atoms, &left, &right)?.into_iter();
+            let open = pairs.filter(|(left, right)| ring::equal(left, right) != Ok(true));
+            unsolved.extend(open.map(|(left, right)| (Equation::new(left, right), *by)));
+        }
+        self.unsolved = unsolved;
+        Ok(())
+    }
+
+    fn divided_by(&self, divisor: Expr) -> Refusal {
+        let why = format!("a premise is divided by {divisor}, which the premises make zero");
+        Refusal { why, is_contradiction: false }
+    }
+
+    /// The first of `divisors` that is zero under the hypotheses.
+    fn first_zero(&self, divisors: &[Expr], atoms: &Atoms) -> Result<Option<Expr>, Refusal> {
+        for divisor in divisors {
+            let pairs = self.resolve(atoms, divisor, divisor)?;
             if pairs.iter().any(|(value, _)| ring::equal(value, &Expr::from(0)) == Ok(true)) {
-                return Err(format!("a premise was divided by {divisor}, which the premises make zero"));
+                return Ok(Some(divisor.clone()));
             }
         }
-        let mut unsolved = Vec::new();
-        for premise in &self.unsolved {
-            let (left, right) = (atoms.meant(&premise.lhs), atoms.meant(&premise.rhs));
-            let pairs = self.resolve(atoms, &left, &right).map_err(|why| why.to_string())?;
-            unsolved.extend(pairs.into_iter().filter(|(left, right)| ring::equal(left, right) != Ok(true)));
-        }
-        self.unsolved = unsolved.into_iter().map(|(left, right)| Equation::new(left, right)).collect();
-        Ok(())
+        Ok(None)
     }
 
     /// Adds what was found for symbols, known as `by`.
@@ -71,7 +113,7 @@ impl<'a> Hypotheses<'a> {
         self.divisors.extend(solution.divisors.iter().map(|divisor| atoms.meant(divisor)));
     }
 
-    fn premises(&self) -> impl Iterator<Item = (&'a Equation, &'static str)> + use<'a> {
+    fn premises(&self) -> impl Iterator<Item = Premise<'a>> + use<'a> {
         let premises = self.chain.lines.iter().filter(|line| line.role == Role::Premise);
         premises.filter_map(|line| match (&line.claim, line.by.first()) {
             (Claim::Equation(premise), Some(Cow::Borrowed(by))) => Some((premise, *by)),
@@ -80,23 +122,54 @@ impl<'a> Hypotheses<'a> {
         })
     }
 
-    /// Every premise as a hypothesis about one of its symbols, where that can be.
-    fn orient(&mut self, atoms: &Atoms) -> Result<(), String> {
-        for (premise, by) in self.premises() {
-            for (left, right) in self.resolve(atoms, &premise.lhs, &premise.rhs).map_err(|why| why.to_string())? {
+    /// Every premise as a hypothesis about one of its symbols, where that can be. One that was divided by what the others
+    /// make zero says nothing before they do: it waits until they have spoken. So does one that was divided by anything,
+    /// where another contradicts what came of it.
+    fn oriented(chain: &'a Chain, atoms: &Atoms) -> Result<Self, Refusal> {
+        let mut order: Vec<Premise> = Self::new(chain, &[]).premises().collect();
+        let mut last = None;
+        for _ in 0..=2 * order.len() {
+            let mut all = Self::new(chain, &chain.given);
+            match all.orient(&order, atoms)? {
+                None => return Ok(all),
+                Some((at, refusal)) => {
+                    let late = order.remove(at);
+                    order.push(late);
+                    last = Some(refusal);
+                }
+            }
+        }
+        last.map_or_else(|| Ok(Self::new(chain, &chain.given)), Err)
+    }
+
+    /// Takes the premises one after the other; the place of the first that must not come so early, and why, if there is one.
+    fn orient(&mut self, order: &[Premise], atoms: &Atoms) -> Result<Option<(usize, Refusal)>, Refusal> {
+        let mut owners = Vec::new();
+        for (at, (premise, by)) in order.iter().enumerate() {
+            for (left, right) in self.resolve(atoms, &premise.lhs, &premise.rhs)? {
                 let premise = Equation::new(left, right);
                 match ring::orient(&premise) {
                     Ok(solution) => {
                         let positive = solution.values.iter().filter(|(symbol, _)| symbol.domain().re.0 > 0.0);
                         self.positive.extend(positive.map(|(symbol, _)| Expr::from(symbol)));
+                        owners.extend(solution.divisors.iter().map(|_| at));
                         self.take(solution, by, atoms);
                     }
-                    Err(Unsolvable::NoSymbol(_)) => self.unsolved.push(premise),
-                    Err(why) => return Err(why.to_string()),
+                    Err(Unsolvable::NoSymbol(_)) => self.unsolved.push((premise, by)),
+                    Err(why @ Unsolvable::Contradiction(_)) => {
+                        let refusal = Refusal { why: why.to_string(), is_contradiction: owners.is_empty() };
+                        return Ok(Some((owners.last().copied().unwrap_or(at), refusal)));
+                    }
+                    Err(why) => {
+                        let zero = self.first_zero(&divisors_of(order[at].0), atoms);
+                        return Err(zero.ok().flatten().map_or(why.into(), |divisor| self.divided_by(divisor)));
+                    }
                 }
             }
         }
-        Ok(())
+        let found = self.first_zero(&self.divisors, atoms)?;
+        let owner = |divisor: &Expr| self.divisors.iter().position(|own| own == divisor).map(|at| owners[at]);
+        Ok(found.and_then(|divisor| Some((owner(&divisor)?, self.divided_by(divisor)))))
     }
 
     /// What a point must satisfy to count, in numbers and free symbols.
@@ -108,12 +181,12 @@ impl<'a> Hypotheses<'a> {
     }
 
     /// The unknowns as the premises together determine them.
-    fn solve(&self, atoms: &Atoms) -> Result<Solution, String> {
+    fn solve(&self, atoms: &Atoms) -> Result<Solution, Refusal> {
         let mut system = Vec::new();
         for (premise, _) in self.premises() {
-            system.extend(self.resolve(atoms, &premise.lhs, &premise.rhs).map_err(|why| why.to_string())?);
+            system.extend(self.resolve(atoms, &premise.lhs, &premise.rhs)?);
         }
-        ring::solve(&system, &self.chain.unknowns).map_err(|why| why.to_string())
+        Ok(ring::solve(&system, &self.chain.unknowns)?)
     }
 
     /// The scalar equations that `left` = `right` stands for, in numbers and symbols alone.
@@ -123,8 +196,21 @@ impl<'a> Hypotheses<'a> {
         Ok(pairs.into_iter().map(|(left, right)| (atoms.named(&left), atoms.named(&right))).collect())
     }
 
+    /// The chain once for every factor of a premise that is a product and could not be solved; `None` where there is no
+    /// such premise, or one of its factors is known to be zero.
+    pub fn cases(&self, atoms: &Atoms) -> Option<Vec<Chain>> {
+        let is_given = |factor: &Expr| {
+            self.unsolved.iter().any(|(premise, _)| premise.lhs == *factor && premise.rhs == Expr::from(0))
+        };
+        self.unsolved.iter().find_map(|(premise, by)| {
+            let factors = ring::factors(premise).ok().filter(|factors| factors.len() > 1)?;
+            let with = |factor: &Expr| self.chain.clone().and(Equation::new(atoms.meant(factor), 0), by);
+            (!factors.iter().any(is_given)).then(|| factors.iter().map(with).collect())
+        })
+    }
+
     /// What must not vanish for one of the premises that could not be solved to lead to `equation`, if one does.
     pub fn imply(&self, equation: &Equation) -> Option<Expr> {
-        self.unsolved.iter().find_map(|from| ring::follows(from, equation).ok()?)
+        self.unsolved.iter().find_map(|(from, _)| ring::follows(from, equation).ok()?)
     }
 }

@@ -6,16 +6,21 @@
 //! goes a bound of its rounding error, so that a difference is called real, or not, by what the arithmetic at that
 //! point can tell, cancellation included.
 
+mod assumed;
 mod atoms;
 mod chain;
 mod complete;
 mod conditions;
 mod hypotheses;
 mod judge;
+mod model;
+#[cfg(test)]
+mod properties;
 mod sample;
 #[cfg(test)]
 mod tests;
 mod verdict;
 
+pub use assumed::Assumed;
 pub use chain::{Chain, Claim, Line, Role};
 pub use verdict::{Hop, Verdict};

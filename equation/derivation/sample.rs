@@ -1,7 +1,9 @@
 //! Two sides compared at points of their symbols' domains.
 
 use super::atoms::Atoms;
+use super::model::Model;
 use super::verdict::Verdict;
+use crate::Equation;
 use crate::expr::Expr;
 use crate::symbol::{Domain, Symbol};
 use crate::tracked::Tracked;
@@ -17,6 +19,13 @@ const ATTEMPTS: usize = 8;
 /// How far apart, in units of the two error bounds, values may lie that are still called equal: room for the few
 /// units in the last place that the functions themselves may be off.
 const ALLOWANCE: f64 = 16.0;
+
+/// How far apart, relative to the size of their terms, two sides lie at a point that an `f64` tells before they differ
+/// beyond doubt.
+const DISTINCT: f64 = 1e-4;
+
+/// Why nothing is proved from premises that may contradict one another.
+const NO_MODEL: &str = "no point was found that satisfies all premises: they may contradict one another";
 
 /// A comparison of two sides: what their normal forms say, and what their values do.
 #[derive(Clone)]
@@ -58,6 +67,17 @@ impl Admission {
     }
 }
 
+/// What sort of points a comparison found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Points {
+    /// Such that what is called positive is.
+    Positive,
+    /// None such, but others.
+    Other,
+    /// None that satisfies the premises.
+    None,
+}
+
 /// Compares everything at common points, so that common parts are computed once.
 pub(super) fn run(
     comparisons: &mut [Comparison],
@@ -65,11 +85,16 @@ pub(super) fn run(
     atoms: &Atoms,
     bits: usize,
     stream: &mut Stream,
-) {
+) -> Points {
     compare(comparisons, (admission, true), atoms, bits, stream);
-    if !admission.positive.is_empty() && comparisons.iter().all(Comparison::is_untouched) {
+    let is_untouched = |comparisons: &[Comparison]| comparisons.iter().all(Comparison::is_untouched);
+    if !is_untouched(comparisons) {
+        return Points::Positive;
+    }
+    if !admission.positive.is_empty() {
         compare(comparisons, (admission, false), atoms, bits, stream);
     }
+    if is_untouched(comparisons) { Points::None } else { Points::Other }
 }
 
 fn compare(
@@ -79,7 +104,7 @@ fn compare(
     bits: usize,
     stream: &mut Stream,
 ) {
-    let symbols = free_symbols(comparisons, admission);
+    let symbols = free_symbols(comparisons, admission, &[]);
     let most = comparisons.iter().map(|pair| pair.wanted).max().unwrap_or(0);
     for attempt in 0..most * ATTEMPTS {
         if comparisons.iter().all(Comparison::is_done) {
@@ -97,9 +122,11 @@ fn compare(
     }
 }
 
-fn free_symbols(comparisons: &[Comparison], admission: &Admission) -> Vec<Symbol> {
+/// Every symbol that a point must have a value for.
+pub(super) fn free_symbols(comparisons: &[Comparison], admission: &Admission, premises: &[Equation]) -> Vec<Symbol> {
     let mut found: Vec<Symbol> = Vec::new();
     let sides = comparisons.iter().flat_map(|pair| [&pair.left, &pair.right]);
+    let sides = sides.chain(premises.iter().flat_map(|premise| [&premise.lhs, &premise.rhs]));
     let more = [&admission.roots, &admission.positive, &admission.divisors];
     for expr in sides.chain(more.into_iter().flatten()) {
         for symbol in expr.symbols() {
@@ -120,7 +147,8 @@ fn bind(sample: &[(&Symbol, Complex64)], bits: usize) -> Bindings<Tracked> {
     bindings
 }
 
-fn draw<'a>(symbols: &'a [Symbol], off_axis: bool, stream: &mut Stream) -> Vec<(&'a Symbol, Complex64)> {
+/// A point of the symbols' domains.
+pub(super) fn draw<'a>(symbols: &'a [Symbol], off_axis: bool, stream: &mut Stream) -> Vec<(&'a Symbol, Complex64)> {
     symbols.iter().map(|symbol| (symbol, draw_one(symbol.domain(), off_axis, stream))).collect()
 }
 
@@ -197,8 +225,34 @@ impl Comparison {
         }
     }
 
-    /// `is_open` if there are premises that the points do not satisfy.
-    pub fn verdict(self, atoms: &Atoms, is_open: bool) -> Verdict {
+    /// What is known where there are premises that the points do not satisfy, but some of `models` may: a proof needs a point where they hold, and a
+    /// refutation one where they hold beyond doubt.
+    pub fn verdict_at(self, models: &[Model], atoms: &Atoms, bits: usize) -> Verdict {
+        let divides = |model: &Model| self.implied_by.as_ref().is_none_or(|divisor| !model.is_zero_of(divisor));
+        let is_possible = models.iter().any(divides);
+        let sharp = models.iter().filter(|model| model.is_sharp && !atoms.is_doubtful());
+        let refuted = sharp.into_iter().find_map(|model| self.refuted_at(model, atoms, bits));
+        match (self.verdict(atoms), refuted) {
+            (Verdict::Proved, _) if !is_possible => Verdict::Unknown { why: NO_MODEL.to_owned() },
+            (Verdict::Refuted { .. } | Verdict::Agrees { .. }, Some(refuted)) => refuted,
+            (Verdict::Refuted { .. }, None) => {
+                Verdict::Unknown { why: "a premise cannot be solved for any of its symbols".to_owned() }
+            }
+            (verdict, _) => verdict,
+        }
+    }
+
+    fn refuted_at(&self, model: &Model, atoms: &Atoms, bits: usize) -> Option<Verdict> {
+        let sample: Vec<_> = model.at.iter().map(|(symbol, value)| (symbol, *value)).collect();
+        let bindings = bind(&sample, bits);
+        let mut evaluation = Evaluation::new(&bindings);
+        let (left, right) = (evaluation.value(&self.left).ok()?, evaluation.value(&self.right).ok()?);
+        let difference = left.difference(&right).filter(|difference| *difference > DISTINCT)?;
+        let at = sample.iter().map(|(symbol, value)| (atoms.face(symbol), text(*value))).collect();
+        Some(Verdict::Refuted { at, digits: -difference.log10() })
+    }
+
+    pub fn verdict(self, atoms: &Atoms) -> Verdict {
         let singular = || match self.last_singularity.as_str() {
             "" => {
                 format!("the values are out of range, or vanish where they must not, at all of {} points", self.skipped)
@@ -210,18 +264,13 @@ impl Comparison {
             (Ok(()), Some(Verdict::Refuted { .. }), _) => {
                 Verdict::Unknown { why: "the normal forms agree, but not the values on every branch".to_owned() }
             }
-            (Err(_), Some(Verdict::Refuted { .. }), _) if is_open => {
-                Verdict::Unknown { why: "a premise cannot be solved for any of its symbols".to_owned() }
-            }
             (Err(_), Some(Verdict::Refuted { .. }), _) if atoms.is_doubtful() => {
                 Verdict::Unknown { why: "a function's arguments may be equal or not".to_owned() }
             }
             (_, Some(verdict), _) => verdict,
             (Err(_), None, Some(digits)) => Verdict::Agrees { points: self.compared, skipped: self.skipped, digits },
             (_, None, None) if self.skipped > 0 => Verdict::Unknown { why: singular() },
-            (_, None, None) => {
-                Verdict::Unknown { why: "no point of the domain was found to satisfy the premises".to_owned() }
-            }
+            (_, None, None) => Verdict::Unknown { why: NO_MODEL.to_owned() },
         }
     }
 }

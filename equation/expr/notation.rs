@@ -58,8 +58,13 @@ macro_rules! operators_on_integers {
         }
         impl Mul<$right> for i32 {
             type Output = Expr;
+            /// A sign that a program puts in, 1 or −1, is written as one.
             fn mul(self, other: $right) -> Expr {
-                Expr::from(self) * other
+                match self {
+                    1 => other.into(),
+                    -1 => -other,
+                    _ => Expr::from(self) * other,
+                }
             }
         }
         impl Div<$right> for i32 {

@@ -71,21 +71,35 @@ impl Atoms {
             return Ok(pair);
         }
         let (angle, multiple) = self.multiple(part)?;
+        if multiple.clone().unsigned_abs() > LARGEST_MULTIPLE.into() {
+            return self.whole_sine_cosine(part);
+        }
         let (sin, cos) = match self.of_inverse(&angle)? {
             Some(pair) => pair,
-            None => {
-                let cos = self.atom(Kind::Cos(angle.clone()), None);
-                let square = Polynomial::term(Monomial::power(cos, 2), IBig::NEG_ONE).plus(&Polynomial::one());
-                let sin = self.atom(Kind::Sin(angle), Some((2, square)));
-                (Fraction::atom(sin), Fraction::atom(cos))
-            }
+            None => self.pair(Kind::Sin(angle.clone()), Kind::Cos(angle)),
         };
         let times = u32::try_from(multiple.clone().unsigned_abs()).map_err(|_| Undecided::TooLarge)?;
-        if times > LARGEST_MULTIPLE {
-            return Err(Undecided::TooLarge);
-        }
         let (sin, cos) = self.of_multiple(&sin, &cos, times)?;
         Ok((if multiple.is_negative() { sin.negated() } else { sin }, cos))
+    }
+
+    /// sin and cos of a term with too large a number to be expanded: known by that term alone.
+    fn whole_sine_cosine(&mut self, part: &Part) -> Result<(Fraction, Fraction)> {
+        let number = IBig::from(part.numerator.clone().unsigned_abs());
+        let of = Fraction {
+            above: Polynomial::term(part.base.above.clone(), number),
+            number: part.denominator.clone(),
+            below: part.base.below.clone(),
+        };
+        let (sin, cos) = self.pair(Kind::Opaque(Function::Sin, of.clone()), Kind::Opaque(Function::Cos, of));
+        Ok((if part.numerator.is_negative() { sin.negated() } else { sin }, cos))
+    }
+
+    /// Two atoms, the first with sin² = 1 − cos².
+    fn pair(&mut self, sin: Kind, cos: Kind) -> (Fraction, Fraction) {
+        let cos = self.atom(cos, None);
+        let square = Polynomial::term(Monomial::power(cos, 2), IBig::NEG_ONE).plus(&Polynomial::one());
+        (Fraction::atom(self.atom(sin, Some((2, square)))), Fraction::atom(cos))
     }
 
     /// sin nα and cos nα, angle after angle.

@@ -112,31 +112,42 @@ impl Atoms {
         sums.into_iter().all(|sum| sum.atoms().into_iter().all(|atom| self.is_real_atom(atom)))
     }
 
-    fn is_real_atom(&self, atom: Atom) -> bool {
+    pub fn is_real_atom(&self, atom: Atom) -> bool {
         match self.kind(atom) {
             Kind::Pi => true,
             Kind::Symbol(symbol) => symbol.domain().im == (0.0, 0.0),
-            Kind::Sin(angle) | Kind::Cos(angle) | Kind::Exp(angle) => {
-                let base = &angle.of;
-                self.is_real(&Fraction {
-                    below: base.below.clone(),
-                    ..Fraction::of(Polynomial::term(base.above.clone(), IBig::ONE))
-                })
-            }
+            Kind::Sin(angle) | Kind::Cos(angle) | Kind::Exp(angle) => self.is_real_angle(angle),
             Kind::Root { of, .. } => self.is_positive(of),
+            Kind::Opaque(Function::Sin | Function::Cos, of) => self.is_real(of),
             Kind::Imaginary | Kind::Leg(_) | Kind::Opaque(..) => false,
         }
     }
 
-    /// Whether it is a product of positive numbers, symbols and roots of such.
+    fn is_real_angle(&self, angle: &Angle) -> bool {
+        let base = &angle.of;
+        self.is_real(&Fraction {
+            below: base.below.clone(),
+            ..Fraction::of(Polynomial::term(base.above.clone(), IBig::ONE))
+        })
+    }
+
+    /// Whether it is made of positive numbers, symbols and roots of such by +, × and ÷ alone.
     pub fn is_positive(&self, value: &Fraction) -> bool {
-        value.above.content().is_positive()
-            && value.is_product(|atom| match self.kind(atom) {
-                Kind::Pi => true,
-                Kind::Symbol(symbol) => symbol.domain().im == (0.0, 0.0) && symbol.domain().re.0 > 0.0,
-                Kind::Root { of, .. } => self.is_positive(of),
-                _ => false,
-            })
+        let is_positive = |(monomial, number): (&Monomial, &IBig)| {
+            number.is_positive() && monomial.powers().iter().all(|(atom, _)| self.is_positive_atom(*atom))
+        };
+        let mut sums = std::iter::once(&value.above).chain(value.below.iter().map(|(factor, _)| factor));
+        !value.is_zero() && sums.all(|sum| sum.terms().all(is_positive))
+    }
+
+    fn is_positive_atom(&self, atom: Atom) -> bool {
+        match self.kind(atom) {
+            Kind::Pi => true,
+            Kind::Symbol(symbol) => symbol.domain().im == (0.0, 0.0) && symbol.domain().re.0 > 0.0,
+            Kind::Exp(angle) => self.is_real_angle(angle),
+            Kind::Root { of, .. } => self.is_positive(of),
+            _ => false,
+        }
     }
 
     /// What stands below the line, multiplied out.
@@ -152,12 +163,11 @@ impl Atoms {
     /// The largest |arg| of what an atom stands for [rad]; π if nothing is known.
     pub fn phase(&self, atom: Atom) -> f64 {
         match self.kind(atom) {
-            Kind::Pi => 0.0,
             Kind::Symbol(symbol) if symbol.domain().re.0 > 0.0 => {
                 let domain = symbol.domain();
                 domain.im.0.abs().max(domain.im.1.abs()).atan2(domain.re.0)
             }
-            Kind::Root { of, .. } if self.is_positive(of) => 0.0,
+            _ if self.is_positive_atom(atom) => 0.0,
             _ => std::f64::consts::PI,
         }
     }
@@ -168,7 +178,9 @@ impl Atoms {
             Kind::Imaginary | Kind::Pi | Kind::Exp(_) => true,
             Kind::Symbol(symbol) => symbol.domain().excludes_zero(),
             Kind::Root { of, .. } => of.is_product(|atom| self.never_vanishes(atom)),
-            Kind::Sin(_) | Kind::Cos(_) | Kind::Leg(_) | Kind::Opaque(..) => false,
+            // Of a rational number but zero they are transcendental (Lindemann); multiples of π are no atoms of this kind.
+            Kind::Sin(angle) | Kind::Cos(angle) => angle.of.above.is_one() && angle.of.below.is_empty(),
+            Kind::Leg(_) | Kind::Opaque(..) => false,
         }
     }
 

@@ -1,7 +1,7 @@
 //! Quotients of polynomials, and the arithmetic that applies the atoms' relations.
 
 use super::polynomial::{Atom, Monomial, Polynomial};
-use dashu_base::{BitTest, Gcd, Signed};
+use dashu_base::{BitTest, Gcd, Signed, SquareRoot, UnsignedAbs};
 use dashu_int::IBig;
 
 /// A polynomial over a product of others. Nothing is cancelled but numbers, single atoms and equal factors: whether a
@@ -286,24 +286,48 @@ impl Arithmetic {
         Ok(Fraction { above: self.product(&a.above, &b.above)?, number: a.number * b.number, below }.lowest())
     }
 
-    /// Whether `divisor` times a polynomial is `sum`, as long division tells.
-    pub fn divides(&mut self, divisor: &Polynomial, sum: &Polynomial) -> Result<bool> {
-        let Some((lead, number)) = divisor.first() else { return Ok(false) };
-        let mut rest = sum.clone();
+    /// `sum` over `divisor` where that is a polynomial, by long division.
+    pub fn quotient(&mut self, sum: &Polynomial, divisor: &Polynomial) -> Result<Option<Polynomial>> {
+        let Some((lead, number)) = divisor.first() else { return Ok(None) };
+        let (mut rest, mut quotient) = (sum.clone(), Polynomial::zero());
         // A round removes the first term and makes none before it, unless a relation interferes.
         let mut last = None;
         while let Some((monomial, coefficient)) = rest.first() {
             let is_multiple = lead.powers().iter().all(|&(atom, power)| monomial.exponent(atom) >= power);
             let is_later = last.as_ref().is_none_or(|last| monomial > *last);
             if !is_multiple || !is_later || !(&coefficient % &number).is_zero() {
-                return Ok(false);
+                return Ok(None);
             }
             let factor = Polynomial::term(monomial.over(&lead), coefficient / &number);
             last = Some(monomial);
             let removed = self.product(&factor, divisor)?;
             rest = rest.plus(&removed.negated());
+            quotient = quotient.plus(&factor);
         }
-        Ok(true)
+        Ok(Some(quotient))
+    }
+
+    /// The sum whose square is `square`, if there is one; its first coefficient is positive. Term after term, as on paper.
+    pub fn square_root(&mut self, square: &Polynomial) -> Result<Option<Polynomial>> {
+        let Some((lead, number)) = square.first() else { return Ok(None) };
+        if number.is_negative() || lead.powers().iter().any(|(_, power)| power % 2 == 1) {
+            return Ok(None);
+        }
+        let half = IBig::from(number.unsigned_abs().sqrt());
+        let halved = lead.powers().iter().fold(Monomial::default(), |half, &(atom, power)| half.with(atom, power / 2));
+        let (first, twice) = (halved.clone(), &half * IBig::from(2));
+        let mut root = Polynomial::term(halved, half);
+        // Each round finds one more term; a square has at least as many terms as its root.
+        for _ in 0..=square.len() {
+            let rest = square.clone().plus(&self.product(&root, &root)?.negated());
+            let Some((monomial, coefficient)) = rest.first() else { return Ok(Some(root)) };
+            let is_multiple = first.powers().iter().all(|&(atom, power)| monomial.exponent(atom) >= power);
+            if !is_multiple || !(&coefficient % &twice).is_zero() {
+                return Ok(None);
+            }
+            root = root.plus(&Polynomial::term(monomial.over(&first), coefficient / &twice));
+        }
+        Ok(None)
     }
 
     /// 1/`fraction`; `None` of zero.

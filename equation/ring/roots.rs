@@ -2,17 +2,69 @@
 
 use super::atoms::{Atoms, Kind};
 use super::fraction::{Fraction, Result, Undecided};
-use super::polynomial::Atom;
+use super::polynomial::{Atom, Polynomial};
 use dashu_base::{Signed, UnsignedAbs};
 use dashu_int::IBig;
 
 impl Atoms {
     /// The principal root of `degree` ≥ 2. Factors come out of it where the branch allows: positive numbers and positive
-    /// symbols always; symbols of bounded phase where nothing else is left in it and their phases stay below π together.
+    /// symbols always; squares of what is real as moduli; symbols of bounded phase where nothing else is left in it and
+    /// their phases stay below π together.
     pub fn root(&mut self, of: &Fraction, degree: u32) -> Result<Fraction> {
         if of.is_zero() {
             return Ok(Fraction::zero());
         }
+        let (moduli, rest) = if degree == 2 { self.squares(of)? } else { (Fraction::one(), of.clone()) };
+        let root = self.root_of_factors(&rest, degree)?;
+        self.arithmetic.times(&moduli, &root)
+    }
+
+    /// What comes out of the square root of `of` because its square is a factor of it, and what is left in: sums that are
+    /// positive by their form, and the moduli of what is real.
+    fn squares(&mut self, of: &Fraction) -> Result<(Fraction, Fraction)> {
+        let (mut outside, mut inside) = (Fraction::one(), of.clone());
+        let common = of.above.common_monomial();
+        let sum = of.above.divided(&common, &of.above.content());
+        if sum.len() > 1
+            && let Some(root) = self.arithmetic.square_root(&sum)?.map(Fraction::of)
+            && self.is_positive(&root)
+        {
+            inside.above = Polynomial::term(common, of.above.content());
+            outside = root;
+        }
+        let mut below = Vec::new();
+        for (factor, power) in of.below.clone() {
+            let (root, times, left) = match self.arithmetic.square_root(&factor)? {
+                Some(root) => (Fraction::of(root), power, 0),
+                None => (Fraction::of(factor.clone()), power / 2, power % 2),
+            };
+            let comes_out = factor.len() > 1 && times > 0 && self.is_positive(&root);
+            let left = if comes_out { left } else { power };
+            if left > 0 {
+                below.push((factor, left));
+            }
+            if comes_out {
+                let inverse = self.inverse(&root)?;
+                let taken = self.arithmetic.raise(&inverse, times)?;
+                outside = self.arithmetic.times(&outside, &taken)?;
+            }
+        }
+        inside.below = below;
+        for (atom, power) in self.atom_powers(&inside) {
+            if power.unsigned_abs() > 1 && self.phase(atom) != 0.0 && self.is_real_atom(atom) {
+                let square = self.power(atom, 2)?;
+                let modulus = self.plain_root(&square, 2)?;
+                let taken = self.arithmetic.raise(&modulus, (power.unsigned_abs() / 2) as u32)?;
+                let taken = if power < 0 { self.inverse(&taken)? } else { taken };
+                outside = self.arithmetic.times(&outside, &taken)?;
+                let left = self.power(atom, -(power / 2 * 2))?;
+                inside = self.arithmetic.times(&inside, &left)?;
+            }
+        }
+        Ok((outside, inside))
+    }
+
+    fn root_of_factors(&mut self, of: &Fraction, degree: u32) -> Result<Fraction> {
         let content = of.above.content();
         let sum = of.above.divided(&of.above.common_monomial(), &content);
         let is_bare = sum.len() == 1 && of.below.iter().all(|(factor, _)| factor.as_atom().is_some());

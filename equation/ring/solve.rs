@@ -1,11 +1,12 @@
 //! Equations: linear systems solved, one equation from another, a hypothesis from an equation.
 
 use super::atoms::Kind;
+use super::equal;
 use super::fraction::{Fraction, Undecided};
 use super::normal::Normaliser;
 use super::polynomial::{Atom, Monomial, Polynomial};
 use crate::Equation;
-use crate::expr::{Expr, sqrt};
+use crate::expr::{Expr, Node, sqrt};
 use crate::symbol::Symbol;
 use dashu_int::IBig;
 use std::fmt;
@@ -150,65 +151,142 @@ pub fn follows(from: &Equation, to: &Equation) -> Result<Option<Expr>, Undecided
     found.map(|leading| ring.expr(&leading).ok_or(Undecided::TooLarge)).transpose()
 }
 
+/// The factors of `equation`, written as a difference, that may vanish, as far as they can be told apart: it holds where
+/// one of them does.
+pub fn factors(equation: &Equation) -> Result<Vec<Expr>, Undecided> {
+    let mut ring = Normaliser::default();
+    let mut parts = Vec::new();
+    if equal(&equation.rhs, &Expr::from(0))? {
+        written_factors(&equation.lhs, &mut parts);
+    } else {
+        parts.push(&equation.lhs - &equation.rhs);
+    }
+    let found = ring.settle(|ring| {
+        let mut found: Vec<Polynomial> = Vec::new();
+        for part in &parts {
+            let sum = ring.fraction(part)?.above;
+            let common = sum.common_monomial();
+            let atoms = common.powers().iter().filter(|(atom, _)| !ring.atoms.never_vanishes(*atom));
+            found.extend(atoms.map(|(atom, _)| Polynomial::atom(*atom)));
+            found.extend(ring.split(sum.divided(&common, &IBig::ONE))?);
+        }
+        Ok(found)
+    })?;
+    found.into_iter().map(|sum| ring.expr(&Fraction::of(sum)).ok_or(Undecided::TooLarge)).collect()
+}
+
+/// What a product is written as a product of.
+fn written_factors(expr: &Expr, found: &mut Vec<Expr>) {
+    match expr.node() {
+        Node::Product(factors) => factors.iter().for_each(|factor| written_factors(factor, found)),
+        Node::Negate(of) | Node::Quotient(of, _) => written_factors(of, found),
+        Node::Power(base, exponent) if !exponent.is_negative() => written_factors(base, found),
+        _ => found.push(expr.clone()),
+    }
+}
+
 /// `equation` as a hypothesis: factors that all its terms share and that are never zero are divided out, and the rest is
 /// solved for the first of its symbols that it is linear in and that no function hides, else for a positive one whose square it is linear in.
-/// Of an equation that always holds nothing follows: no symbol.
+/// Of an equation that always holds nothing follows: no symbol. A root is zero where what it is the root of is.
+///
+/// That a symbol is never zero is what its domain says; another premise may say otherwise. So whatever is divided out
+/// is among the divisors.
 pub fn orient(equation: &Equation) -> Result<Solution, Unsolvable> {
     let mut ring = Normaliser::default();
     let all = ring.settle(|ring| ring.difference(&equation.lhs, &equation.rhs))?;
-    if all.is_zero() {
-        return Ok(Solution::default());
-    }
-    let (common, one) = (all.common_monomial(), IBig::ONE);
-    let sum = all.divided(&common, &one);
-    if sum.as_constant().is_some() {
-        return ring.one_factor(&common, equation);
-    }
-    if common.powers().iter().any(|(atom, _)| !ring.atoms.never_vanishes(*atom)) {
-        return Err(Unsolvable::NoSymbol(equation.to_string()));
-    }
-    for degree in [1, 2] {
-        for symbol in equation.lhs.symbols().into_iter().chain(equation.rhs.symbols()) {
-            let atom = ring.atoms.symbol_atom(symbol);
-            let is_pure = sum.degree(atom) == degree && (1..degree).all(|lower| sum.coefficient(atom, lower).is_zero());
-            // Of the two roots a positive quantity is the positive one.
-            let is_one_valued = degree == 1 || symbol.domain().re.0 > 0.0;
-            if !is_pure || !is_one_valued || ring.hides(&sum, atom) {
-                continue;
-            }
-            let (above, below) = (sum.coefficient(atom, 0), sum.coefficient(atom, degree));
-            if ring.is_branch(&below, &sum)? {
-                continue;
-            }
-            let arithmetic = &mut ring.atoms.arithmetic;
-            let Some(inverse) = arithmetic.inverse(&Fraction::of(below.clone()))? else { continue };
-            let value = arithmetic.times(&Fraction::of(above.negated()), &inverse)?;
-            let face = |value: &Fraction| ring.expr(value).ok_or(Undecided::TooLarge);
-            let value = if degree == 2 { sqrt(face(&value)?) } else { face(&value)? };
-            let divisors = vec![face(&Fraction::of(below))?];
-            return Ok(Solution { values: vec![(symbol.clone(), value)], divisors });
-        }
-    }
-    Err(Unsolvable::NoSymbol(equation.to_string()))
+    ring.orient(&all, equation)
 }
 
 impl Normaliser {
-    /// A product that is zero: so is the only one of its factors that may be.
-    fn one_factor(&self, product: &Monomial, equation: &Equation) -> Result<Solution, Unsolvable> {
-        let may_vanish = |(atom, _): &&(Atom, u32)| !self.atoms.never_vanishes(*atom);
-        let factors: Vec<_> =
-            product.powers().iter().filter(may_vanish).map(|(atom, _)| self.atoms.kind(*atom)).collect();
-        let single = match product.powers() {
-            [(atom, _)] => Some(self.atoms.kind(*atom)),
-            _ => None,
-        };
-        // What is said to be zero by itself is, whatever its domain.
-        let factors = single.map_or(factors, |kind| vec![kind]);
-        match factors[..] {
-            [Kind::Imaginary | Kind::Pi | Kind::Exp(_)] | [] => Err(Unsolvable::Contradiction(equation.to_string())),
-            [Kind::Symbol(symbol)] => Ok(Solution { values: vec![(symbol.clone(), Expr::from(0))], divisors: vec![] }),
-            _ => Err(Unsolvable::NoSymbol(equation.to_string())),
+    /// [`orient`] of the equation that says that `all` is zero.
+    fn orient(&mut self, all: &Polynomial, equation: &Equation) -> Result<Solution, Unsolvable> {
+        if all.is_zero() {
+            return Ok(Solution::default());
         }
+        let (common, one) = (all.common_monomial(), IBig::ONE);
+        let sum = all.divided(&common, &one);
+        if sum.as_constant().is_some() {
+            return self.one_factor(&common, equation);
+        }
+        if common.powers().iter().any(|(atom, _)| !self.atoms.never_vanishes(*atom)) {
+            return Err(Unsolvable::NoSymbol(equation.to_string()));
+        }
+        let common = Polynomial::term(common, one);
+        for degree in [1, 2] {
+            for symbol in equation.lhs.symbols().into_iter().chain(equation.rhs.symbols()) {
+                let atom = self.atoms.symbol_atom(symbol);
+                let is_pure =
+                    sum.degree(atom) == degree && (1..degree).all(|lower| sum.coefficient(atom, lower).is_zero());
+                // Of the two roots a positive quantity is the positive one.
+                let is_one_valued = degree == 1 || symbol.domain().re.0 > 0.0;
+                if !is_pure || !is_one_valued || self.hides(&sum, atom) {
+                    continue;
+                }
+                let (above, below) = (sum.coefficient(atom, 0), sum.coefficient(atom, degree));
+                if self.is_branch(&below, &sum)? {
+                    continue;
+                }
+                let arithmetic = &mut self.atoms.arithmetic;
+                let Some(inverse) = arithmetic.inverse(&Fraction::of(below.clone()))? else { continue };
+                let value = arithmetic.times(&Fraction::of(above.negated()), &inverse)?;
+                let value = if degree == 2 { sqrt(self.face(value)?) } else { self.face(value)? };
+                let divisors = [below, common].into_iter().filter(|divisor| divisor.as_constant().is_none());
+                let divisors = divisors.map(|divisor| self.face(Fraction::of(divisor))).collect::<Result<_, _>>()?;
+                return Ok(Solution { values: vec![(symbol.clone(), value)], divisors });
+            }
+        }
+        Err(Unsolvable::NoSymbol(equation.to_string()))
+    }
+
+    fn face(&self, value: Fraction) -> Result<Expr, Undecided> {
+        self.expr(&value).ok_or(Undecided::TooLarge)
+    }
+
+    /// `sum` without the coefficient of its highest power of some symbol, and that coefficient, where it is a factor; so on
+    /// with both. Numbers and what is never zero are no factors.
+    fn split(&mut self, sum: Polynomial) -> Result<Vec<Polynomial>, Undecided> {
+        if Fraction::of(sum.clone()).is_product(|atom| self.atoms.never_vanishes(atom)) {
+            return Ok(Vec::new());
+        }
+        for atom in sum.atoms() {
+            let leading = sum.coefficient(atom, sum.degree(atom));
+            if leading.len() > 1
+                && sum.degree(atom) > 0
+                && let Some(quotient) = self.atoms.arithmetic.quotient(&sum, &leading)?
+            {
+                return Ok([self.split(leading)?, self.split(quotient)?].concat());
+            }
+        }
+        Ok(vec![sum])
+    }
+
+    /// A product that is zero: so is the only one of its factors that may be.
+    fn one_factor(&mut self, product: &Monomial, equation: &Equation) -> Result<Solution, Unsolvable> {
+        let may_vanish = |(atom, _): &&(Atom, u32)| !self.atoms.never_vanishes(*atom);
+        let single = match product.powers() {
+            // What is said to be zero by itself is, whatever its domain.
+            [(atom, _)] => vec![*atom],
+            all => all.iter().filter(may_vanish).map(|(atom, _)| *atom).collect(),
+        };
+        let [atom] = single[..] else {
+            return Err(match single[..] {
+                [] => Unsolvable::Contradiction(equation.to_string()),
+                _ => Unsolvable::NoSymbol(equation.to_string()),
+            });
+        };
+        let found = match self.atoms.kind(atom).clone() {
+            Kind::Imaginary | Kind::Pi | Kind::Exp(_) => Err(Unsolvable::Contradiction(equation.to_string())),
+            Kind::Symbol(symbol) => Ok(Solution { values: vec![(symbol, Expr::from(0))], divisors: vec![] }),
+            Kind::Root { of, .. } => self.orient(&of.above, equation),
+            _ => Err(Unsolvable::NoSymbol(equation.to_string())),
+        };
+        let rest = Polynomial::term(product.with(atom, 0), IBig::ONE);
+        found.and_then(|mut solution| {
+            if rest.as_constant().is_none() {
+                solution.divisors.push(self.face(Fraction::of(rest))?);
+            }
+            Ok(solution)
+        })
     }
 
     /// The numerator of `left` − `right`.
@@ -222,7 +300,7 @@ impl Normaliser {
         if Fraction::of(divisor.clone()).is_product(|atom| self.atoms.never_vanishes(atom)) {
             return Ok(false);
         }
-        if self.atoms.arithmetic.divides(divisor, sum)? {
+        if self.atoms.arithmetic.quotient(sum, divisor)?.is_some() {
             return Ok(true);
         }
         for atom in divisor.atoms() {

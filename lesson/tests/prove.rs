@@ -20,7 +20,11 @@ fn json(arguments: &[&str]) -> (i32, Value) {
 fn an_identity_is_proved_with_its_steps() {
     let run = prove(&["sin(a)^2 - sin(b)^2", "sin(a+b)*sin(a-b)"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{run:?}");
-    assert!(run.out.contains("= sin(a + b) sin(a − b)") && run.out.ends_with("  Proved\n"), "{}", run.out);
+    assert!(
+        run.out.contains("= sin(a + b) sin(a − b)") && run.out.ends_with("  Proved for positive a, b\n"),
+        "{}",
+        run.out
+    );
     let (code, answer) = json(&["sin(a)^2 - sin(b)^2", "sin(a+b)*sin(a-b)"]);
     assert_eq!((code, &answer["verdict"]), (0, &"proved".into()));
     assert!(answer["lines"].as_array().unwrap().iter().all(|line| line["hop"]["verdict"] == "passed"), "{answer}");
@@ -48,6 +52,93 @@ fn hypotheses_are_used_and_equations_lead_to_equations() {
     assert_eq!(prove(&["x + y = 2", "y = 2 + x"]).code, 1);
     let never = prove(&["a", "b", "--given", "1 = 2"]);
     assert!(never.code == 2 && never.out.contains("never holds"), "{never:?}");
+}
+
+/// The exit status under these premises, in whatever order.
+fn under(claim: [&str; 2], premises: &[&str], more: &[&str]) -> i32 {
+    let asked = |premises: &mut dyn Iterator<Item = &&str>| {
+        let given = premises.flat_map(|premise| ["--given", premise]);
+        prove(&claim.into_iter().chain(given).chain(more.iter().copied()).collect::<Vec<_>>()).code
+    };
+    let code = asked(&mut premises.iter());
+    assert_eq!(code, asked(&mut premises.iter().rev()), "{claim:?} from {premises:?}");
+    code
+}
+
+#[test]
+fn nothing_is_proved_through_a_divisor_that_is_zero() {
+    let cases: [([&str; 2], &[&str]); 11] = [
+        (["x", "y"], &["a*(x-y)=0", "a=0"]),
+        (["x", "1"], &["x*y=y", "y=0"]),
+        (["x", "1"], &["x*y=y", "y+z=z"]),
+        (["x", "1"], &["x*y=y", "y=z-z"]),
+        (["x", "y"], &["x*a=y*a", "a^2=0"]),
+        (["x", "y"], &["x*a=y*a", "sqrt(a)=0"]),
+        (["x", "z"], &["x/y=z/y", "y=0"]),
+        (["x", "y"], &["x*a=y*a", "exp(a)=1"]),
+        (["x", "y"], &["x=1", "x=2"]),
+        (["x", "y"], &["x*a=y*a", "a*b=b", "a=c", "c+b=b"]),
+        (["b", "1"], &["a*b=b", "a=2"]),
+    ];
+    for (claim, premises) in cases {
+        assert_ne!(under(claim, premises, &[]), 0, "{claim:?} from {premises:?}");
+    }
+    assert_eq!(under(["x", "y"], &["a*(x-y)=0", "a=b"], &[]), 0);
+    let run = prove(&["x", "x", "--given", "sqrt(a)=-1"]);
+    assert!(run.code == 2 && run.out.contains("contradict"), "{run:?}");
+}
+
+#[test]
+fn every_factor_of_a_premise_is_a_case() {
+    let product = "(x-1)*(y-2)=0";
+    assert_eq!(under(["x", "1"], &[product], &[]), 1);
+    assert_eq!(under(["y", "2"], &[product], &[]), 1);
+    assert_eq!(under(["x*y+2", "2x+y"], &[product], &[]), 0);
+    assert_eq!(under(["y", "2"], &[product, "x=3"], &[]), 0);
+    assert_eq!(under(["y", "z"], &["sin(x)*y=sin(x)*z"], &[]), 1);
+    assert_eq!(under(["y", "z"], &["sin(x)*y=sin(x)*z", "x=1"], &[]), 0);
+    // A name is positive where it can be.
+    assert_eq!(under(["y", "2"], &["(x+1)*(y-2)=0"], &[]), 0);
+    assert_eq!(under(["y", "2"], &["(x+1)*(y-2)=0"], &["--real", "x"]), 1);
+    assert_eq!(under(["a", "0"], &["a*b=0"], &["--real", "a,b"]), 1);
+}
+
+#[test]
+fn what_was_assumed_stands_with_the_answer() {
+    let told = |arguments: &[&str], end: &str| {
+        let run = prove(arguments);
+        assert!(run.code == 0 && run.out.ends_with(&format!("  Proved {end}\n")), "{run:?}");
+    };
+    told(&["sqrt(x^2)", "x"], "for positive x");
+    told(&["sin(x)/cos(x)", "tan(x)"], "for positive x where cos x ≠ 0");
+    told(&["sqrt(theta_1^2)", "|theta1|", "--real", "theta1"], "for real θ₁");
+    told(&["a*|x|", "|a*x|", "--real", "x"], "for positive a and real x");
+    told(&["x", "-a", "--given", "x+a=0"], "for positive a");
+    let (_, answer) = json(&["a*|x|", "|a*x|", "--real", "x"]);
+    assert_eq!((&answer["assumed"]["positive"][0], &answer["assumed"]["real"][0]), (&"a".into(), &"x".into()));
+    assert_eq!(prove(&["sqrt(x^2)", "x", "--real", "x"]).code, 1);
+    let unreadable = prove(&["x", "x", "--real", "x+1"]);
+    assert!(unreadable.code == 2 && unreadable.err.contains("--real"), "{unreadable:?}");
+}
+
+#[test]
+fn moduli_and_large_multiples() {
+    for (left, right) in [
+        ("|a|*|b|", "|a*b|"),
+        ("sqrt((x+y)^2)", "x+y"),
+        ("sqrt(e^(2x))", "e^x"),
+        ("sin(100000*x)", "sin(100000*x)"),
+        ("sin(100000*x)", "sin(50000*(x+x))"),
+    ] {
+        assert_eq!(prove(&[left, right]).code, 0, "{left} = {right}");
+    }
+    assert_eq!(prove(&["|a|*|b|", "|a*b|", "--real", "a", "--real", "b"]).code, 0);
+    assert_eq!(prove(&["sqrt((x-y)^2)", "x-y"]).code, 1);
+    assert_eq!(prove(&["sin(100000*x)", "sin(100001*x)"]).code, 1);
+    // True up to 2π and false from there on.
+    let (code, answer) = json(&["|1-exp(i*x)|", "2*sin(x/2)"]);
+    let x: f64 = answer["witness"]["at"][0][1].as_str().unwrap().parse().unwrap();
+    assert!(code == 1 && (x / 2.0).sin() < 0.0, "{answer}");
 }
 
 #[test]

@@ -259,3 +259,50 @@ fn help_teaches_and_completions_know_the_steps() {
         assert!(lesson(&format!("completions {shell}")).out.contains("brewster"), "{shell}");
     }
 }
+
+/// Every object of `report` that holds `key`.
+fn having<'a>(report: &'a Value, key: &str, found: &mut Vec<&'a Value>) {
+    match report {
+        Value::Object(entries) => {
+            if entries.contains_key(key) {
+                found.push(report);
+            }
+            entries.values().for_each(|value| having(value, key, found));
+        }
+        Value::Array(values) => values.iter().for_each(|value| having(value, key, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn every_hop_has_a_reason_and_every_unit_is_one_that_people_write() {
+    let report = json("all --check --json");
+    let (mut hops, mut units) = (Vec::new(), Vec::new());
+    having(&report, "hop", &mut hops);
+    having(&report, "dimension", &mut units);
+    assert!(hops.len() > 100 && units.len() > 300, "{} hops, {} units", hops.len(), units.len());
+    for line in hops {
+        let by = line["by"].as_array().unwrap();
+        assert!(!by.is_empty() && by.iter().all(|rule| rule != ""), "{line}");
+    }
+    for line in units {
+        let unit = line["dimension"].as_str().unwrap();
+        assert!(!unit.contains('⁻'), "{line}");
+    }
+}
+
+#[test]
+fn what_derivations_share_is_said_once() {
+    let count =
+        |text: &str, phrase: &str| text.split_whitespace().collect::<Vec<_>>().join(" ").matches(phrase).count();
+    let powers = lesson("fresnel powers").out;
+    // All three rest on it; two of them have the fields of s.
+    assert_eq!(count(&powers, "in all that follows Sᵢ = (Eᵢ×Hᵢ)/2"), 1, "{powers}");
+    assert_eq!(count(&powers, "Sᵢ = (Eᵢ×Hᵢ)/2"), 1);
+    assert_eq!(count(&powers, "Eₜ = (0, E₂, 0) ("), 1);
+    assert_eq!(count(&powers, "under Eᵢ, Hᵢ, Eᵣ, Hᵣ, Eₜ, Hₜ as in reflected_from_poynting, E₂ = tₛ E₁"), 1);
+    // One that is asked for by itself says all.
+    let one = lesson("fresnel powers from_poynting").out;
+    assert_eq!((count(&one, "Sᵢ = (Eᵢ×Hᵢ)/2"), count(&one, "Eₜ = (0, E₂, 0) (")), (1, 1), "{one}");
+    assert!(!one.contains("as in"), "{one}");
+}

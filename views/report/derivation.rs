@@ -3,7 +3,7 @@
 use super::{DerivationReport, HopReport, LineReport, Number, StatementReport};
 use chapters::judge::{Derived, Stated, hop_holds};
 use chapters::vocabulary::{Derivation, Statement};
-use equation::derivation::{Chain, Claim, Hop, Line, Verdict};
+use equation::derivation::{Chain, Claim, Hop, Line, Role, Verdict};
 use equation::face::Block;
 use equation::hypothesis::Given;
 use equation::units::Mismatch;
@@ -104,7 +104,15 @@ fn of_next(expr: &Expr) -> LineReport {
 /// The lines of `chain` with what was found of each hop.
 pub fn lines(chain: &Chain, hops: &[Hop]) -> Vec<LineReport> {
     let hop = |at: usize| hops.iter().find(|hop| hop.line == at).map(|hop| found(&hop.verdict));
-    chain.lines.iter().enumerate().map(|(at, line)| show(line, hop(at))).collect()
+    let is_bare = chain.given.is_empty() && chain.lines.iter().all(|line| line.role != Role::Premise);
+    let unnamed = if is_bare { "worked out" } else { "put in and worked out" };
+    chain.lines.iter().enumerate().map(|(at, line)| named(show(line, hop(at)), unnamed)).collect()
+}
+
+/// With a reason for a hop that its author gave none, which calculus and algebra alone lead over.
+fn named(line: LineReport, unnamed: &'static str) -> LineReport {
+    let by = if line.hop.is_some() && line.by.is_empty() { vec![unnamed.into()] } else { line.by };
+    LineReport { by, ..line }
 }
 
 fn show(line: &Line, hop: Option<HopReport>) -> LineReport {

@@ -1,6 +1,8 @@
 //! What `lesson prove` found, as plain data.
 
 use super::LineReport;
+use equation::Symbol;
+use equation::derivation::Chain;
 use serde::Serialize;
 
 /// The answer to one question.
@@ -14,6 +16,8 @@ pub struct ProofReport {
     pub lines: Vec<LineReport>,
     /// The equations given, solved for the symbols that they replace.
     pub hypotheses: Vec<LineReport>,
+    /// What the names stand for.
+    pub assumed: Assumed,
     /// What must not be zero.
     pub conditions: Vec<String>,
     /// Why it is unknown.
@@ -22,6 +26,22 @@ pub struct ProofReport {
     /// Where it fails.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub witness: Option<Witness>,
+}
+
+/// What is assumed of the names; others are replaced by what was given.
+#[derive(Debug, Serialize)]
+pub struct Assumed {
+    /// Positive numbers.
+    pub positive: Vec<String>,
+    /// Real numbers of either sign.
+    pub real: Vec<String>,
+}
+
+/// What `chain` takes its names to stand for.
+pub fn assumed(chain: &Chain) -> Assumed {
+    let found = chain.assumed();
+    let faces = |symbols: &[Symbol]| symbols.iter().map(Symbol::to_string).collect();
+    Assumed { positive: faces(&found.positive), real: faces(&found.real) }
 }
 
 /// A point where the sides differ, and their values there.

@@ -6,8 +6,38 @@ use crate::report::{DerivationReport, LineReport, Verdict};
 use chapters::text::Phrase;
 
 impl Teller<'_> {
+    /// The derivations of a step. What all of them rest on is said once, and what one shares with an earlier one there.
+    pub(super) fn derivations(&self, derivations: &[DerivationReport], open: bool) -> Vec<Block> {
+        let shared = if open { shared(derivations) } else { Vec::new() };
+        let mut blocks: Vec<Block> =
+            self.listed("in all that follows {list}", 2, hypotheses(&shared)).into_iter().collect();
+        for (at, derivation) in derivations.iter().enumerate() {
+            let is_said = |line: &&LineReport| shared.iter().any(|other| is_same(other, line));
+            let own: Vec<&LineReport> = derivation.hypotheses.iter().filter(|line| !is_said(line)).collect();
+            let earlier = if open { &derivations[..at] } else { &[] };
+            blocks.push(self.derivation(derivation, self.under(&own, earlier), open));
+        }
+        blocks
+    }
+
+    /// The hypotheses `own`, with those that one of the `earlier` derivations has too by their names.
+    fn under(&self, own: &[&LineReport], earlier: &[DerivationReport]) -> Vec<String> {
+        let common = |other: &DerivationReport| own.iter().filter(|line| has(other, line)).count();
+        // The first of those that share most.
+        let Some(other) = earlier.iter().rev().max_by_key(|other| common(other)).filter(|other| common(other) > 1)
+        else {
+            return hypotheses(own);
+        };
+        let (known, rest): (Vec<&LineReport>, Vec<_>) = own.iter().partition(|line| has(other, line));
+        let names = known.iter().filter_map(|line| subject(line)).collect::<Vec<_>>().join(", ");
+        let place = other.address.rsplit('/').next().unwrap_or_default();
+        let parts = [("names", Phrase::verbatim(names)), ("place", Phrase::verbatim(place))];
+        let known = self.say("{names} as in {place}", &parts).to_string();
+        std::iter::once(known).chain(hypotheses(&rest)).collect()
+    }
+
     /// A derivation: `open` with its lines, otherwise what became of its hops.
-    pub(super) fn derivation(&self, derivation: &DerivationReport, open: bool) -> Block {
+    fn derivation(&self, derivation: &DerivationReport, under: Vec<String>, open: bool) -> Block {
         let says = self.phrase(&derivation.address, "says", derivation.says);
         let mut details = Vec::new();
         if let Some(mismatch) = &derivation.mismatch {
@@ -15,7 +45,7 @@ impl Teller<'_> {
         }
         details.push(Block::Fold(Fold {
             summary: vec![Span::new(Tone::Plain, self.hops(derivation))],
-            blocks: self.argument(derivation),
+            blocks: self.argument(derivation, under),
             open,
         }));
         if !open {
@@ -46,21 +76,17 @@ impl Teller<'_> {
         }
     }
 
-    fn argument(&self, derivation: &DerivationReport) -> Vec<Block> {
+    fn argument(&self, derivation: &DerivationReport, under: Vec<String>) -> Vec<Block> {
         let mut blocks = vec![self.lines(&derivation.address, &derivation.lines)];
-        let listed = |template: &str, parts: &[String]| {
-            let list = self.say(template, &[("list", Phrase::verbatim(parts.join(", ")))]);
-            (!parts.is_empty()).then(|| Block::text(6, Tone::Dim, list))
-        };
-        blocks.extend(listed("where {list}", &derivation.conditions));
+        blocks.extend(self.listed("where {list}", 6, derivation.conditions.clone()));
         // The hypotheses as substitutions: they place the sample points, the lines above are the argument.
-        let given = |line: &LineReport| match line.by.join(", ") {
-            by if by == line.unicode => by,
-            by => format!("{} ({by})", line.unicode),
-        };
-        let points: Vec<String> = derivation.hypotheses.iter().map(given).collect();
-        blocks.extend(listed("under {list}", &points));
+        blocks.extend(self.listed("under {list}", 6, under));
         blocks
+    }
+
+    fn listed(&self, template: &str, indent: usize, parts: Vec<String>) -> Option<Block> {
+        let list = || self.say(template, &[("list", Phrase::verbatim(parts.join(", ")))]);
+        (!parts.is_empty()).then(|| Block::text(indent, Tone::Dim, list()))
     }
 
     /// Lines, each with its rules and what was found.
@@ -79,6 +105,37 @@ impl Teller<'_> {
             steps: line.unfolded.iter().map(|step| self.line(address, step)).collect(),
         }
     }
+}
+
+/// What all of several derivations rest on.
+fn shared(derivations: &[DerivationReport]) -> Vec<&LineReport> {
+    let Some((first, rest)) = derivations.split_first().filter(|(_, rest)| !rest.is_empty()) else { return Vec::new() };
+    first.hypotheses.iter().filter(|line| rest.iter().all(|other| has(other, line))).collect()
+}
+
+fn has(derivation: &DerivationReport, line: &LineReport) -> bool {
+    derivation.hypotheses.iter().any(|other| is_same(other, line))
+}
+
+fn is_same(a: &LineReport, b: &LineReport) -> bool {
+    a.unicode == b.unicode && a.by == b.by
+}
+
+/// What a hypothesis is about: its left side.
+fn subject(line: &LineReport) -> Option<&str> {
+    line.unicode.split(" = ").next()
+}
+
+/// Hypotheses in a row, each run that one rule gives with the rule after it.
+fn hypotheses(lines: &[&LineReport]) -> Vec<String> {
+    let told = |run: &[&LineReport]| {
+        let faces: Vec<&str> = run.iter().map(|line| line.unicode.as_str()).collect();
+        match (faces.join(", "), run[0].by.join(", ")) {
+            (faces, by) if by == faces => faces,
+            (faces, by) => format!("{faces} ({by})"),
+        }
+    };
+    lines.chunk_by(|a, b| a.by == b.by).map(told).collect()
 }
 
 /// The hops that do not hold.

@@ -24,7 +24,7 @@ impl Teller<'_> {
         }
         if parts.checks {
             verdicts.extend(found.statements.iter().map(|statement| self.units(statement)));
-            verdicts.extend(found.derivations.iter().map(|derivation| self.derivation(derivation, whole)));
+            verdicts.extend(self.derivations(&found.derivations, whole));
             verdicts.extend(found.checks.iter().map(|check| self.check(check)));
         }
         let mut blocks = vec![self.heading(found)];

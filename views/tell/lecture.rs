@@ -83,8 +83,7 @@ impl Teller<'_> {
         blocks.extend(self.prose(&found.address, prose::section(chapter.prose, step.id), step.title));
         blocks.push(Block::section(found.statements.iter().map(|statement| self.formula(statement)).collect()));
         blocks.extend(found.questions.iter().map(|question| Block::section(vec![self.question(question, false)])));
-        let derivations = found.derivations.iter();
-        blocks.extend(derivations.map(|derivation| Block::section(vec![self.derivation(derivation, true)])));
+        blocks.extend(self.derivations(&found.derivations, true).into_iter().map(|block| Block::section(vec![block])));
         blocks.push(Block::section(vec![self.numbers(found)]));
         blocks.push(Block::section(found.checks.iter().map(|check| self.check(check)).collect()));
         blocks

@@ -27,6 +27,11 @@ impl Teller<'_> {
         match (answer.verdict, &answer.witness) {
             ("proved", _) => {
                 let mut spans = vec![word(Tone::Good, "Proved")];
+                let (positive, real) = (&answer.assumed.positive, &answer.assumed.real);
+                let also_real = if positive.is_empty() { "for real {text}" } else { "and real {text}" };
+                let kinds = [("for positive {text}", positive), (also_real, real)];
+                let kinds = kinds.into_iter().filter(|(_, names)| !names.is_empty());
+                spans.extend(kinds.map(|(kind, names)| plain(kind, names.join(", "))));
                 if !answer.conditions.is_empty() {
                     spans.push(plain("where {text}", answer.conditions.join(", ")));
                 }
