@@ -11,6 +11,7 @@ use crate::hypothesis::Given;
 use crate::ring::{self, Solution, Unsolvable};
 use crate::symbol::Symbol;
 use std::borrow::Cow;
+use std::collections::VecDeque;
 
 /// What a chain's hops are judged under.
 pub(super) struct Hypotheses<'a> {
@@ -142,10 +143,14 @@ impl<'a> Hypotheses<'a> {
         last.map_or_else(|| Ok(Self::new(chain, &chain.given)), Err)
     }
 
-    /// Takes the premises one after the other; the place of the first that must not come so early, and why, if there is one.
+    /// Takes the premises one after the other, and what no symbol could be taken from once more when all have spoken; the
+    /// place of the first that must not come so early, and why, if there is one.
     fn orient(&mut self, order: &[Premise], atoms: &Atoms) -> Result<Option<(usize, Refusal)>, Refusal> {
         let mut owners = Vec::new();
-        for (at, (premise, by)) in order.iter().enumerate() {
+        let mut queue: VecDeque<_> = (0..order.len()).map(|at| (at, false)).collect();
+        while let Some((at, is_late)) = queue.pop_front() {
+            let (premise, by) = order[at];
+            let mut waits = false;
             for (left, right) in self.resolve(atoms, &premise.lhs, &premise.rhs)? {
                 let premise = Equation::new(left, right);
                 match ring::orient(&premise) {
@@ -155,7 +160,8 @@ impl<'a> Hypotheses<'a> {
                         owners.extend(solution.divisors.iter().map(|_| at));
                         self.take(solution, by, atoms);
                     }
-                    Err(Unsolvable::NoSymbol(_)) => self.unsolved.push((premise, by)),
+                    Err(Unsolvable::NoSymbol(_)) if is_late => self.unsolved.push((premise, by)),
+                    Err(Unsolvable::NoSymbol(_)) => waits = true,
                     Err(why @ Unsolvable::Contradiction(_)) => {
                         let refusal = Refusal { why: why.to_string(), is_contradiction: owners.is_empty() };
                         return Ok(Some((owners.last().copied().unwrap_or(at), refusal)));
@@ -165,6 +171,9 @@ impl<'a> Hypotheses<'a> {
                         return Err(zero.ok().flatten().map_or(why.into(), |divisor| self.divided_by(divisor)));
                     }
                 }
+            }
+            if waits {
+                queue.push_back((at, true));
             }
         }
         let found = self.first_zero(&self.divisors, atoms)?;

@@ -98,6 +98,9 @@ fn step(difference: &Expr, at: &mut [(Symbol, Complex64)]) -> Option<f64> {
         slopes[place] = (here.conj() * rise?).re;
     }
     let steepness: f64 = slopes.iter().map(|slope| slope * slope).sum();
+    if steepness == 0.0 {
+        return None;
+    }
     let mut longest: f64 = 0.0;
     for ((_, value), slope) in at.iter_mut().zip(slopes) {
         let move_by = -here.norm_sqr() * slope / steepness;

@@ -126,6 +126,85 @@ fn takes_lines_from_premises() {
     assert!(matches!(from(never, Equation::new(X, 0))[..], [Verdict::Unknown { .. }]));
 }
 
+/// Positive names as `lesson prove` has them.
+const NAMES: [Symbol; 5] = [name("a"), name("b"), name("c"), name("x"), name("y")];
+
+const fn name(name: &'static str) -> Symbol {
+    Symbol::scalar(name, Dimension::ONE).real(0.1, 4.0)
+}
+
+/// What is said of a claim, in whatever order its premises stand.
+fn under(premises: &[Equation], claim: &Equation) -> Verdict {
+    let said = |premises: &mut dyn Iterator<Item = &Equation>| {
+        let chain = premises.fold(Chain::default(), |chain, premise| chain.and(premise.clone(), ""));
+        judge(&chain.then(claim.clone(), [])).remove(0)
+    };
+    let (verdict, reversed) = (said(&mut premises.iter()), said(&mut premises.iter().rev()));
+    let kind = std::mem::discriminant::<Verdict>;
+    assert_eq!(kind(&verdict), kind(&reversed), "{claim}: {verdict:?}, {reversed:?}");
+    verdict
+}
+
+/// A factor that is divided out is positive by its domain alone; another premise may make it zero.
+#[test]
+fn what_was_divided_out_must_not_vanish() {
+    let [a, b, c, x, y] = &NAMES;
+    let equal = Equation::new(x, y);
+    let (product, over) = (Equation::new(x * a, y * a), Equation::new(x / a, y / a));
+    assert_eq!(under(std::slice::from_ref(&product), &equal), Verdict::Proved);
+    let zeros = [Equation::new(a, 0), Equation::new(a.pow(2), 0), Equation::new(sqrt(a), 0), Equation::new(a + b, b)];
+    for zero in zeros {
+        let verdict = under(&[product.clone(), zero.clone()], &equal);
+        assert!(matches!(verdict, Verdict::Refuted { .. }), "{zero}: {verdict:?}");
+        let verdict = under(&[over.clone(), zero.clone()], &equal);
+        assert!(matches!(verdict, Verdict::Unknown { .. }), "{zero}: {verdict:?}");
+    }
+    // Zero at two removes, and what must not be divided by on the way there.
+    let chain = [product.clone(), Equation::new(a * b, b), Equation::new(a, c), Equation::new(c + b, b)];
+    assert!(matches!(under(&chain, &equal), Verdict::Refuted { .. }));
+    // Zero, but no normal form says so.
+    let hidden = sqrt(3 + 2 * sqrt(Expr::from(2))) - 1 - sqrt(Expr::from(2));
+    for premise in [&product, &over] {
+        let verdict = under(&[premise.clone(), Equation::new(a, &hidden)], &equal);
+        assert!(matches!(verdict, Verdict::Unknown { .. }), "{premise}: {verdict:?}");
+    }
+}
+
+/// Premises that no symbol can be taken from are satisfied at a point before anything is proved from them.
+#[test]
+fn premises_that_may_contradict_one_another_prove_nothing() {
+    let [a, b, c, x, y] = &NAMES;
+    let product = Equation::new(x * a, y * a);
+    let is_unknown = |premises: &[Equation], claim: Equation| {
+        let verdict = under(premises, &claim);
+        assert!(matches!(verdict, Verdict::Unknown { .. }), "{claim}: {verdict:?}");
+    };
+    // Zero or complex; negative; nothing at all.
+    is_unknown(&[product.clone(), Equation::new(exp(a), 1)], Equation::new(x, y));
+    is_unknown(&[product.clone(), Equation::new(exp(a), crate::expr::ratio(1, 2))], Equation::new(x, y));
+    is_unknown(&[Equation::new(sqrt(a), -1)], Equation::new(x, x));
+    assert_eq!(under(&[product, Equation::new(exp(a), 2)], &Equation::new(x, y)), Verdict::Proved);
+    // At π the sine vanishes that was divided by.
+    let over_sine = Equation::new(b * sin(a), c);
+    is_unknown(&[over_sine.clone(), Equation::new(cos(a), -1)], Equation::new(b, c / sin(a)));
+    assert_eq!(under(&[over_sine, Equation::new(cos(a), 0)], &Equation::new(b, c / sin(a))), Verdict::Proved);
+}
+
+#[test]
+fn every_factor_of_a_product_is_a_case() {
+    let [_, _, _, x, y] = &NAMES;
+    let product = [Equation::new((x - 1) * (y - 2), 0)];
+    assert_eq!(under(&product, &Equation::new(sin(x * y + 2), sin(2 * x + y))), Verdict::Proved);
+    for (name, value) in [(x, 1), (y, 2)] {
+        assert!(matches!(under(&product, &Equation::new(name, value)), Verdict::Refuted { .. }));
+    }
+    // What is called positive is so in a case that counts, if there is one.
+    assert_eq!(under(&[Equation::new((x + 1) * (y - 2), 0)], &Equation::new(sin(y), sin(2))), Verdict::Proved);
+    // Nor does a case count that another premise contradicts.
+    let elsewhere = Equation::new(x, 3);
+    assert_eq!(under(&[product[0].clone(), elsewhere], &Equation::new(sin(y), sin(2))), Verdict::Proved);
+}
+
 /// On a branch cut the side is told by a part that is zero; rounding noise in it must not decide.
 #[test]
 fn does_not_take_noise_for_the_side_of_a_cut() {

@@ -7,7 +7,7 @@
 //! their difference has no term left. Where nothing is divided by zero that direction is sound; the other one holds where the atoms are
 //! independent, so a difference that is left over proves nothing, and [`super::derivation`] looks for a point instead.
 //!
-//! Not decided are nested roots that simplify, roots of sums that are squares, relations between values of sin and cos
+//! Not decided are nested roots that simplify, roots of squares of sums that may be of either sign, relations between values of sin and cos
 //! at different numbers, and inverse functions beyond sin(arcsin u) and its like.
 
 mod angles;
