@@ -44,7 +44,7 @@ fn quarter_waves(count: usize, first: f64, second: f64) -> Vec<Layer> {
     (0..count).map(|i| if i % 2 == 0 { first } else { second }).map(|n| layer(n, 0.0, GREEN / (4.0 * n))).collect()
 }
 
-/// Worst error of each output in units of ε(1 + κ).
+/// Worst error of each output in units of ulp · (1 + cond).
 #[derive(Default)]
 struct Worst {
     reflectance: f64,
@@ -89,7 +89,7 @@ fn judge_by(kappa: &Condition, case: &Case, polarisation: Polarisation, worst: &
         let units = if error == 0.0 { 0.0 } else { error / bound };
         // A relative error x of an amplitude makes 2x + x² of a power: the square counts where no digit is left.
         let limit = LIMIT * (1.0 + LIMIT * bound / 4.0);
-        assert!(units <= limit, "{name}: {ours:e}, {units} ε(1 + κ) off: {}", describe());
+        assert!(units <= limit, "{name}: {ours:e}, {units} ulp · (1 + cond) off: {}", describe());
         *worst = worst.max(units);
     };
     // Below, the reference has no digits.
@@ -147,7 +147,7 @@ impl Worst {
         assert!(*count > 0);
         println!(
             "{family:28} {count:4} cases: R {reflectance:6.2} T {transmittance:6.2} ln T {ln_transmittance:6.2} \
-             A {absorptance:6.2} ε(1+κ); |R + T − 1| {energy:6.2} ε"
+             A {absorptance:6.2} ulp · (1 + cond); |R + T − 1| {energy:6.2} ulp"
         );
     }
 }

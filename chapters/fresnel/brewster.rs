@@ -138,7 +138,7 @@ const NOTHING_REFLECTED: Check<fn(f64, f64) -> f64> =
         .against("bisection for the angle at which r_p changes its sign, by values alone")
         .within(
             4.0,
-            "ε",
+            "ulp",
             "relative: the two angles between which r_p changes its sign are neighbours, half an ε to an ε apart, the \
              arctangent rounds its argument and its value, and so does the critical angle at which the search may end",
         )
@@ -170,7 +170,7 @@ fn distance_of_zero(bench: &mut Bench, angle: fn(f64, f64) -> f64) -> Measured {
 const RIGHT_ANGLE: Check<fn(f64, f64) -> f64> =
     check("square", "there the reflected and the refracted ray stand at right angles")
         .against("Snell's law at the angle that the arctangent gives")
-        .within(8.0, "ε", "a handful of roundings of angles below π/2")
+        .within(8.0, "ulp", "a handful of roundings of angles below π/2")
         .of(out_of_square, brewster_angle)
         .slip("the arcsine, as for the critical angle", |n_i, n_t| (n_t.min(n_i) / n_t.max(n_i)).asin());
 

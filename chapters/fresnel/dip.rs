@@ -245,7 +245,11 @@ fn order_at_normal(_: &mut Bench, name: &str) -> Measured {
 const PLACE_AND_DEPTH: Check<fn(f64) -> Option<Dip>> =
     check("place_and_depth", "the dip lies where the closed form says, as deep as ½ − 2n²/(n²−1)²")
         .against("golden-section search over the angle")
-        .within(1e-6, "1", "the place of a flat minimum is known to √ε over the curvature; the depth, to rounding")
+        .within(
+            1e-6,
+            "1",
+            "the place of a flat minimum is known to the root of an ulp over the curvature; the depth, to rounding",
+        )
         .of(dip_found, dip)
         .slip("n² + 1 for n² − 1 in the depth", |n| {
             dip(n).map(|dip| Dip { r_n: 0.5 - 2.0 * n * n / ((n * n + 1.0) * (n * n + 1.0)), ..dip })

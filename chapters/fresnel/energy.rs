@@ -119,7 +119,7 @@ const R_PLUS_T: Check<fn() -> Expr> =
         .against("1 − T of E37, E40 and E41 as they stand on the page, with θ₂ by Snell's law, in 256-bit arithmetic")
         .within(
             ALLOWED_ULPS,
-            "ε(1+κ)",
+            "ulp · (1 + cond)",
             "of R: the project's promise, no more than a few roundings beyond what the inputs' own rounding does",
         )
         .of::<fn() -> Expr>(|bench, weight| what_is_missing(bench, &weight()), weight)

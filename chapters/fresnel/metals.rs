@@ -210,7 +210,7 @@ const ENERGY: Check<fn(Polarisation, &Input, &Amplitudes) -> f64> = check(
     "what is not reflected flows into the metal: R + T = 1, although no wave keeps its power there",
 )
 .against("½ Re(E×H*) of the transmitted wave's full field vectors just behind the interface")
-.within(32.0, "ε", "a dozen roundings in R, in the amplitudes and in the vectors' products")
+.within(32.0, "ulp", "a dozen roundings in R, in the amplitudes and in the vectors' products")
 .of(imbalance, carried)
 .slip("Re n₂ · Re cos θ₂ is taken for Re(n₂ cos θ₂)", carried_by_parts);
 
@@ -249,7 +249,7 @@ const NORMAL: Check<fn() -> Expr> =
         .against("the equation above, as the object on the page, in 256-bit arithmetic")
         .within(
             ALLOWED_ULPS,
-            "ε(1+κ)",
+            "ulp · (1 + cond)",
             "the project's promise: no more than a few roundings beyond what the inputs' own rounding does",
         )
         .of::<fn() -> Expr>(
@@ -258,7 +258,7 @@ const NORMAL: Check<fn() -> Expr> =
         )
         .slip("the complex index is squared where its modulus should be", || at_normal_incidence(-KAPPA.pow(2)));
 
-/// Error of the program's R_n at normal incidence against `equation`, in ε(1 + κ): random metals, some with indices
+/// Error of the program's R_n at normal incidence against `equation`, in ulp · (1 + cond): random metals, some with indices
 /// near the incident one, and the setting's own.
 fn against_equation(bench: &mut Bench, equation: &Expr) -> Measured {
     let own = interface(bench.setting);
@@ -289,8 +289,8 @@ const PHASE: Check<fn(Complex64) -> Complex64> = check(
 .against("the ellipsometer's closed inversion: no square root's branch, no continuity of fields")
 .within(
     32.0,
-    "ε(1+κ)",
-    "a dozen roundings in each ratio; κ is what the inversion makes of them: 1 − ρ² is small for good metals, and \
+    "ulp · (1 + cond)",
+    "a dozen roundings in each ratio; cond is what the inversion makes of them: 1 − ρ² is small for good metals, and \
              n²/(n₁ sin θ₁)² may be left of two greater numbers",
 )
 .of(index_from_ratio, |ratio| ratio)

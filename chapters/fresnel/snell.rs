@@ -162,7 +162,11 @@ type Order = fn(f64, f64) -> (f64, f64);
 /// The second route knows no waves: of all points of the interface the ray crosses where the optical path is least.
 const FERMAT: Check<Order> = check("fermat", "the refracted ray takes the least time")
     .against("Fermat's principle: golden-section search for the crossing point of least optical path")
-    .within(1e-7, "1", "a minimum of a path of length 1 is flat to √ε = 1.5e−8, so its place is known no better")
+    .within(
+        1e-7,
+        "1",
+        "a minimum of a path of length 1 is flat to the root of an ulp, 1.5e−8, so its place is known no better",
+    )
     .of(least_time, |n_i, n_t| (n_i, n_t))
     .slip("Snell's law with the indices interchanged", |n_i, n_t| (n_t, n_i));
 
@@ -189,7 +193,7 @@ const MIRROR: Check<Mirror> = check(
     "a mirror sends the ray on along the shortest way to where it goes: at the angle of incidence",
 )
 .against("Fermat's principle: golden-section search for the point of the shortest way by way of the interface")
-.within(1e-7, "1", "as for the refracted ray: √ε")
+.within(1e-7, "1", "as for the refracted ray: the root of an ulp")
 .of(shortest_way, mirrored)
 .slip("the normal part is taken away once, not twice", |direction, normal| {
     let [direction, normal] = [direction, normal].map(DVec3::from);

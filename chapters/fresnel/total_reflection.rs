@@ -286,7 +286,7 @@ fn rhomb(_: &mut Bench, amend: fn(f64) -> f64) -> Measured {
 const PHASE: Check<fn(f64) -> f64> =
     check("relative_phase", "tan(δ/2) = cosθ √(sin²θ − n²)/sin²θ for the phase δ of p against s")
         .against("Born & Wolf §1.5.4, eq. (60), in real arithmetic; the program's route is complex")
-        .within(64.0, "ε", "a dozen roundings, and √ next to its zero")
+        .within(64.0, "ulp", "a dozen roundings, and √ next to its zero")
         .of(against_phase_formula, |sin| sin * sin)
         .slip("sin θ for sin² θ in the denominator", |sin| sin);
 
@@ -306,7 +306,7 @@ const DEPTH: Check<f64> = check("tunnelling", "behind the interface the field fa
     .against("a second prism brought near: ln T through the gap falls by 2/depth for each metre, by the film formulas")
     .within(
         16.0,
-        "ε",
+        "ulp",
         "gaps of 20 and 40 depths: ln T, −80 at most, is off by three roundings of the path and three more, twice as \
              much beside the difference; what is not exponential is below e^(−40), 0.02 ε",
     )
@@ -339,7 +339,7 @@ const NO_FLOW: Check<fn(&Wave) -> f64> = check(
     "Re(E×H*)·n of the field vectors: of the incident and the reflected wave together, over that of the incident \
              one, and of the evanescent wave, over |k||E|²",
 )
-.within(16.0, "ε", "|r| = 1 up to eight roundings, doubled in its square; behind, E and H are a quarter period apart")
+.within(16.0, "ulp", "|r| = 1 up to eight roundings, doubled in its square; behind, E and H are a quarter period apart")
 .of(net_flow, flow)
 .slip("the conjugate is forgotten: Re(E×H)", |wave| flow(&Wave { h: wave.h.map(|h| h.conj()), ..*wave }));
 

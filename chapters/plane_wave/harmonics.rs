@@ -92,7 +92,11 @@ fn smooth_series(harmonics: usize) -> Spectrum {
 const THROUGH_THE_SPECTRUM: Check<f64> =
     check("through_the_spectrum", "a pulse taken apart into harmonics, moved and put together again is d'Alembert's")
         .against("d'Alembert: the shape evaluated at z − vt")
-        .within(1e-13, "1", "two transforms of 256 samples, each right to a few ε times the logarithm of their number")
+        .within(
+            1e-13,
+            "1",
+            "two transforms of 256 samples, each right to a few ulp times the logarithm of their number",
+        )
         .of(through_the_spectrum, 1.0)
         .slip("e^{+ik vt} for e^{−ik vt}: the pulse runs the other way", -1.0);
 
@@ -110,7 +114,7 @@ fn through_the_spectrum(_: &mut Bench, sense: f64) -> Measured {
 
 const PARSEVAL: Check<f64> = check("parseval", "the harmonics hold the energy of the pulse, no more and no less")
     .against("the mean of E² over the samples, without any transform")
-    .within(32.0, "ε", "sums of up to 1025 squares, and transforms whose errors average out")
+    .within(32.0, "ulp", "sums of up to 1025 squares, and transforms whose errors average out")
     .of(parseval, 1.0)
     .slip("the harmonics of negative frequency forgotten", 0.5);
 

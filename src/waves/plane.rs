@@ -224,7 +224,7 @@ mod tests {
     use yardstick::precise;
     use yardstick::random::{stream, uniform};
 
-    /// The worst error of any output over what 16 ε(1+κ) allows, where the answer is a normal number.
+    /// The worst error of any output over what 16 ulp · (1 + cond) allows, where the answer is a normal number.
     fn excess(medium: &Medium, omega: f64) -> (f64, &'static str) {
         let exact = PlaneWave::new(medium, omega);
         let (ours, conditions) = (flat(&Wave::new(medium, omega).unwrap()), exact.conditions());

@@ -56,7 +56,7 @@ impl<'a> Teller<'a> {
     /// The signs used in verdicts.
     pub fn legend(&self) -> Vec<Block> {
         let lines = [
-            "ε = 2⁻⁵² is the rounding unit of the machine's numbers. κ in ε(1+κ) is the condition number: how strongly \
+            "ulp = 2⁻⁵² is the rounding unit of the machine's numbers. cond in ulp · (1 + cond) is the condition number: how strongly \
              the exact answer reacts to its inputs.",
             "[…] is a unit, [1] a pure number. E36 or C10 is a row of the lecture (`lesson coverage`).",
         ];

@@ -172,7 +172,7 @@ mod tests {
     use crate::statistics::references::{CHI_SQUARE, NORMAL, STUDENT};
     use proptest::prelude::*;
 
-    /// |relative error| in ε(1 + κ), κ the condition number |x p′/p| [1].
+    /// |relative error| in ulp · (1 + cond), cond the condition number |x p′/p| [1].
     fn ratio(value: f64, reference: f64, condition: f64) -> f64 {
         (value / reference - 1.0).abs() / (f64::EPSILON * (1.0 + condition))
     }

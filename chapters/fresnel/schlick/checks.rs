@@ -20,7 +20,7 @@ pub(super) const AS_WRITTEN: Check<fn() -> Expr> =
         .against("the equation above, as the object on the page, in 256-bit arithmetic")
         .within(
             ALLOWED_ULPS,
-            "ε",
+            "ulp",
             "ten operations on positive numbers; only 1 − cos θ subtracts, and cos θ is exact here",
         )
         .of::<fn() -> Expr>(|bench, equation| against_equation(bench, &equation()), || fifth_power(cos(THETA_1)))
@@ -43,7 +43,7 @@ fn against_equation(bench: &mut Bench, equation: &Expr) -> Measured {
 pub(super) const ENDS: Check<fn(f64, f64) -> f64> =
     check("both_ends", "the approximation is exact along the normal and at grazing incidence, metals included")
         .against("the exact R_n")
-        .within(16.0, "ε", "a few roundings of numbers below 1, at cos θ = 1 and at cos θ = 0 themselves")
+        .within(16.0, "ulp", "a few roundings of numbers below 1, at cos θ = 1 and at cos θ = 0 themselves")
         .of(at_both_ends, schlick)
         .slip("the factor 1 − R₀ is forgotten", |cos_i, r_0| r_0 + (1.0 - cos_i).powi(5));
 
@@ -117,7 +117,7 @@ pub(super) const INSIDE: Check<fn(f64, f64, f64) -> f64> = check(
 .against("Schlick and the exact R_n from outside, at the angle that Snell's law joins")
 .within(
     64.0,
-    "ε/cos θ₂",
+    "ulp/cos θ₂",
     "R_n is the same from both sides; by Snell's law a rounding of cos θ₁ is n²cos θ₁/cos θ₂ of them in the refracted cosine, \
      times a slope of R_n of six or less",
 )
@@ -149,7 +149,7 @@ pub(super) const METALS: Check<fn(f64, f64) -> f64> = check(
     "one more reflectance, at 82°, bends the approximation through the metal's own, and keeps both ends",
 )
 .against("the exact R_n of gold, silver, copper, aluminium and chromium over the visible at 0°, 82° and 90°")
-.within(16.0, "ε", "a dozen roundings of numbers below 1: it has three numbers to choose and chooses these")
+.within(16.0, "ulp", "a dozen roundings of numbers below 1: it has three numbers to choose and chooses these")
 .of(for_metals, |_, r_82| r_82)
 .slip("Schlick's own value at 82° is taken for the metal's", |r_0, _| schlick(Dipped::COS, r_0));
 

@@ -311,7 +311,7 @@ mod tests {
         }
     }
 
-    /// The worst error of all outputs against 256 bits, in ε(1 + κ), but of those that no `f64` holds with all its digits.
+    /// The worst error of all outputs against 256 bits, in ulp · (1 + cond), but of those that no `f64` holds with all its digits.
     fn worst_error(direction: Direction, n_i: f64, n_t: Complex64) -> f64 {
         let incidence = Incidence::from(direction);
         let (a, p) = (amplitudes(incidence, n_i, n_t), powers(incidence, n_i, n_t));
@@ -353,7 +353,7 @@ mod tests {
         ) {
             prop_assume!(n > 0.0 || k > 0.0);
             let worst = worst_error(direction, n_i, Complex64::new(n, k));
-            prop_assert!(worst <= 16.0, "{worst} ε(1 + κ)");
+            prop_assert!(worst <= 16.0, "{worst} ulp · (1 + cond)");
         }
     }
 

@@ -107,7 +107,7 @@ mod tests {
         assert!(out[0].is_nan(), "{out:?}");
     }
 
-    /// Error of one R_n of a batch into an absorbing medium, in ε(1 + κ).
+    /// Error of one R_n of a batch into an absorbing medium, in ulp · (1 + cond).
     fn error_absorbing(cos: f64, n_i: f64, n_t: Complex64) -> f64 {
         let mut out = [f64::NAN];
         natural_reflectance_absorbing(&[cos], n_i, n_t, &mut out);
@@ -153,7 +153,7 @@ mod tests {
                 prop_assert!((absorbing[0] / one_by_one - 1.0).abs() < 1e-12, "{} {one_by_one}", absorbing[0]);
             }
             let exact = powers(incidence, n_i, Complex64::from(n)).r_n();
-            // Both are within a few ε(1 + κ); κ of R near the critical angle goes as 1/|q_t|².
+            // Both are within a few ulp · (1 + cond); cond of R near the critical angle goes as 1/|q_t|².
             let q2 = normal_squared(incidence, n_i, Complex64::from(n)).re.abs() / (n_i * n_i);
             let contrast = (n / n_i - 1.0).abs();
             let tolerance = 16.0 * f64::EPSILON * (1.0 + 10.0 / q2 + 10.0 / contrast.max(1e-300));
