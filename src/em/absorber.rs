@@ -17,7 +17,8 @@ pub struct Cpml {
     /// Power of the grading [1], 1 to 8.
     pub order: f64,
     /// Reflection at normal incidence that the graded conductivity would have without the grid's own error [1],
-    /// 1e−30 to 1.
+    /// 1e−30 to 1, in what stands in the middle of its side: a layer has one grading from end to end, and beside a
+    /// medium of m times that index reflects the m-th power.
     pub reflection: f64,
     /// κ at the outer wall [1], ≥ 1: takes up evanescent waves.
     pub kappa: f64,
