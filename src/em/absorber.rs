@@ -3,7 +3,8 @@
 //! J. A. Roden & S. D. Gedney, *Microw. Opt. Technol. Lett.* **27**, 334 (2000); T&H §7.9. In the layer every derivative
 //! along its normal is divided by s = κ + σ/(a + iωε₀) (engineers' sign), in time a convolution that one number ψ per
 //! derivative carries along: ψ′ = b ψ + c d, with b = e^(−(σ/κ + a)Δt/ε₀) and c = σ(b − 1)/(κ(σ + κa)).
-//! s is relative to ε₀ in any medium, so that a wave in one of index n decays as σ n Z₀. Behind it stands a conductor. σ and κ − 1 rise as the power `order` of the depth, a falls linearly.
+//! s is relative to ε₀ in any medium, so that a wave in one of index n decays as σ n Z₀. Behind it stands a conductor.
+//! σ and κ − 1 rise as the power `order` of the depth, a falls linearly.
 
 use super::refusal::{Refusal, demand};
 use super::{EPSILON_0, Z_0};
@@ -16,7 +17,8 @@ pub struct Cpml {
     /// Power of the grading [1], 1 to 8.
     pub order: f64,
     /// Reflection at normal incidence that the graded conductivity would have without the grid's own error [1],
-    /// 1e−30 to 1.
+    /// 1e−30 to 1, in what stands in the middle of its side: a layer has one grading from end to end, and beside a
+    /// medium of m times that index reflects the m-th power.
     pub reflection: f64,
     /// κ at the outer wall [1], ≥ 1: takes up evanescent waves.
     pub kappa: f64,

@@ -53,7 +53,7 @@ impl Explanation {
         self.omissions.iter().map(|o| o.operations).sum::<u64>() as f64 / self.cells as f64
     }
 
-    /// What the media did not ask for. Rows that share one layout are told by `rows`.
+    /// What the media did not ask for.
     fn media<'a>(&mut self, electric: impl Iterator<Item = &'a Spans>, magnetic: impl Iterator<Item = &'a Spans>) {
         let mut electric_cells = [0u64; 4];
         let mut shared = 0;
@@ -96,7 +96,8 @@ impl Line {
     /// What the line left out.
     pub fn explain(&self) -> Explanation {
         let cells = self.setup().cells as u64;
-        let bytes = 2 * (cells + 1) * WORD + self.electric.bytes() + self.magnetic.bytes();
+        let numbers = 2 * (cells + 1) + self.electric.currents as u64;
+        let bytes = numbers * WORD + self.electric.bytes() + self.magnetic.bytes();
         let mut explanation = Explanation { cells, bytes, omissions: Vec::new() };
         explanation.media([&self.electric].into_iter(), [&self.magnetic].into_iter());
         for wall in self.setup().walls() {
@@ -125,7 +126,10 @@ impl Plane {
         let fields = 3 * (columns + 1) * (rows + 1) * WORD;
         let layouts = || self.layouts().skip(1);
         let tables: u64 = self.distinct_layouts().map(|l| l.x.bytes() + l.y.bytes() + l.z.bytes()).sum();
-        let mut explanation = Explanation { cells, bytes: fields * parts + tables, omissions: Vec::new() };
+        // Rows may share their coefficients, but not their currents.
+        let currents: usize = self.layouts().map(|l| l.x.currents + l.y.currents + l.z.currents).sum();
+        let bytes = (fields + currents as u64 * WORD) * parts + tables;
+        let mut explanation = Explanation { cells, bytes, omissions: Vec::new() };
         match self.setup().polarisation {
             Polarisation::S => {
                 explanation.media(layouts().map(|l| &l.z), layouts().flat_map(|l| [&l.x, &l.y]));
@@ -146,5 +150,64 @@ impl Plane {
             explanation.omit(["imaginary_part", "the imaginary part", "no Bloch phase"], fields, cells * 10);
         }
         explanation
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::em::plane::Sides;
+    use crate::em::{Medium, Stepping, Wall, line, plane};
+
+    fn line_of(medium: Medium) -> Explanation {
+        let walls = Ends::Walls([Wall::Conductor; 2]);
+        let vacuum = line::Setup::vacuum(100, 1.0, walls, Stepping::at(0.5));
+        Line::new(line::Setup { background: medium, ..vacuum }).unwrap().explain()
+    }
+
+    /// Counted by hand: E is stepped at 99 nodes, H in 100 cells.
+    #[test]
+    fn a_line_of_vacuum_takes_its_fields_and_two_numbers() {
+        let vacuum = line_of(Medium::VACUUM);
+        assert_eq!(vacuum.bytes, (2 * 101 + 2) * WORD);
+        let saved: Vec<_> = vacuum.omissions.iter().map(|o| (o.id, o.bytes / WORD, o.operations)).collect();
+        let absorber = ("absorber", 40, 280);
+        assert_eq!(
+            saved,
+            [
+                ("electrons", 99 * 4, 99 * 6),
+                ("dominant_conduction", 99, 99),
+                ("conduction", 99, 99 * 2),
+                ("coefficients", 98 + 99, 0),
+                absorber,
+                absorber,
+                ("images", 0, 2),
+                ("second_dimension", 100, 500),
+            ]
+        );
+    }
+
+    /// Coefficients of E, as the medium needs them, one of H, and a current of electrons a node.
+    #[test]
+    fn a_line_takes_what_its_medium_needs() {
+        let words = |medium| line_of(medium).bytes / WORD - 2 * 101;
+        assert_eq!(words(Medium::dielectric(4.0)), 1 + 1);
+        assert_eq!(words(Medium::conductor(4.0, 1e-6)), 2 + 1);
+        assert_eq!(words(Medium::conductor(4.0, 1e3)), 3 + 1);
+        assert_eq!(words(Medium::metal(1e8, 1e6)), 6 + 1 + 99);
+    }
+
+    /// All rows share the coefficients, each has its currents: E_z at nodes in s, E_x and E_y in p; twice with a phase.
+    #[test]
+    fn a_plane_of_metal_has_currents_in_every_row() {
+        for (polarisation, of_row, coefficients) in [(Polarisation::S, 10, 6 + 2), (Polarisation::P, 20, 12 + 1)] {
+            for (phase, parts) in [(0.0, 1), (0.3, 2)] {
+                let vacuum = plane::Setup::vacuum([10, 30], 1.0, polarisation, Stepping::at(0.5));
+                let (background, sides) = (Medium::metal(1e8, 1e6), Sides::Bloch(phase));
+                let plane = Plane::new(plane::Setup { background, sides, ..vacuum }).unwrap();
+                let words = parts * (3 * 11 * 31 + of_row * 31) + coefficients;
+                assert_eq!(plane.explain().bytes, words * WORD, "{polarisation:?}, phase {phase}");
+            }
+        }
     }
 }

@@ -199,10 +199,9 @@ impl Spans {
         self.list.iter().find(of).map_or(0.0, |span| j[span.currents + i - span.range.start])
     }
 
-    /// Bytes of its coefficients and of its currents.
+    /// Bytes of its coefficients.
     pub fn bytes(&self) -> u64 {
-        let tables: usize = self.list.iter().map(|span| span.table.len()).sum();
-        (tables + self.currents) as u64 * WORD
+        self.list.iter().map(|span| span.table.len()).sum::<usize>() as u64 * WORD
     }
 }
 

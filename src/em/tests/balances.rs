@@ -70,6 +70,15 @@ fn charge_and_energy_balance_in_the_plane_at_every_step() {
 }
 
 #[test]
+fn where_nothing_is_nothing_is_amiss() {
+    for polarisation in [Polarisation::S, Polarisation::P] {
+        let setup = plane::Setup::vacuum([4, 8], 1e-3, polarisation, Stepping::at(0.6));
+        let balance = Plane::new(setup).unwrap().audited_step(2..=6).unwrap();
+        assert_eq!((balance.residual(), balance.divergence), (0.0, 0.0), "{polarisation:?}");
+    }
+}
+
+#[test]
 fn a_lossless_box_keeps_its_energy() {
     let mut setup = Setup::vacuum(100, 1e-3, Ends::Walls([crate::em::Wall::Conductor; 2]), Stepping::at(0.9));
     setup.layers = vec![(30..60, Medium::dielectric(5.0)), (50..80, Medium { mu_r: 2.0, ..Medium::VACUUM })];

@@ -2,6 +2,7 @@
 
 mod balances;
 mod coefficients;
+mod echoes;
 mod identical;
 mod interfaces;
 mod open_space;

@@ -101,6 +101,30 @@ fn schemes_are_stable_up_to_their_limits() {
     }
 }
 
+/// Trace of what a step makes of (H, E) of a wave that turns by `angle` [rad] in it: three leapfrog steps, with the
+/// lengths that Yoshida (1990) gives them.
+fn trace_of_a_composed_step(angle: f64) -> f64 {
+    let outer = 1.0 / (2.0 - 2f64.powf(1.0 / 3.0));
+    let mut columns = [[1.0, 0.0], [0.0, 1.0]];
+    for length in [outer, 1.0 - 2.0 * outer, outer] {
+        for [h, e] in &mut columns {
+            *h -= 0.5 * length * angle * *e;
+            *e += length * angle * *h;
+            *h -= 0.5 * length * angle * *e;
+        }
+    }
+    columns[0][0] + columns[1][1]
+}
+
+#[test]
+fn limits_are_where_the_trace_of_a_step_leaves_two() {
+    // Two cells a wave: the differences make (27·2 + 2)/24 of it, the transform kΔ itself.
+    for (scheme, fastest) in [(Scheme::FourthOrder, 7.0 / 3.0), (Scheme::PseudoSpectral, std::f64::consts::PI)] {
+        let trace = |share: f64| trace_of_a_composed_step(share * scheme.courant_limit() * fastest).abs();
+        assert!(trace(1.0) <= 2.0 && trace(1.001) > 2.0, "{scheme:?}: {} {}", trace(1.0), trace(1.001));
+    }
+}
+
 #[test]
 fn only_schemes_that_step_are_refused_for_their_steps() {
     let problem = Problem { profile: &|z| (TAU * z).cos(), length: 1.0, distance: 1e6 };
