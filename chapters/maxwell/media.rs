@@ -124,7 +124,13 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     vec![
         quantity("epsilon_across", "ε_xx/ε_0", "relative permittivity across the axis", crystal.0[0][0], "1"),
         quantity("epsilon_along", "ε_zz/ε_0", "relative permittivity along the axis", crystal.0[2][2], "1"),
-        quantity("epsilon_mean", "⟨ε⟩/ε_0", "mean over all directions: no block of grains has more", crystal.isotropic_part(), "1"),
+        quantity(
+            "epsilon_mean",
+            "⟨ε⟩/ε_0",
+            "mean over all directions: no block of grains has more",
+            crystal.isotropic_part(),
+            "1",
+        ),
         quantity("epsilon_grains", "ε/ε_0", "of such a block, by Bruggeman's estimate", crystal.of_grains(), "1"),
         quantity("lean", "∠(D, E)", "largest angle between D and E", most, "rad"),
     ]

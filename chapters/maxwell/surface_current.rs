@@ -1,5 +1,6 @@
 //! C1: charge and current on the interface itself.
 
+use super::agreement::worst_order;
 use super::interface::{AREA, HEIGHT, INSIDE, WALL_D, out_of_box, turn_across};
 use super::symbols::{D_1, D_2, H_1, H_2, K_S, NORMAL, RHO_S, Z_0};
 use crate::figure::{Axis, Chart, Hue, Plot};
@@ -52,9 +53,11 @@ pub(super) const STEP: Step = step(
     }),
 ])
 .derivations(&[
-    derivation("box_with_charge", "the box of E4 made flat around a charge that stays in it, however flat it is", || {
-        charged_box(dot(NORMAL, D_2 - D_1))
-    })
+    derivation(
+        "box_with_charge",
+        "the box of E4 made flat around a charge that stays in it, however flat it is",
+        || charged_box(dot(NORMAL, D_2 - D_1)),
+    )
     .slip("both lids take n for their way out", || charged_box(dot(NORMAL, D_2 + D_1))),
     derivation(
         "loops_with_current",
@@ -157,25 +160,20 @@ const THIN_FILM: Check<f64> = check(
 fn thinner(_: &mut Bench, share: f64) -> Measured {
     let (incidence, n_t, wavelength) = (Incidence::from_angle(0.6), Complex64::new(1.5, 0.0), 1e-2);
     let cases = [Polarisation::S, Polarisation::P].into_iter().flat_map(|p| [1e-4, 2e-3, 2e-2].map(|g| (p, g)));
-    let orders: Vec<(f64, String)> = cases
-        .map(|(polarisation, conductance)| {
-            let sheet = Sheet::new(incidence, polarisation, 1.0, n_t, share * conductance);
-            let points: Vec<_> = (0..6)
-                .map(|half| {
-                    let thickness = 1e-7 * 0.5f64.powi(half);
-                    let layers = [film(thickness, conductance, wavelength)];
-                    let stack = Stack { n_i: 1.0, layers: &layers, substrate: n_t };
-                    let film = stack.response(wavelength, incidence, polarisation);
-                    (thickness.recip(), (film.r - sheet.r).norm())
-                })
-                .collect();
-            (fitted_order(&points).unwrap_or(f64::NAN), format!("{polarisation:?}, G = {conductance} S"))
-        })
-        .collect();
-    let cases = orders.len();
-    let away = |(order, _): &&(f64, String)| (order - 1.0).abs();
-    let worst = orders.iter().max_by(|a, b| away(a).total_cmp(&away(b))).expect("some cases");
-    Measured::new(worst.0, worst.1.clone(), cases)
+    let orders = cases.map(|(polarisation, conductance)| {
+        let sheet = Sheet::new(incidence, polarisation, 1.0, n_t, share * conductance);
+        let points: Vec<_> = (0..6)
+            .map(|half| {
+                let thickness = 1e-7 * 0.5f64.powi(half);
+                let layers = [film(thickness, conductance, wavelength)];
+                let stack = Stack { n_i: 1.0, layers: &layers, substrate: n_t };
+                let film = stack.response(wavelength, incidence, polarisation);
+                (thickness.recip(), (film.r - sheet.r).norm())
+            })
+            .collect();
+        (fitted_order(&points).unwrap_or(f64::NAN), format!("{polarisation:?}, G = {conductance} S"))
+    });
+    worst_order(1.0, orders)
 }
 
 const JUMP: Check<f64> =
