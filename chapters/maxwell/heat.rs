@@ -21,7 +21,7 @@ pub(super) const HEAT: Check<fn(&Response) -> f64> = check(
     "1 − R − T of chapter fresnel's film solver with ε(ω), integrated over the spectrum of the \
      pulse: nothing of the grid is in it",
 )
-.order(2.0, 0.25, "centred differences; 16 to 36 cells a wave are not yet the limit")
+.order(2.0, 0.25, "centred differences; 24 to 56 cells a wave are not yet the limit")
 .of::<fn(&Response) -> f64>(
     |_, heat| worst_order(2.0, orders(heat)),
     |film| 1.0 - film.reflectance - film.transmittance,
@@ -51,7 +51,7 @@ fn orders(heat: fn(&Response) -> f64) -> impl Iterator<Item = (f64, String)> {
     LAYERS.into_iter().flat_map(move |(medium, conduction, name)| {
         let exact = in_theory(medium, heat);
         [None, Some(Polarisation::S), Some(Polarisation::P)].map(|polarisation| {
-            let missed = [16, 24, 36].map(|cells| {
+            let missed = [24, 36, 56].map(|cells| {
                 let found = on_the_grid(medium, conduction, polarisation, cells);
                 (cells as f64, (found - exact).abs())
             });
