@@ -213,6 +213,9 @@ impl From<ProveArgs> for Question {
 /// Where figures go if nothing else is said.
 const FOLDER: &str = "lesson-out";
 
+/// The Courant number of `--unstable`: its waves fill the range of a double within some thousand steps.
+const BEYOND: &str = "1.02";
+
 #[derive(Debug, Args)]
 struct LessonArgs {
     /// A chapter, an address such as fresnel/energy/r_plus_t, or `all`; without one, the table of contents.
@@ -241,7 +244,7 @@ struct LessonArgs {
     /// Change a parameter of the selected steps: n_t=2.4, n_t=gold, theta=56.3deg, wavelength=550nm.
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     set: Vec<(String, String)>,
-    /// Take a Courant number beyond the limit and show what happens: short for `--set unstable=1`.
+    /// Step a grid beyond its Courant limit and show what happens: --set unstable=1, and courant=1.02 if none is set.
     #[arg(long)]
     unstable: bool,
     /// Show the unit of every line of a derivation.
@@ -278,7 +281,10 @@ impl LessonArgs {
                 return Err(Stop::at(flag, "needs --plot"));
             }
         }
-        let unstable = self.unstable.then(|| ("unstable".to_owned(), "1".to_owned()));
+        let is_set = |name: &str| self.set.iter().any(|(own, _)| own == name);
+        let beyond = [("unstable", "1"), ("courant", BEYOND)].into_iter().filter(|(name, _)| !is_set(name));
+        let beyond = beyond.map(|(name, value)| (name.to_owned(), value.to_owned()));
+        let beyond: Vec<_> = beyond.filter(|_| self.unstable).collect();
         Ok(Request::Lesson(Lesson {
             words: self.chapter.into_iter().chain(self.step).collect(),
             commands: commands(),
@@ -289,7 +295,7 @@ impl LessonArgs {
                 Some(FormatArg::Svg) => Format::Svg,
                 Some(FormatArg::Png) | None => Format::Png,
             },
-            changes: self.set.into_iter().chain(unstable).collect(),
+            changes: self.set.into_iter().chain(beyond).collect(),
             details: Details { units: self.units, unfold: self.unfold },
             plain: self.plain,
             json: self.json,

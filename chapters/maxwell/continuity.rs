@@ -1,5 +1,6 @@
 //! E2: charge is conserved, because a curl has no divergence.
 
+use super::heat::HEAT;
 use crate::parameter::Setting;
 use crate::symbols::{D, E, EPSILON, H, J, RHO, SIGMA, T};
 use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, statement, step};
@@ -39,7 +40,7 @@ pub(super) const STEP: Step = step(
     .slip("the charge draws more to itself", || relaxation(SIGMA / EPSILON * RHO)),
 ])
 .readout(readout)
-.checks(&[&KEPT, &ENERGY_KEPT]);
+.checks(&[&KEPT, &ENERGY_KEPT, &HEAT]);
 
 fn continuity(last: Expr) -> Chain {
     Chain::new(-partial(RHO, T))
@@ -128,7 +129,8 @@ const ENERGY_KEPT: Check<fn(Balance) -> Balance> = check(
 .rows(&["C3"])
 .against(
     "the energies of all cells added up before and after a step, beside E × H through \
-     the border and Ohm's heat",
+     the border and Ohm's heat; whether ε, σ and the electrons are those of the medium, \
+     both sides would agree on: that is what heat_of_a_pulse is for",
 )
 .within(
     256.0,

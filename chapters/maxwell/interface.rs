@@ -95,7 +95,7 @@ fn tangential_meets(near: Symbol, far: Symbol) -> Equation {
 }
 
 /// Area of a lid.
-const AREA: Symbol = Symbol::scalar("A", Dimension::SQUARE_METRE).real(0.5, 2.0);
+pub(super) const AREA: Symbol = Symbol::scalar("A", Dimension::SQUARE_METRE).real(0.5, 2.0);
 /// Circumference of the box.
 const GIRTH: Symbol = Symbol::scalar("p", Dimension::METRE).real(0.5, 2.0);
 /// Height of box and loop.
@@ -105,10 +105,10 @@ const LENGTH: Symbol = Symbol::scalar("l", Dimension::METRE).real(0.5, 2.0);
 /// Way of the normal of the loop, in the interface.
 const B_WAY: Symbol = Symbol::vector("b", Dimension::ONE);
 /// Mean of a field out of the box's wall.
+pub(super) const WALL_D: Symbol = Symbol::scalar("D_w", Dimension::COULOMB_PER_SQUARE_METRE);
 const WALL_B: Symbol = Symbol::scalar("B_w", Dimension::TESLA);
-const WALL_D: Symbol = Symbol::scalar("D_w", Dimension::COULOMB_PER_SQUARE_METRE);
 /// Mean of the charge in the box.
-const INSIDE: Symbol = Symbol::scalar("rho", Dimension::COULOMB_PER_CUBIC_METRE);
+pub(super) const INSIDE: Symbol = Symbol::scalar("rho", Dimension::COULOMB_PER_CUBIC_METRE);
 /// Means of a field along the two short sides of a loop, and of what flows through it.
 const SHORT_E: Symbol = Symbol::scalar("E_s", Dimension::VOLT_PER_METRE);
 const SHORT_H: Symbol = Symbol::scalar("H_s", Dimension::AMPERE_PER_METRE);
@@ -116,7 +116,7 @@ const THROUGH_E: Symbol = Symbol::scalar("w", Dimension::TESLA.per(Dimension::SE
 const THROUGH_H: Symbol = Symbol::scalar("j", Dimension::AMPERE_PER_SQUARE_METRE);
 
 /// What flows out of the box: n points out of the far lid and into the near one.
-fn out_of_box(near: Symbol, far: Symbol, wall: Symbol) -> Expr {
+pub(super) fn out_of_box(near: Symbol, far: Symbol, wall: Symbol) -> Expr {
     AREA * dot(NORMAL, far) - AREA * dot(NORMAL, near) + GIRTH * HEIGHT * wall
 }
 

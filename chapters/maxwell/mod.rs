@@ -6,6 +6,7 @@ mod continuity;
 mod equations;
 mod functions;
 mod grid;
+mod heat;
 mod interface;
 mod left_out;
 mod media;

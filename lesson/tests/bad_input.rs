@@ -47,6 +47,7 @@ fn one_quantity_is_set_once() {
 
 #[test]
 fn unknown_options() {
+    refused("maxwell media --unstable", &["unstable", "no such parameter here"]);
     refused("eval fresnel --unstable", &["--unstable", "unknown option"]);
     refused("fresnel --chek", &["--chek", "unknown option", "did you mean `--check`"]);
 }

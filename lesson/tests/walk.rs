@@ -153,6 +153,19 @@ fn set_changes_the_readout() {
 }
 
 #[test]
+fn an_explosion_is_shown_on_demand() {
+    for (arguments, courant) in [("", 1.02), ("--set courant=1.3", 1.3)] {
+        let report = json(&format!("maxwell grid growth --unstable {arguments} --json"));
+        let mut quantities = vec![];
+        having(&report, "key", &mut quantities);
+        let value = |key: &str| quantities.iter().find(|quantity| quantity["key"] == key).expect(key)["value"].as_f64();
+        let theory = 2.0 * f64::acosh(courant);
+        assert!((value("growth").unwrap() / theory - 1.0).abs() < 1e-12, "{arguments}");
+        assert!((value("growth_found").unwrap() / theory - 1.0).abs() < 1e-9, "{arguments}");
+    }
+}
+
+#[test]
 fn a_metal_goes_where_it_can_and_nowhere_else() {
     let run = lesson("fresnel --check --set n_t=gold --set wavelength=550nm");
     assert!(run.code <= 1, "{run:?}");
