@@ -45,10 +45,10 @@ pub fn seventeen_digits(value: &Real) -> String {
     format!("{sign}{}.{tail}e{magnitude}", &digits[..1])
 }
 
-/// A bound's limit in words: whole multiples of the rounding unit as such, `64 ε`.
+/// A bound's limit in words: whole multiples of the rounding unit as such, `64 ulp`.
 pub fn limit(x: f64) -> String {
     let units = x / f64::EPSILON;
-    if (1.0..=1e6).contains(&units) && units.fract() == 0.0 { format!("{units} ε") } else { short(x) }
+    if (1.0..=1e6).contains(&units) && units.fract() == 0.0 { format!("{units} ulp") } else { short(x) }
 }
 
 /// Up to six significant digits.
@@ -132,7 +132,7 @@ mod tests {
 
     #[test]
     fn limits_count_rounding_units_where_they_are_whole() {
-        assert_eq!([64.0 * f64::EPSILON, 1e-14, 0.5, 0.0].map(limit), ["64 ε", "1e-14", "0.5", "0"]);
+        assert_eq!([64.0 * f64::EPSILON, 1e-14, 0.5, 0.0].map(limit), ["64 ulp", "1e-14", "0.5", "0"]);
     }
 
     #[test]

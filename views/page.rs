@@ -94,6 +94,25 @@ impl Page {
         line.end();
     }
 
+    /// One line at column `indent`: what does not fit is left out, and `…` says so.
+    pub fn cut(&mut self, indent: usize, spans: &[Span]) {
+        let wide: usize = indent + spans.iter().map(|(_, text)| text.width()).sum::<usize>();
+        let room = if wide > self.width { self.width - 1 } else { self.width };
+        let mut line = Line { page: self, column: indent, tone: Tone::Plain };
+        line.page.spaces(indent);
+        for &(tone, text) in spans {
+            let fits = |end: &usize| line.column + text[..*end].width() <= room;
+            let ends = text.char_indices().map(|(at, _)| at).chain([text.len()]);
+            let end = ends.take_while(fits).last().unwrap_or(0);
+            line.put(tone, &text[..end]);
+            if end < text.len() {
+                line.put(tone, "…");
+                break;
+            }
+        }
+        line.end();
+    }
+
     /// A paragraph in one tone at column `indent`.
     pub fn line(&mut self, indent: usize, tone: Tone, text: &str) {
         self.wrap(indent, indent, &[(tone, text)]);
@@ -251,6 +270,18 @@ fn ansi(tone: Tone) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_line_is_cut_where_the_page_ends_and_nowhere_else() {
+        let cut = |text: &str| {
+            let mut page = Page::new(40, false);
+            page.cut(4, &[(Tone::Good, "✓ "), (Tone::Plain, text)]);
+            page.into_text()
+        };
+        let fits = "θ".repeat(34);
+        assert_eq!(cut(&fits), format!("    ✓ {fits}\n"));
+        assert_eq!(cut(&format!("{fits}x")), format!("    ✓ {}…\n", "θ".repeat(33)));
+    }
 
     fn set(width: usize, spans: &[Span]) -> String {
         let mut page = Page::new(width, false);
