@@ -77,20 +77,34 @@ pub fn parse() -> Result<Request, Stop> {
         Err(help) => return Ok(Request::Help { text: styled(&help.render()) }),
     };
     match cli.command {
-        None if cli.lesson.help && cli.lesson.chapter.is_none() => {
-            Ok(Request::Help { text: styled(&Cli::command().render_help()) })
-        }
-        None if cli.lesson.help => Ok(Request::About { words: cli.lesson.words(), commands: commands() }),
+        None if cli.lesson.help => Ok(help(cli.lesson.words())),
+        Some(Command::Help { words, .. }) => Ok(help(words)),
         None if cli.lesson.chapter.is_none() => match cli.lesson.is_bare() {
             true => Ok(Request::Map),
             false => Err(Stop::at("chapter", "missing: these options need one, or `all`")),
         },
         None => cli.lesson.into_request(),
-        Some(Command::Contents { chapter }) => Ok(Request::Contents { chapter }),
-        Some(Command::Coverage { json }) => Ok(Request::Coverage { json }),
+        Some(Command::Contents { chapter, .. }) => Ok(Request::Contents { chapter }),
+        Some(Command::Coverage { json, .. }) => Ok(Request::Coverage { json }),
         Some(Command::Eval(eval)) => eval.into_request(),
         Some(Command::Prove(prove)) => Ok(Request::Prove(prove.into())),
-        Some(Command::Completions { shell }) => Ok(Request::Completions(completions(shell))),
+        Some(Command::Completions { shell, .. }) => Ok(Request::Completions(completions(shell))),
+    }
+}
+
+/// Help on the program, on one of its commands, or on a part of the curriculum.
+fn help(words: Vec<String>) -> Request {
+    let mut command = Cli::command();
+    // Only then its commands know whose they are.
+    command.build();
+    let asked = match &words[..] {
+        [] => Some(&mut command),
+        [word] => command.find_subcommand_mut(word),
+        _ => None,
+    };
+    match asked {
+        Some(command) => Request::Help { text: styled(&command.render_help()) },
+        None => Request::About { words, commands: commands() },
     }
 }
 
@@ -116,6 +130,7 @@ fn refusal(error: &clap::Error) -> Stop {
             Stop::at(excerpt(&place), format!("unknown option{meant}; `--help` lists them"))
         }
         ErrorKind::UnknownArgument => Stop::at(excerpt(&place), "one word too many; `--help` tells what is taken"),
+        ErrorKind::TooManyValues => Stop::at(excerpt(&value), "one word too many; `--help` tells what is taken"),
         ErrorKind::InvalidValue if value.is_empty() => Stop::at(argument(&place), "needs a value"),
         ErrorKind::InvalidValue => {
             let unknown = format!("`{}` is none of its words", excerpt(&value));
@@ -156,18 +171,20 @@ Examples:
   lesson fresnel brewster                  one step
   lesson fresnel brewster --help           what it has, and what can be set
   lesson fresnel/energy/r_plus_t           one check, by its address
-  lesson fresnel --plot                    check everything and write every figure
+  lesson fresnel --plot                    write every figure, check, race
   lesson fresnel --plot --set n_t=gold --set wavelength=550nm --out figures
   lesson fresnel --check --stress --race --json > report.json
   lesson all --check                       does it all still hold?
   lesson eval fresnel n_i=1 n_t=1.5 theta=56.3deg
   lesson eval fresnel --json-lines < inputs.jsonl > outputs.jsonl
-  lesson fresnel r_s --units --unfold      every line with its unit and its steps
+  lesson fresnel r_s --units --unfold      every line, its unit and its steps
   lesson prove \"sin(a)^2 - sin(b)^2\" \"sin(a+b)*sin(a-b)\"
-  lesson coverage                          which rows of the lecture have what evidence
+  lesson coverage                          which rows have what evidence
 
-On a terminal the walk is read screen by screen: Enter (or n, space) for the next,
-b for the one before, p to plot the step's figures, ? for the keys, q to leave.
+On a terminal the walk is read screen by screen: Enter (or n, space) for the
+next, b for the one before, p to plot the step's figures, ? for the keys, q to
+leave. Elsewhere a whole chapter shows its evidence in one line an item; --check
+shows what was found, --unfold all of it.
 
 Exit status: 0 if everything holds, 1 if a check broke, 2 if it could not run.
 
@@ -184,7 +201,7 @@ fn after_help() -> String {
 
 /// A lecture on the physics of rendering that proves itself.
 #[derive(Debug, Parser)]
-#[command(name = "lesson", version, after_help = after_help(), disable_help_flag = true, args_conflicts_with_subcommands = true, args_override_self = true, max_term_width = 80)]
+#[command(name = "lesson", version, after_help = after_help(), disable_help_flag = true, disable_help_subcommand = true, args_conflicts_with_subcommands = true, args_override_self = true, max_term_width = 80)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -198,18 +215,22 @@ enum Command {
     Contents {
         /// The chapter.
         chapter: Option<String>,
+        #[command(flatten)]
+        help: HelpArg,
     },
     /// The lecture's rows: chapter, steps, and which evidence each has or still lacks.
     Coverage {
         /// As one JSON document.
         #[arg(long)]
         json: bool,
+        #[command(flatten)]
+        help: HelpArg,
     },
     /// Call a checked function, once or for every line of JSON on standard input.
     #[command(after_help = EVAL_EXAMPLES)]
     Eval(EvalArgs),
     /// Prove that two expressions are equal, or that one equation follows from another; or find where it fails.
-    #[command(after_help = PROVE_EXAMPLES, disable_help_flag = true)]
+    #[command(after_help = PROVE_EXAMPLES)]
     Prove(ProveArgs),
     /// Print a completion script for a shell.
     ///
@@ -217,7 +238,24 @@ enum Command {
     Completions {
         /// The shell.
         shell: Shell,
+        #[command(flatten)]
+        help: HelpArg,
     },
+    /// Help on the program, a command, a chapter or a step.
+    Help {
+        /// What it is about.
+        words: Vec<String>,
+        #[command(flatten)]
+        help: HelpArg,
+    },
+}
+
+/// The option that shows a command's help.
+#[derive(Debug, Args)]
+struct HelpArg {
+    /// This.
+    #[arg(short, long, action = ArgAction::Help)]
+    help: Option<bool>,
 }
 
 const EVAL_EXAMPLES: &str = "\
@@ -239,13 +277,14 @@ Examples:
   lesson prove \"n1*cos(t1)\" \"n2*cos(t2)\" --given \"n1*sin(t1)=n2*sin(t2)\"
   lesson prove \"x + y = 2\" \"y = 2 - x\"
 
-Written as on paper: + - * / ^, brackets, 2x, sin 2x, sqrt(x), |x|, conj(z), Re(z),
-e^(i x), pi, i; names theta_1, theta1, θ₁, E_1'. What could mean two things is refused.
+Written as on paper: + - * / ^, brackets, 2x, sin 2x, sqrt(x), |x|, conj(z),
+Re(z), e^(i x), pi, i; names theta_1, theta1, θ₁, E_1'. What could mean two
+things is refused.
 
 Every name stands for a positive number, unless --given says otherwise. Proved
 means for all of them, where what the answer names is not zero; a refutation
-names a point. Undecided are nested
-roots, and relations between sines of different numbers.
+names a point. Undecided are nested roots, and relations between sines of
+different numbers.
 
 Exit status: 0 if proved, 1 if refuted, 2 if undecided or unreadable.";
 
@@ -267,8 +306,8 @@ struct ProveArgs {
     #[arg(long)]
     json: bool,
     // No -h: it would be taken out of -theta.
-    /// Print help.
-    #[arg(long, action = ArgAction::HelpLong)]
+    /// This.
+    #[arg(long, action = ArgAction::Help)]
     help: Option<bool>,
 }
 
@@ -398,6 +437,8 @@ struct EvalArgs {
     /// The outputs, or with --list the documentation, as one JSON document.
     #[arg(long, conflicts_with = "json_lines")]
     json: bool,
+    #[command(flatten)]
+    help: HelpArg,
 }
 
 impl EvalArgs {
@@ -413,10 +454,7 @@ impl EvalArgs {
 
 /// The words that may stand where a chapter's name may stand.
 fn commands() -> Vec<String> {
-    let mut command = Cli::command();
-    // clap adds `help` only when it has built the command.
-    command.build();
-    command.get_subcommands().map(|command| command.get_name().to_owned()).chain(["all".to_owned()]).collect()
+    Cli::command().get_subcommands().map(|command| command.get_name().to_owned()).chain(["all".to_owned()]).collect()
 }
 
 /// Reads `NAME=VALUE`.
@@ -455,6 +493,18 @@ mod tests {
     #[test]
     fn the_command_line_is_consistent() {
         Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn every_command_and_every_argument_says_what_it_is_for() {
+        let mut command = Cli::command();
+        command.build();
+        for command in std::iter::once(&command).chain(command.get_subcommands()) {
+            assert!(command.get_about().is_some(), "{}", command.get_name());
+            for argument in command.get_arguments() {
+                assert!(argument.get_help().is_some(), "{} {}", command.get_name(), argument.get_id());
+            }
+        }
     }
 
     #[test]

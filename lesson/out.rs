@@ -136,8 +136,8 @@ fn claim(path: &Path) -> io::Result<(PathBuf, File)> {
 fn sweep(path: &Path) {
     for entry in fs::read_dir(path).into_iter().flatten().flatten() {
         // A link of that name is not ours.
-        let is_ours = entry.file_type().is_ok_and(|kind| kind.is_dir())
-            && entry.file_name().to_str().is_some_and(is_drafts_name);
+        let is_ours =
+            entry.file_type().is_ok_and(|kind| kind.is_dir()) && entry.file_name().to_str().is_some_and(is_drafts_name);
         if !is_ours {
             continue;
         }
@@ -220,7 +220,9 @@ mod tests {
         // Killed with a draft, and killed before there was a lock.
         for (left, file) in [(".lesson-1-0.tmp", Some("figure.png")), (".lesson-2-3.tmp", None)] {
             fs::create_dir_all(path.join(left)).unwrap();
-            file.into_iter().chain(file.map(|_| LOCK)).for_each(|file| fs::write(path.join(left).join(file), []).unwrap());
+            file.into_iter()
+                .chain(file.map(|_| LOCK))
+                .for_each(|file| fs::write(path.join(left).join(file), []).unwrap());
         }
         let others = [".lesson-x-0.tmp", ".lesson-7.tmp", ".lesson--1.tmp", "lesson-1-0.tmp", ".lesson-1-0.tmpx"];
         others.iter().for_each(|other| fs::create_dir(path.join(other)).unwrap());

@@ -135,6 +135,9 @@ fn find_chapter(word: &str, commands: &[String]) -> Result<&'static Chapter, Sto
         let written: Vec<_> = CURRICULUM.iter().map(|chapter| chapter.id).collect();
         return Err(Stop::at(&wanted, format!("this chapter is not written yet; there is: {}", written.join(", "))));
     }
+    if commands.contains(&wanted) {
+        return Err(Stop::at(&wanted, "a command, which stands first and has options of its own; `--help` lists them"));
+    }
     let names = chapter_names().into_iter().map(str::to_owned).chain(commands.iter().cloned());
     Err(Stop::unknown(Fault::unknown(excerpt(word), word, "no such chapter", names), addresses()))
 }

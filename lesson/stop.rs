@@ -79,10 +79,15 @@ impl Stop {
 /// How alike two names must be for one to be meant by the other.
 const ALIKE: f64 = 0.75;
 
-/// The first of `names` whose last part is most like `word`, if any is like it, and how much it is.
+/// The first of `names` most like `word`, if any is like it, and how much it is. Of an address the end counts, from any
+/// of its parts on.
 fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Option<(f64, &'n str)> {
-    let word = plain(word);
-    let likeness = |name: &str| strsim::jaro_winkler(&word, &plain(name.rsplit('/').next().unwrap_or(name)));
+    let word = plain(word).replace('/', "-");
+    let likeness = |name: &str| {
+        let starts = std::iter::once(0).chain(name.match_indices('/').map(|(at, _)| at + 1));
+        let ends = starts.map(|start| strsim::jaro_winkler(&word, &plain(&name[start..]).replace('/', "-")));
+        ends.fold(0.0, f64::max)
+    };
     let alike = names.map(|name| (likeness(name), name)).filter(|(likeness, _)| *likeness > ALIKE);
     alike.reduce(|best, next| if next.0 > best.0 { next } else { best })
 }

@@ -173,11 +173,9 @@ impl Kind {
             Self::Number(range) | Self::Vector(range) => fields.extend(ends(range)),
             Self::Count { min, max } => fields.extend([("min", (*min as f64).into()), ("max", (*max as f64).into())]),
             Self::Choice(words) => fields.push(("words", Argument::words(words.iter().copied()))),
-            Self::Medium => fields.extend([
-                ("n", pair((INDEX_MIN, INDEX_MAX))),
-                ("k", pair((0.0, INDEX_MAX))),
-                names(),
-            ]),
+            Self::Medium => {
+                fields.extend([("n", pair((INDEX_MIN, INDEX_MAX))), ("k", pair((0.0, INDEX_MAX))), names()])
+            }
             Self::ClearMedium => fields.extend([("n", pair((INDEX_MIN, INDEX_MAX))), names()]),
             Self::Conductor => fields.extend([
                 ("eps_r", pair(RELATIVE)),

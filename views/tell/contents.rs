@@ -35,8 +35,8 @@ impl Teller<'_> {
         let terms = |width, items| Block::section(vec![Block::Terms(Terms { width: Some(width), items })]);
         vec![
             Block::section(vec![Block::text(0, Tone::Plain, intro)]),
-            terms(18, chapter_names().into_iter().map(chapter).collect()),
-            terms(23, NEXT.iter().map(next).collect()),
+            terms(19, chapter_names().into_iter().map(chapter).collect()),
+            terms(24, NEXT.iter().map(next).collect()),
         ]
     }
 
@@ -56,7 +56,10 @@ impl Teller<'_> {
         };
         let step = |step: &Step| Term {
             name: Span::verbatim(Tone::Name, step.id),
-            says: vec![Span::new(Tone::Plain, self.phrase(&format!("{}/{}", chapter.id, step.id), "title", step.title))],
+            says: vec![Span::new(
+                Tone::Plain,
+                self.phrase(&format!("{}/{}", chapter.id, step.id), "title", step.title),
+            )],
             note: None,
         };
         let items = chapter.steps.iter().map(step).collect();

@@ -4,8 +4,8 @@ use super::{Teller, owned, section_at, tone};
 use crate::block::{Block, Case, Cases, Column, Figure, Judged, Picture, Span, Table, Tone};
 use crate::number::{full, short};
 use crate::report::{
-    CaseReport, CheckReport, FigureReport, LaneReport, Parts, PointReport, RaceReport, Report, StatementReport, StepReport,
-    StressReport, Verdict,
+    CaseReport, CheckReport, FigureReport, LaneReport, Parts, PointReport, RaceReport, Report, StatementReport,
+    StepReport, StressReport, Verdict,
 };
 use chapters::text::Phrase;
 use chapters::vocabulary::Expects;

@@ -18,7 +18,7 @@ impl Teller<'_> {
         let usage = format!("lesson {} {}", chapter.id, step.id);
         let says = self.phrase(&address, "says", step.says);
         let mut blocks = vec![self.usage(&usage, title, says)];
-        blocks.push(self.list("It has:", self.inventory(step)));
+        blocks.push(self.list("It has:", Some(NAMES), self.inventory(step)));
         blocks.extend(self.parameters(&address, &[step]));
         blocks.extend(self.legend());
         vec![section_at(&address, blocks)]
@@ -44,9 +44,9 @@ impl Teller<'_> {
         Block::section(vec![Block::Group(vec![Block::paragraph(0, 4, usage), Block::text(2, Tone::Plain, says)])])
     }
 
-    fn list(&self, title: &str, items: Vec<Term>) -> Block {
+    fn list(&self, title: &str, width: Option<usize>, items: Vec<Term>) -> Block {
         let title = Block::text(0, Tone::Strong, self.say(title, &[]));
-        Block::section(vec![Block::Group(vec![title, Block::Terms(Terms { width: Some(NAMES), items })])])
+        Block::section(vec![Block::Group(vec![title, Block::Terms(Terms { width, items })])])
     }
 
     /// The ids of a step's items, kind by kind.
@@ -77,7 +77,7 @@ impl Teller<'_> {
             return Vec::new();
         }
         let terms = parameters.iter().flat_map(|parameter| self.input(address, "", parameter)).collect();
-        let mut blocks = vec![self.list("To set, with --set NAME=VALUE:", terms)];
+        let mut blocks = vec![self.list("To set, with --set NAME=VALUE:", Some(NAMES), terms)];
         let named: Vec<Term> = named(&parameters)
             .into_iter()
             .map(|(parameters, media)| Term {
@@ -87,7 +87,7 @@ impl Teller<'_> {
             })
             .collect();
         if !named.is_empty() {
-            blocks.push(self.list("Media by name:", named));
+            blocks.push(self.list("Media by name:", None, named));
         }
         blocks
     }
@@ -119,7 +119,7 @@ fn short_kind(item: &Item) -> (&'static str, &'static str) {
         Item::Question(_) => ("1 question", "{count} questions"),
         Item::Derivation(_) => ("1 derivation", "{count} derivations"),
         Item::Check(_) => ("1 check", "{count} checks"),
-        Item::Stress(_) => ("1 stress", "{count} stresses"),
+        Item::Stress(_) => ("1 stress test", "{count} stress tests"),
         Item::Race(_) => ("1 race", "{count} races"),
         Item::Figure(_) => ("1 figure", "{count} figures"),
     }

@@ -1,7 +1,9 @@
 //! A chapter and its steps as they are taught.
 
 use super::{Teller, face_of, owned, prose, section_at, tone};
-use crate::block::{Assignment, Block, Figure, Fold, Formula, Heading, Picture, Quantity, Rank, Span, Term, Terms, Tone};
+use crate::block::{
+    Assignment, Block, Figure, Fold, Formula, Heading, Picture, Quantity, Rank, Span, Term, Terms, Tone,
+};
 use crate::number::value;
 use crate::report::{ParameterReport, RaceReport, StatementReport, StepReport, Verdict};
 use chapters::text::Phrase;
