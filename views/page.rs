@@ -5,7 +5,7 @@ pub use crate::block::Tone;
 use equation::face::Block;
 use unicode_width::UnicodeWidthStr;
 
-/// Columns that the last cell of a row is worth being wrapped in.
+/// Columns that the last cell of a row is worth being wrapped in; a line that goes on has as many on the narrowest page.
 const LAST_CELL: usize = 16;
 
 /// A piece of text, letter by letter, and what it means.
@@ -75,6 +75,7 @@ impl Page {
     /// A paragraph: the first line starts at column `first`, the others at `rest`. Lines break at spaces; spans that
     /// touch stay together.
     pub fn wrap(&mut self, first: usize, rest: usize, spans: &[Span]) {
+        let rest = rest.min(self.width - LAST_CELL);
         let mut line = Line { page: self, column: first, tone: Tone::Plain };
         line.page.spaces(first);
         let mut empty = true;

@@ -24,10 +24,10 @@ use std::f64::consts::FRAC_PI_2;
 use yardstick::precise;
 use yardstick::random::uniform;
 
-/// How far the program may be from the equation, in units of ε(1 + κ).
+/// How far the program may be from the equation, in units of ulp · (1 + cond).
 const AS_PROMISED: Bound = Bound::AtMost {
     limit: ALLOWED_ULPS,
-    unit: "ε(1+κ)",
+    unit: "ulp · (1 + cond)",
     why: "the project's promise: no more than a few roundings beyond what the inputs' own rounding does",
 };
 
@@ -210,8 +210,8 @@ fn t_p_chain(last: Expr) -> Chain {
         .find(last)
 }
 
-/// Error of the program's ratio against `equation`, in units of ε(1 + κ); `at` is the place of its real part among
-/// the reference's outputs, for κ. Angles and indices at random, and the setting's own.
+/// Error of the program's ratio against `equation`, in units of ulp · (1 + cond); `at` is the place of its real part
+/// among the reference's outputs, for cond. Angles and indices at random, and the setting's own.
 fn against_equation(bench: &mut Bench, equation: &Expr, ratio: fn(&Amplitudes) -> Complex64, at: usize) -> Measured {
     let own = interface(bench.setting);
     let mut inputs: Vec<(f64, f64, f64)> = (0..16)

@@ -131,7 +131,7 @@ const CONTINUITY: Check<fn(Amplitudes) -> Amplitudes> = check(
      absorbing media",
 )
 .against("full field vectors of the three waves, H = n k×E, component by component")
-.within(32.0, "ε", "a dozen roundings in the amplitudes and in each of the vectors' products")
+.within(32.0, "ulp", "a dozen roundings in the amplitudes and in each of the vectors' products")
 .of(largest_step, |a| a)
 .slip("r_p with the sign of the other convention", |a| Amplitudes { r_p: -a.r_p, ..a });
 

@@ -159,7 +159,7 @@ fn distance_of_minimum(bench: &mut Bench, angle: fn(f64, f64) -> f64) -> Measure
 const RIGHT_ANGLE: Check<fn(f64, f64) -> f64> =
     check("square", "there the reflected and the refracted ray stand at right angles")
         .against("Snell's law at the angle that the arctangent gives")
-        .within(8.0, "ε", "a handful of roundings of angles below π/2")
+        .within(8.0, "ulp", "a handful of roundings of angles below π/2")
         .of(out_of_square, brewster_angle)
         .slip("the arcsine, as for the critical angle", |n_i, n_t| (n_t.min(n_i) / n_t.max(n_i)).asin());
 

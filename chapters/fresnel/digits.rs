@@ -38,12 +38,12 @@ pub(super) const STEP: Step = step(
 .stress(&[stress(
     "promise",
     "over more than ten thousand inputs chosen to break it, every output stays within \
-     16 ε(1+κ)",
+     16 ulp · (1 + cond)",
     |_| families().iter().flat_map(worst_cases).collect(),
 )
 .rows(&["C10", "C13", "C14"])
 .textbook("E36–E42 as written")
-.against("256-bit arithmetic; κ from difference quotients with a relative step of 1e−30")])
+.against("256-bit arithmetic; cond from difference quotients with a relative step of 1e−30")])
 .races(&[FORMS, FORMS_ABSORBING]);
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
@@ -56,7 +56,7 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     let all = [
         ("digits_written", "as written", "decimal digits of R_n that E42 keeps here", kept(written)),
         ("digits_kept", "the program", "decimal digits of R_n that the program keeps here", kept(ours(&input)[at])),
-        ("condition", "κ", "condition number of R_n: what the inputs' own rounding is multiplied by", condition),
+        ("condition", "cond", "condition number of R_n: what the inputs' own rounding is multiplied by", condition),
     ];
     all.map(|(key, symbol, says, value)| Quantity { key, symbol, says, value, unit: "1" }).into()
 }
@@ -221,7 +221,8 @@ fn digits_lost(_: &Setting) -> Plot {
     });
     let owed = |(.., exact): &(f64, f64, Exact)| digits(ALLOWED_ULPS * f64::EPSILON * (1.0 + exact.conditions()[at]));
     let coarse = cells(COLUMNS / 2, ROWS / 2);
-    let owed = map("what 16 ε(1+κ) asks for", "decimal digits owed", COLUMNS / 2, coarse.iter().map(owed).collect());
+    let owed =
+        map("what 16 ulp · (1 + cond) asks for", "decimal digits owed", COLUMNS / 2, coarse.iter().map(owed).collect());
     Plot::grid("Digits of R_n kept, of the sixteen there are", 2, panels.into_iter().chain([owed]).collect())
 }
 

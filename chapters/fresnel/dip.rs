@@ -178,7 +178,7 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
 /// Place [rad] and value of the least R_n, by search.
 fn least(n_i: f64, n_t: Complex64) -> (f64, f64) {
     let natural = |theta: f64| powers(Incidence::from_angle(theta), n_i, n_t).r_n();
-    // Within √ε of normal incidence the curve is flat to rounding: the search starts from the best of a fan.
+    // Within √ulp of normal incidence the curve is flat to rounding: the search starts from the best of a fan.
     let step = FRAC_PI_2 / 400.0;
     let best =
         (0..400).map(|at| f64::from(at) * step).min_by(|a, b| natural(*a).total_cmp(&natural(*b))).unwrap_or(0.0);
@@ -245,7 +245,7 @@ fn order_at_normal(_: &mut Bench, name: &str) -> Measured {
 const PLACE_AND_DEPTH: Check<fn(f64) -> Option<Dip>> =
     check("place_and_depth", "the dip lies where the closed form says, as deep as ½ − 2n²/(n²−1)²")
         .against("golden-section search over the angle")
-        .within(1e-6, "1", "the place of a flat minimum is known to √ε over the curvature; the depth, to rounding")
+        .within(1e-6, "1", "the place of a flat minimum is known to √ulp over the curvature; the depth, to rounding")
         .of(dip_found, dip)
         .slip("n² + 1 for n² − 1 in the depth", |n| {
             dip(n).map(|dip| Dip { r_n: 0.5 - 2.0 * n * n / ((n * n + 1.0) * (n * n + 1.0)), ..dip })

@@ -115,7 +115,7 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
 const R_PLUS_T: Check<fn(Incidence, f64, Complex64) -> Powers> =
     check("r_plus_t", "R + T = 1 at every angle, into the glass and out of it, for s, p and natural light")
         .against("R from the reflected, T from the transmitted wave alone; conservation joins them")
-        .within(8.0, "ε", "about ten roundings of numbers near 1")
+        .within(8.0, "ulp", "about ten roundings of numbers near 1")
         .of(imbalance, powers)
         .slip("T taken as |t|²", |incidence, n_i, n_t| {
             let a = amplitudes(incidence, n_i, n_t);

@@ -93,7 +93,7 @@ pub fn worst_cases(family: &Family) -> Vec<Extreme> {
         let (exact, ours) = (Exact::new(input), ours(input));
         let errors: Vec<f64> =
             ours.iter().zip(&exact.outputs).map(|(ours, exact)| precise::relative_error(*ours, exact)).collect();
-        // Condition numbers cost four more solutions; where every error is within a quarter of what even κ = 0 allows
+        // Condition numbers cost four more solutions; where every error is within a quarter of what even cond = 0 allows
         // they cannot matter, and 0 is on the safe side.
         let calm = errors.iter().all(|error| *error <= 0.25 * ALLOWED_ULPS * f64::EPSILON);
         let conditions = if calm { [0.0; NAMES.len()] } else { exact.conditions() };

@@ -132,7 +132,7 @@ const ENERGY: Check<fn(Polarisation, &Input, &Amplitudes) -> f64> = check(
     "what is not reflected flows into the metal: R + T = 1, although no wave keeps its power there",
 )
 .against("½ Re(E×H*) of the transmitted wave's full field vectors just behind the interface")
-.within(32.0, "ε", "a dozen roundings in R, in the amplitudes and in the vectors' products")
+.within(32.0, "ulp", "a dozen roundings in R, in the amplitudes and in the vectors' products")
 .of(imbalance, carried)
 .slip("Re n₂ · Re cos θ₂ is taken for Re(n₂ cos θ₂)", carried_by_parts);
 
@@ -171,7 +171,7 @@ const NORMAL: Check<fn() -> Expr> =
         .against("the equation above, as the object on the page, in 256-bit arithmetic")
         .within(
             ALLOWED_ULPS,
-            "ε(1+κ)",
+            "ulp · (1 + cond)",
             "the project's promise: no more than a few roundings beyond what the inputs' own rounding does",
         )
         .of::<fn() -> Expr>(
@@ -180,7 +180,7 @@ const NORMAL: Check<fn() -> Expr> =
         )
         .slip("the complex index is squared where its modulus should be", || at_normal_incidence(-KAPPA.pow(2)));
 
-/// Error of the program's R_n at normal incidence against `equation`, in ε(1 + κ): random metals, some with indices
+/// Error of the program's R_n at normal incidence against `equation`, in ulp · (1 + cond): random metals, some with indices
 /// near the incident one, and the setting's own.
 fn against_equation(bench: &mut Bench, equation: &Expr) -> Measured {
     let own = interface(bench.setting);
@@ -207,7 +207,7 @@ fn against_equation(bench: &mut Bench, equation: &Expr) -> Measured {
 const PHASE: Check<fn(Complex64) -> Complex64> =
     check("inversion", "modulus and phase of r_p/r_s give the index back that they were computed from")
         .against("the ellipsometer's closed inversion: no square root's branch, no continuity of fields")
-        .within(32.0, "ε/|1+ρ|", "a dozen roundings in each ratio, and 1 + ρ, small for good metals, magnifies them")
+        .within(32.0, "ulp/|1+ρ|", "a dozen roundings in each ratio, and 1 + ρ, small for good metals, magnifies them")
         .of(index_from_ratio, |ratio| ratio)
         .slip("the phase has the sign of the other time convention", |ratio| ratio.conj());
 

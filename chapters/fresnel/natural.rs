@@ -111,7 +111,7 @@ fn mean(last: Expr) -> Chain {
 const EVERY_AZIMUTH: Check<fn(&Amplitudes, f64, f64) -> f64> =
     check("every_azimuth", "R_n is the mean over all directions of polarisation")
         .against("fields polarised at 16 azimuths, each split into s and p, reflected, and its power summed")
-        .within(16.0, "ε", "the trapezoid rule is exact for cos², so only rounding is left")
+        .within(16.0, "ulp", "the trapezoid rule is exact for cos², so only rounding is left")
         .of(over_azimuths, |a, cos, sin| (a.r_s * cos).norm_sqr() + (a.r_p * sin).norm_sqr())
         .slip("the fields of s and p are added although they stand at right angles", |a, cos, sin| {
             (a.r_s * cos + a.r_p * sin).norm_sqr()

@@ -115,7 +115,7 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
 const FLOW: Check<fn(&Amplitudes, Powers) -> Powers> =
     check("flow", "R and T are the normal flows of energy, reflected and transmitted over incident")
         .against("Re(E×H*) of the three waves' field vectors, normal component")
-        .within(32.0, "ε", "two dozen roundings in the fields and their products")
+        .within(32.0, "ulp", "two dozen roundings in the fields and their products")
         .of(against_flow, |_, powers| powers)
         .slip("T taken as |t|²", |a, powers| Powers { t_s: a.t_s.norm_sqr(), t_p: a.t_p.norm_sqr(), ..powers });
 

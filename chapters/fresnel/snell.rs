@@ -161,7 +161,7 @@ type Order = fn(f64, f64) -> (f64, f64);
 /// The second route knows no waves: of all points of the interface the ray crosses where the optical path is least.
 const FERMAT: Check<Order> = check("fermat", "the refracted ray takes the least time")
     .against("Fermat's principle: golden-section search for the crossing point of least optical path")
-    .within(1e-7, "1", "a minimum of a path of length 1 is flat to √ε = 1.5e−8, so its place is known no better")
+    .within(1e-7, "1", "a minimum of a path of length 1 is flat to √ulp = 1.5e−8, so its place is known no better")
     .of(least_time, |n_i, n_t| (n_i, n_t))
     .slip("Snell's law with the indices interchanged", |n_i, n_t| (n_t, n_i));
 

@@ -243,7 +243,7 @@ fn rhomb(_: &mut Bench, amend: fn(f64) -> f64) -> Measured {
 const PHASE: Check<fn(f64) -> f64> =
     check("relative_phase", "tan(δ/2) = cosθ √(sin²θ − n²)/sin²θ for the phase δ of p against s")
         .against("Born & Wolf §1.5.4, eq. (60), in real arithmetic; the program's route is complex")
-        .within(64.0, "ε", "a dozen roundings, and √ next to its zero")
+        .within(64.0, "ulp", "a dozen roundings, and √ next to its zero")
         .of(against_phase_formula, |sin| sin * sin)
         .slip("sin θ for sin² θ in the denominator", |sin| sin);
 
@@ -285,7 +285,7 @@ fn tunnelled(_: &mut Bench, fields_in_power: f64) -> Measured {
 const NO_FLOW: Check<fn(Complex64) -> Complex64> =
     check("no_flow", "the evanescent wave is there and carries no energy across")
         .against("Re(E×H*)·n of the transmitted field vectors, over |E||H|")
-        .within(8.0, "ε", "E and H are a quarter period apart up to rounding")
+        .within(8.0, "ulp", "E and H are a quarter period apart up to rounding")
         .of(flow_behind, |r| r)
         .slip("an index with a trace of absorption", |r| Complex64::new(r.re, r.im) * Complex64::new(1.0, 1e-6));
 

@@ -92,7 +92,7 @@ const KEPT: Check<usize> = check(
 )
 .within(
     64.0,
-    "ε",
+    "ulp",
     "a dozen roundings of the terms, relative to the largest of them, at the worst of \
      the 200 000 nodes and steps",
 )
@@ -132,7 +132,7 @@ const ENERGY_KEPT: Check<fn(Balance) -> Balance> = check(
 )
 .within(
     256.0,
-    "ε",
+    "ulp",
     "the roundings of sums over up to 520 cells, of either sign, relative to the \
      energy there is",
 )

@@ -235,7 +235,7 @@ const NORMAL_PARTS: Check<fn(&Input, Polarisation) -> Sides> = check(
     "field vectors of the three waves of chapter fresnel, clear and absorbing, from \
      the normal to grazing and beyond total reflection",
 )
-.within(32.0, "ε", "a dozen roundings in the amplitudes and in each product")
+.within(32.0, "ulp", "a dozen roundings in the amplitudes and in each product")
 .of::<fn(&Input, Polarisation) -> Sides>(|bench, both_sides| steps(bench, 4..6, both_sides), both_sides)
 .slip("E for D: the normal E is taken to be continuous", |input, polarisation| {
     sides(&Input { n_i: 1.0, n_t: 1.0.into(), ..*input }, &solved(input, polarisation))
@@ -244,7 +244,7 @@ const NORMAL_PARTS: Check<fn(&Input, Polarisation) -> Sides> = check(
 const TANGENTIAL_PARTS: Check<fn(&Input, Polarisation) -> Sides> =
     check("tangential_parts", "and E and H along the interface, of course")
         .against("the same vectors, H = n k×E")
-        .within(32.0, "ε", "as for the normal parts")
+        .within(32.0, "ulp", "as for the normal parts")
         .of::<fn(&Input, Polarisation) -> Sides>(|bench, both_sides| steps(bench, 0..4, both_sides), both_sides)
         .slip("the reflected wave is forgotten", |input, polarisation| {
             let [incident, _, transmitted] = solved(input, polarisation);

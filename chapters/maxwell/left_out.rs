@@ -116,7 +116,7 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
 const SAME: Check<f64> =
     check("same_fields", "what was left out is not missed: both kinds of line give the same fields")
         .against("the same scenes with every coefficient and current in every cell")
-        .within(0.0, "ε", "the same operations on the same numbers, and others that change nothing")
+        .within(0.0, "ulp", "the same operations on the same numbers, and others that change nothing")
         .of(difference, 0.0)
         .slip("a faint conduction taken for none", 1e-6);
 

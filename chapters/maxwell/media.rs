@@ -134,7 +134,7 @@ const POWDER: Check<fn() -> Vec<Tensor>> = check(
     "the mean of a tensor over the turns of a cube is a third of its trace, the same in all directions",
 )
 .against("random tensors turned by all 24 rotations that map a cube to itself, added up")
-.within(16.0, "ε", "products with 0 and ±1 are exact; what rounds are the 24 additions")
+.within(16.0, "ulp", "products with 0 and ±1 are exact; what rounds are the 24 additions")
 .of(powder, turns_of_a_cube)
 .slip("turns about one axis only", || {
     let keeps_z = |turn: &Tensor| turn.0[2] == [0.0, 0.0, 1.0];

@@ -167,7 +167,7 @@ fn thinner(_: &mut Bench, share: f64) -> Measured {
 const JUMP: Check<f64> =
     check("jump", "the step of H is the current, and what the current takes is what R and T leave")
         .against("fields on both sides from r alone; energy from ½ Re(K E*)")
-        .within(16.0, "ε", "a handful of roundings, relative to the largest field")
+        .within(16.0, "ulp", "a handful of roundings, relative to the largest field")
         .of(jump, 1.0)
         .slip("E4 as written: H runs on", 0.0);
 

@@ -99,12 +99,12 @@ pub(super) const STEP: Step = step(
 .stress(&[stress(
     "any_medium",
     "from the best insulator to the best conductor, 1 mHz to 1e16 Hz, every output \
-     stays within 16 ε(1+κ)",
+     stays within 16 ulp · (1 + cond)",
     |_| families().iter().flat_map(|(name, inputs)| worst_cases(name, inputs)).collect(),
 )
 .textbook("√(√(1 + τ²) ∓ 1)")
 .against(
-    "k = √(ω²εμ + iωμσ) in 256 bits; κ from difference quotients with a relative step \
+    "k = √(ω²εμ + iωμσ) in 256 bits; cond from difference quotients with a relative step \
      of 1e−30",
 )]);
 

@@ -110,7 +110,7 @@ fn through_the_spectrum(_: &mut Bench, sense: f64) -> Measured {
 
 const PARSEVAL: Check<f64> = check("parseval", "the harmonics hold the energy of the pulse, no more and no less")
     .against("the mean of E² over the samples, without any transform")
-    .within(32.0, "ε", "sums of up to 1025 squares, and transforms whose errors average out")
+    .within(32.0, "ulp", "sums of up to 1025 squares, and transforms whose errors average out")
     .of(parseval, 1.0)
     .slip("the harmonics of negative frequency forgotten", 0.5);
 

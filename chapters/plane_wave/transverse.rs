@@ -146,7 +146,7 @@ const ANY_DIRECTION: Check<fn(Plane, glam::DVec3) -> Plane> =
     check("any_direction", "whatever the direction, k·E = k·B = E·B = 0 and both fields vanish together")
         .rows(&["E15"])
         .against("the moments at which E, found by bisection, passes through zero; there B is looked at")
-        .within(64.0, "ε", "cross products of unit vectors, and a phase of a few radians")
+        .within(64.0, "ulp", "cross products of unit vectors, and a phase of a few radians")
         .of(any_direction, |plane, _| plane)
         .slip("E tilted by a millionth out of the plane across", |plane, tilt| Plane {
             e: plane.e + 1e-6 * tilt,
@@ -221,7 +221,7 @@ const MISMATCH: Check<fn(Complex64) -> Complex64> =
     check("mismatch", "what an interface sends back is (Z₂ − Z₁)/(Z₂ + Z₁), as on a line with a wrong end")
         .rows(&["E17"])
         .against("the Fresnel coefficient at normal incidence, which knows indices and no impedance")
-        .within(16.0, "ε", "a few roundings on either side, of numbers below 1")
+        .within(16.0, "ulp", "a few roundings on either side, of numbers below 1")
         .of(mismatch, |z| z)
         .slip("the impedances upside down", |z| Z_0 * Z_0 / z);
 

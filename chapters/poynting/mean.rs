@@ -71,7 +71,7 @@ pub(super) const STEP: Step =
         .textbook("cos² of the rounded product 2πft")
         .against(
             "the exact product f·t less its whole cycles, in 256 bits; f and t are taken as \
-             exact, so κ is 0",
+             exact, so cond is 0",
         )])
         .races(&[AVERAGES]);
 
@@ -111,7 +111,7 @@ const QUADRATURE: Check<fn(&Wave) -> f64> = check("quadrature", "the program's m
         "E·B/μ of the two cosines, averaged over a period by Gauss's rule; neither v nor ½ \
          is put in",
     )
-    .within(64.0, "ε", "forty terms, and a dozen roundings in k and Z")
+    .within(64.0, "ulp", "forty terms, and a dozen roundings in k and Z")
     .of(averaged, |wave| wave.mean_flux)
     .slip("the peak for the mean", |wave| 2.0 * wave.mean_flux);
 

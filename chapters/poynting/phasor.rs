@@ -76,7 +76,7 @@ fn lagging(conjugate: Expr) -> Chain {
 const OUT_OF_STEP: Check<fn(Complex64, Complex64) -> f64> =
     check("out_of_step", "½ Re(E H*) is the mean flow in any medium, however late H comes")
         .against("the product of the two real fields over a period, by Gauss's rule")
-        .within(64.0, "ε", "forty terms of which some cancel, and a dozen roundings in Z")
+        .within(64.0, "ulp", "forty terms of which some cancel, and a dozen roundings in Z")
         .of(out_of_step, mean_by_phasors)
         .slip("½|E||H|, as if they were in step", |e, h| 0.5 * e.norm() * h.norm());
 
@@ -108,7 +108,7 @@ fn out_of_step(_: &mut Bench, form: fn(Complex64, Complex64) -> f64) -> Measured
 const SQUARE: Check<i32> =
     check("square_law", "twice the field carries four times the power, and the program's ⟨S⟩ is that of 1 V/m")
         .against("phasors of growing amplitude against the program's mean flow")
-        .within(16.0, "ε", "a few roundings on either side")
+        .within(16.0, "ulp", "a few roundings on either side")
         .of(square_law, 2)
         .slip("in proportion to the amplitude", 1);
 

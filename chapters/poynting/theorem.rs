@@ -180,7 +180,7 @@ fn slabs(_: &mut Bench, heat: f64) -> Measured {
 const ALONG_K: Check<fn(DVec3, DVec3) -> DVec3> =
     check("flows_along_k", "S points along the propagation, whatever the direction and the moment")
         .against("E×B of waves in random directions, against k; the sign too")
-        .within(16.0, "ε", "two cross products of unit vectors")
+        .within(16.0, "ulp", "two cross products of unit vectors")
         .of(along, |e, b| e.cross(b))
         .slip("B×E", |e, b| b.cross(e));
 

@@ -115,7 +115,7 @@ const BILLION: Check<fn(Flux, f64) -> f64> =
         .against("sin(4πfT)/(4πfT) from the exact product of f and T in 256 bits")
         .within(
             16.0,
-            "ε",
+            "ulp",
             "a few roundings of the small error itself, which is looked at relative to its own \
              size",
         )

@@ -8,7 +8,7 @@
 //! ```ignore
 //! const ENDS: Check<fn(f64, f64) -> f64> = check("both_ends", "exact at both ends")
 //!     .against("the exact R_n")
-//!     .within(16.0, "ε", "a few roundings")
+//!     .within(16.0, "ulp", "a few roundings")
 //!     .of(worst_gap, schlick)
 //!     .slip("1 − R₀ forgotten", |cos, n| r_0(n) + (1.0 - cos).powi(5));
 //! ```

@@ -43,7 +43,7 @@ impl Stress {
     }
 }
 
-/// How many rounding units, per unit of 1 + κ, a result may be off: the project's promise of accuracy.
+/// How many rounding units, per unit of 1 + cond, a result may be off: the project's promise of accuracy.
 pub const ALLOWED_ULPS: f64 = 16.0;
 
 /// One extreme input and what became of it.
@@ -59,7 +59,7 @@ pub struct Extreme {
     pub textbook: f64,
     /// What the program gives.
     pub ours: f64,
-    /// Condition number κ of the quantity with respect to its inputs [1].
+    /// Condition number of the quantity with respect to its inputs [1].
     pub condition: f64,
     /// How many inputs this one is the worst of; 1 if it stands for itself.
     pub worst_of: usize,

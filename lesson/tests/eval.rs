@@ -77,7 +77,7 @@ fn bad_arguments_name_their_place_and_range() {
     ] {
         let run = lesson(arguments);
         assert_eq!((run.code, run.out.as_str(), run.err.lines().count()), (2, "", 1), "{arguments}: {run:?}");
-        assert!(run.err.starts_with("lesson: "), "{run:?}");
+        assert!(run.err.starts_with("error: "), "{run:?}");
         assert!(words.iter().all(|word| run.err.contains(word)), "{arguments}: {}", run.err);
     }
     assert_eq!(lesson("eval").code, 2);

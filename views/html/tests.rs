@@ -23,7 +23,7 @@ fn report(chapter: &Chapter, step: &Step) -> StepReport {
         rows: check.rows,
         route: check.route,
         value,
-        bound: "at most 8 ε".into(),
+        bound: "at most 8 ulp".into(),
         why: "rounding",
         limit: value,
         unit: "1",

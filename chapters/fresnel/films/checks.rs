@@ -16,7 +16,7 @@ use yardstick::random::uniform;
 pub(super) const BOUNCES: Check<fn(Complex64, Complex64) -> Complex64> =
     check("every_bounce", "the field that a film reflects is the sum of all bounces in it")
         .against("bounce after bounce in f64, with Fresnel's coefficients at each face, until they vanish")
-        .within(128.0, "ε", "a dozen roundings in each of up to a hundred bounces")
+        .within(128.0, "ulp", "a dozen roundings in each of up to a hundred bounces")
         .of(against_bounces, |t_12, t_21| t_12 * t_21)
         .slip("the light leaves the film with t₁₂, not t₂₁", |t_12, _| t_12 * t_12);
 
@@ -68,7 +68,7 @@ pub(super) const QUARTER_WAVES: Check<fn(f64, f64) -> f64> =
         .against("each quarter wave turns an admittance Y into n²/Y (Born & Wolf, 7th ed., §1.6.5): T = 4n₁Y/(n₁ + Y)²")
         .within(
             512.0,
-            "ε",
+            "ulp",
             "a few roundings for each of 101 films; the rounded thickness does not count, since T is stationary there",
         )
         .of(against_admittance, |n, y| n * n / y)
@@ -106,7 +106,7 @@ pub(super) const REVERSAL: Check<fn(&Powers, &Powers) -> f64> =
         .against("the same films in reverse order, lit along the refracted ray")
         .within(
             256.0,
-            "ε",
+            "ulp",
             "some ten roundings a film, magnified by the phases (up to 20 rad) and by the rounded angle of return",
         )
         .of(from_behind, |there, back| back.transmittance / there.transmittance - 1.0)
@@ -134,7 +134,7 @@ fn from_behind(bench: &mut Bench, change: fn(&Powers, &Powers) -> f64) -> Measur
 pub(super) const ENERGY: Check<fn(f64, Complex64) -> f64> =
     check("energy", "|r|², the flow that t carries and what the films absorb make up the incident power")
         .against("r and t as fields, A from the losses film by film: three numbers that share no sum")
-        .within(64.0, "ε", "some ten roundings for each of six films")
+        .within(64.0, "ulp", "some ten roundings for each of six films")
         .of(balance, |flux, t| flux * t.norm_sqr())
         .slip("T taken as |t|²", |_, t| t.norm_sqr());
 
@@ -158,13 +158,13 @@ pub(super) const PARRATT: Check<f64> =
         .against("Parratt's recursion of interface coefficients (1954) in 256 bits: another form, another precision")
         .within(
             ALLOWED_ULPS,
-            "ε(1+κ)",
+            "ulp · (1 + cond)",
             "the project's promise: no more than a few roundings beyond what the inputs' own rounding does",
         )
         .of(against_parratt, 1.0)
         .slip("the wave crosses each film once where it should there and back", 0.5);
 
-/// Error in ε(1 + κ) of films whose thickness is `scale` times what it should be.
+/// Error in ulp · (1 + cond) of films whose thickness is `scale` times what it should be.
 fn against_parratt(bench: &mut Bench, scale: f64) -> Measured {
     let cases = [(1, 0.0), (3, 0.2), (4, 0.01), (5, 0.0)];
     Measured::worst(cases.into_iter().zip(BOTH.into_iter().cycle()).flat_map(|((count, most), polarisation)| {

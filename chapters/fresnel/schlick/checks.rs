@@ -20,7 +20,7 @@ pub(super) const AS_WRITTEN: Check<fn() -> Expr> =
         .against("the equation above, as the object on the page, in 256-bit arithmetic")
         .within(
             ALLOWED_ULPS,
-            "ε",
+            "ulp",
             "ten operations on positive numbers; only 1 − cos θ subtracts, and cos θ is exact here",
         )
         .of::<fn() -> Expr>(|bench, equation| against_equation(bench, &equation()), || fifth_power(cos(THETA_1)))
@@ -43,7 +43,7 @@ fn against_equation(bench: &mut Bench, equation: &Expr) -> Measured {
 pub(super) const ENDS: Check<fn(f64, f64) -> f64> =
     check("both_ends", "the approximation is exact along the normal and at grazing incidence, metals included")
         .against("the exact R_n")
-        .within(16.0, "ε", "a few roundings; at cos θ = 1e−20 both are 1 to 18 digits")
+        .within(16.0, "ulp", "a few roundings; at cos θ = 1e−20 both are 1 to 18 digits")
         .of(at_both_ends, schlick)
         .slip("the factor 1 − R₀ is forgotten", |cos_i, r_0| r_0 + (1.0 - cos_i).powi(5));
 
