@@ -94,7 +94,7 @@ fn help_on_a_step_tells_what_it_has_and_takes() {
         }
     }
     assert!(
-        help.out.contains("θ₁") && help.out.contains("[rad]") && help.out.contains("0deg to 90deg"),
+        help.out.contains("θ₁") && help.out.contains("[rad]") && help.out.contains("valid: 0deg to"),
         "{}",
         help.out
     );
@@ -311,7 +311,7 @@ fn figures_come_before_races_and_their_paths_last() {
     assert!(child.try_wait().unwrap().is_none(), "the run ended before its first figure was told");
     let output = child.wait_with_output().unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
-    let last = text.lines().rev().nth(1).unwrap();
+    let last = text.lines().rev().filter(|line| !line.is_empty()).nth(1).unwrap();
     assert!(last.ends_with(".png") && std::fs::exists(last).unwrap(), "{last}");
     let tail = text.split_once("ns per work").unwrap().1;
     assert!(tail.contains(path), "{tail}");
