@@ -23,7 +23,7 @@ impl Teller<'_> {
             name: Span::verbatim(Tone::Name, name),
             says: vec![match CURRICULUM.iter().find(|chapter| chapter.id == name) {
                 Some(chapter) => Span::new(Tone::Plain, self.phrase(chapter.id, "says", chapter.says)),
-                None => Span::new(Tone::Dim, self.to_come(name)),
+                None => Span::new(Tone::Dim, self.coming(name)),
             }],
             note: None,
         };
@@ -40,7 +40,7 @@ impl Teller<'_> {
         ]
     }
 
-    fn to_come(&self, name: &str) -> Phrase {
+    fn coming(&self, name: &str) -> Phrase {
         let rows = LECTURE.iter().filter(|row| row.chapter == name).count().to_string();
         self.say("to be written ({rows} rows of the lecture)", &[("rows", Phrase::verbatim(rows))])
     }
