@@ -1,20 +1,33 @@
 //! The command line: the only place that knows clap.
 
 use crate::figures::Format;
+use crate::out;
 use crate::prove::Question;
 use crate::stop::Stop;
+use chapters::parameter::{Fault, excerpt};
+use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgAction, Args, CommandFactory, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
+use std::error::Error;
 use std::path::PathBuf;
 use views::block::Details;
+use views::page::Page;
 use views::report::Parts;
+use views::tell::Teller;
+use views::terminal;
 
 /// What was asked for.
 #[derive(Debug)]
 pub enum Request {
-    /// The table of contents.
-    Contents,
+    /// The chapters, and what to type next.
+    Map,
+    /// The steps of a chapter, or of all.
+    Contents { chapter: Option<String> },
+    /// How to use the program, or its version: to be printed as it is.
+    Help { text: String },
+    /// What a part of the curriculum has, and what can be set there.
+    About { words: Vec<String>, commands: Vec<String> },
     /// A chapter, a step, an item, or everything.
     Lesson(Lesson),
     /// The lecture's rows.
@@ -56,66 +69,139 @@ pub struct Lesson {
     pub json: bool,
 }
 
-/// Reads the command line; ends the process for `--help`, `--version` and what clap refuses.
+/// Reads the command line.
 pub fn parse() -> Result<Request, Stop> {
-    let cli = Cli::try_parse().map_err(refusal)?;
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) if error.use_stderr() => return Err(refusal(&error)),
+        Err(help) => return Ok(Request::Help { text: styled(&help.render()) }),
+    };
     match cli.command {
+        None if cli.lesson.help => Ok(help(cli.lesson.words())),
+        Some(Command::Help { words, .. }) => Ok(help(words)),
         None if cli.lesson.chapter.is_none() => match cli.lesson.is_bare() {
-            true => Ok(Request::Contents),
+            true => Ok(Request::Map),
             false => Err(Stop::at("chapter", "missing: these options need one, or `all`")),
         },
         None => cli.lesson.into_request(),
-        Some(Command::Coverage { json }) => Ok(Request::Coverage { json }),
+        Some(Command::Contents { chapter, .. }) => Ok(Request::Contents { chapter }),
+        Some(Command::Coverage { json, .. }) => Ok(Request::Coverage { json }),
         Some(Command::Eval(eval)) => eval.into_request(),
         Some(Command::Prove(prove)) => Ok(Request::Prove(prove.into())),
-        Some(Command::Completions { shell }) => Ok(Request::Completions(completions(shell))),
+        Some(Command::Completions { shell, .. }) => Ok(Request::Completions(completions(shell))),
     }
 }
 
-/// clap's refusal in the manner of all others; help and version are shown, and the process ends.
-fn refusal(error: clap::Error) -> Stop {
-    if !error.use_stderr() {
-        error.exit();
-    }
-    let said = |kind| match error.get(kind) {
-        Some(ContextValue::String(text)) => Some(text),
+/// Help on the program, on one of its commands, or on a part of the curriculum.
+fn help(words: Vec<String>) -> Request {
+    let mut command = Cli::command();
+    // Only then its commands know whose they are.
+    command.build();
+    let asked = match &words[..] {
+        [] => Some(&mut command),
+        [word] => command.find_subcommand_mut(word),
         _ => None,
     };
-    // clap would advise to pass the option as a value, which none of ours can be.
-    if error.kind() == ErrorKind::UnknownArgument
-        && let Some(option) = said(ContextKind::InvalidArg).filter(|option| option.starts_with('-'))
-    {
-        let meant = said(ContextKind::SuggestedArg).map_or(String::new(), |arg| format!(" (did you mean `{arg}`?)"));
-        return Stop::at(option, format!("unknown option{meant}; `--help` lists them"));
+    match asked {
+        Some(command) => Request::Help { text: styled(&command.render_help()) },
+        None => Request::About { words, commands: commands() },
     }
-    let text = error.to_string();
-    Stop::Refused(text.strip_prefix("error: ").unwrap_or(&text).trim_end().to_owned())
+}
+
+/// clap's text, in colour where that is wanted.
+fn styled(text: &StyledStr) -> String {
+    if out::is_coloured() { text.ansi().to_string() } else { text.to_string() }
+}
+
+/// clap's refusal in the manner of all others: one line, the place first.
+fn refusal(error: &clap::Error) -> Stop {
+    let all = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => vec![text.clone()],
+        Some(ContextValue::Strings(texts)) => texts.clone(),
+        _ => Vec::new(),
+    };
+    let first = |kind| all(kind).into_iter().next().unwrap_or_default();
+    let (place, value) = (first(ContextKind::InvalidArg), first(ContextKind::InvalidValue));
+    match error.kind() {
+        // clap would advise to pass the option as a value, which none of ours can be.
+        ErrorKind::UnknownArgument if place.starts_with('-') => {
+            let meant = first(ContextKind::SuggestedArg);
+            let meant = if meant.is_empty() { meant } else { format!(" (did you mean `{meant}`?)") };
+            Stop::at(excerpt(&place), format!("unknown option{meant}; `--help` lists them"))
+        }
+        ErrorKind::UnknownArgument => Stop::at(excerpt(&place), "one word too many; `--help` tells what is taken"),
+        ErrorKind::TooManyValues => Stop::at(excerpt(&value), "one word too many; `--help` tells what is taken"),
+        ErrorKind::InvalidValue if value.is_empty() => Stop::at(argument(&place), "needs a value"),
+        ErrorKind::InvalidValue => {
+            let unknown = format!("`{}` is none of its words", excerpt(&value));
+            Fault::unknown(argument(&place), value, unknown, all(ContextKind::ValidValue)).into()
+        }
+        ErrorKind::ValueValidation => {
+            let why = error.source().map_or("not valid".to_owned(), ToString::to_string);
+            Stop::at(argument(&place), format!("{why}, found `{}`", excerpt(&value)))
+        }
+        ErrorKind::ArgumentConflict if !place.is_empty() => {
+            let other = argument(&first(ContextKind::PriorArg));
+            let other = if other == argument(&place) { "another one".to_owned() } else { other };
+            Stop::at(argument(&place), format!("cannot stand beside {other}"))
+        }
+        ErrorKind::MissingRequiredArgument => Stop::at(argument(&place), "missing; `--help` tells what it may be"),
+        _ => {
+            let text = error.to_string();
+            let line = text.lines().next().unwrap_or_default();
+            Stop::Refused(line.strip_prefix("error: ").unwrap_or(line).to_owned())
+        }
+    }
+}
+
+/// The name of an argument as one types it, of `--format <FORMAT>`, `<SHELL>` or `[NAME=VALUE]...`.
+fn argument(face: &str) -> String {
+    let name = face.split(' ').next().unwrap_or_default();
+    match name.starts_with('-') {
+        true => name.to_owned(),
+        false => name.trim_matches(['<', '>', '[', ']', '.']).to_lowercase(),
+    }
 }
 
 const EXAMPLES: &str = "\
 Examples:
-  lesson                                   what there is
+  lesson                                   the chapters, and what to type next
+  lesson contents fresnel                  the steps of a chapter, one line each
   lesson fresnel                           walk through a chapter
   lesson fresnel brewster                  one step
+  lesson fresnel brewster --help           what it has, and what can be set
   lesson fresnel/energy/r_plus_t           one check, by its address
-  lesson fresnel --plot                    check everything and write every figure
+  lesson fresnel --plot                    write every figure, check, race
   lesson fresnel --plot --set n_t=gold --set wavelength=550nm --out figures
   lesson fresnel --check --stress --race --json > report.json
   lesson all --check                       does it all still hold?
   lesson eval fresnel n_i=1 n_t=1.5 theta=56.3deg
   lesson eval fresnel --json-lines < inputs.jsonl > outputs.jsonl
-  lesson fresnel r_s --units --unfold       every line with its unit and its steps
+  lesson fresnel r_s --units --unfold      every line, its unit and its steps
   lesson prove \"sin(a)^2 - sin(b)^2\" \"sin(a+b)*sin(a-b)\"
-  lesson coverage                          which rows of the lecture have what evidence
+  lesson coverage                          which rows have what evidence
 
-On a terminal the walk is read screen by screen: Enter (or n, space) for the next,
-b for the one before, p to plot the step's figures, ? for the keys, q to leave.
+On a terminal the walk is read screen by screen: Enter (or n, space) for the
+next, b for the one before, p to plot the step's figures, ? for the keys, q to
+leave. Elsewhere a whole chapter shows its evidence in one line an item; --check
+shows what was found, --unfold all of it.
 
-Exit status: 0 if everything holds, 1 if a check broke, 2 if it could not run.";
+Exit status: 0 if everything holds, 1 if a check broke, 2 if it could not run.
+
+Signs:
+";
+
+/// [`EXAMPLES`], and what the signs in a report mean.
+fn after_help() -> String {
+    let mut signs = Page::new(80, false);
+    let teller = Teller::english(Details::default());
+    terminal::set(&mut signs, teller.words(), &teller.legend());
+    format!("{EXAMPLES}{}", signs.into_text().trim_end())
+}
 
 /// A lecture on the physics of rendering that proves itself.
 #[derive(Debug, Parser)]
-#[command(name = "lesson", version, after_help = EXAMPLES, args_conflicts_with_subcommands = true, args_override_self = true, max_term_width = 80)]
+#[command(name = "lesson", version, after_help = after_help(), disable_help_flag = true, disable_help_subcommand = true, args_conflicts_with_subcommands = true, args_override_self = true, max_term_width = 80)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -125,17 +211,26 @@ struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// The steps of a chapter, or of every chapter, one line each.
+    Contents {
+        /// The chapter.
+        chapter: Option<String>,
+        #[command(flatten)]
+        help: HelpArg,
+    },
     /// The lecture's rows: chapter, steps, and which evidence each has or still lacks.
     Coverage {
         /// As one JSON document.
         #[arg(long)]
         json: bool,
+        #[command(flatten)]
+        help: HelpArg,
     },
     /// Call a checked function, once or for every line of JSON on standard input.
     #[command(after_help = EVAL_EXAMPLES)]
     Eval(EvalArgs),
     /// Prove that two expressions are equal, or that one equation follows from another; or find where it fails.
-    #[command(after_help = PROVE_EXAMPLES, disable_help_flag = true)]
+    #[command(after_help = PROVE_EXAMPLES)]
     Prove(ProveArgs),
     /// Print a completion script for a shell.
     ///
@@ -143,7 +238,24 @@ enum Command {
     Completions {
         /// The shell.
         shell: Shell,
+        #[command(flatten)]
+        help: HelpArg,
     },
+    /// Help on the program, a command, a chapter or a step.
+    Help {
+        /// What it is about.
+        words: Vec<String>,
+        #[command(flatten)]
+        help: HelpArg,
+    },
+}
+
+/// The option that shows a command's help.
+#[derive(Debug, Args)]
+struct HelpArg {
+    /// This.
+    #[arg(short, long, action = ArgAction::Help)]
+    help: Option<bool>,
 }
 
 const EVAL_EXAMPLES: &str = "\
@@ -166,8 +278,9 @@ Examples:
   lesson prove \"x + y = 2\" \"y = 2 - x\"
   lesson prove \"sqrt(x^2)\" \"|x|\" --real x
 
-Written as on paper: + - * / ^, brackets, 2x, sin 2x, sqrt(x), |x|, conj(z), Re(z),
-e^(i x), pi, i; names theta_1, theta1, θ₁, E_1'. What could mean two things is refused.
+Written as on paper: + - * / ^, brackets, 2x, sin 2x, sqrt(x), |x|, conj(z),
+Re(z), e^(i x), pi, i; names theta_1, theta1, θ₁, E_1'. What could mean two
+things is refused.
 
 Every name stands for a positive number, unless --given says otherwise or --real
 names it. Proved means for all of them, where what the answer names is not zero;
@@ -198,8 +311,8 @@ struct ProveArgs {
     #[arg(long)]
     json: bool,
     // No -h: it would be taken out of -theta.
-    /// Print help.
-    #[arg(long, action = ArgAction::HelpLong)]
+    /// This.
+    #[arg(long, action = ArgAction::Help)]
     help: Option<bool>,
 }
 
@@ -218,7 +331,7 @@ const BEYOND: &str = "1.02";
 
 #[derive(Debug, Args)]
 struct LessonArgs {
-    /// A chapter, an address such as fresnel/energy/r_plus_t, or `all`; without one, the table of contents.
+    /// A chapter, an address such as fresnel/energy/r_plus_t, or `all`; without one, a map of the chapters.
     chapter: Option<String>,
     /// A step of the chapter, and perhaps one item of the step.
     #[arg(num_args = 0..=3)]
@@ -259,9 +372,16 @@ struct LessonArgs {
     /// The report as one JSON document on standard output.
     #[arg(long)]
     json: bool,
+    /// This; after a chapter or a step, what it has and what can be set there.
+    #[arg(short, long)]
+    help: bool,
 }
 
 impl LessonArgs {
+    fn words(&self) -> Vec<String> {
+        self.chapter.iter().chain(&self.step).cloned().collect()
+    }
+
     fn is_bare(&self) -> bool {
         let flags = self.check
             || self.stress
@@ -286,7 +406,7 @@ impl LessonArgs {
         let beyond = beyond.map(|(name, value)| (name.to_owned(), value.to_owned()));
         let beyond: Vec<_> = beyond.filter(|_| self.unstable).collect();
         Ok(Request::Lesson(Lesson {
-            words: self.chapter.into_iter().chain(self.step).collect(),
+            words: self.words(),
             commands: commands(),
             parts: Parts { checks: self.check, stress: self.stress, races: self.race },
             plot: self.plot,
@@ -328,6 +448,8 @@ struct EvalArgs {
     /// The outputs, or with --list the documentation, as one JSON document.
     #[arg(long, conflicts_with = "json_lines")]
     json: bool,
+    #[command(flatten)]
+    help: HelpArg,
 }
 
 impl EvalArgs {
@@ -343,10 +465,7 @@ impl EvalArgs {
 
 /// The words that may stand where a chapter's name may stand.
 fn commands() -> Vec<String> {
-    let mut command = Cli::command();
-    // clap adds `help` only when it has built the command.
-    command.build();
-    command.get_subcommands().map(|command| command.get_name().to_owned()).chain(["all".to_owned()]).collect()
+    Cli::command().get_subcommands().map(|command| command.get_name().to_owned()).chain(["all".to_owned()]).collect()
 }
 
 /// Reads `NAME=VALUE`.
@@ -360,7 +479,10 @@ fn assignment(text: &str) -> Result<(String, String), String> {
 
 /// The script for `shell`. It knows chapters, their steps, and functions by name, as if they were commands.
 fn completions(shell: Shell) -> Vec<u8> {
-    let options = || LessonArgs::augment_args(clap::Command::new("")).get_opts().cloned().collect::<Vec<_>>();
+    let options = || {
+        let command = LessonArgs::augment_args(clap::Command::new(""));
+        command.get_arguments().filter(|argument| !argument.is_positional()).cloned().collect::<Vec<_>>()
+    };
     let word = |name, about| clap::Command::new(name).about(about).disable_help_flag(true).args(options());
     let chapters = chapters::CURRICULUM.iter().map(|chapter| {
         word(chapter.id, chapter.title).subcommands(chapter.steps.iter().map(|step| word(step.id, step.title)))
@@ -382,6 +504,18 @@ mod tests {
     #[test]
     fn the_command_line_is_consistent() {
         Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn every_command_and_every_argument_says_what_it_is_for() {
+        let mut command = Cli::command();
+        command.build();
+        for command in std::iter::once(&command).chain(command.get_subcommands()) {
+            assert!(command.get_about().is_some(), "{}", command.get_name());
+            for argument in command.get_arguments() {
+                assert!(argument.get_help().is_some(), "{} {}", command.get_name(), argument.get_id());
+            }
+        }
     }
 
     #[test]

@@ -57,6 +57,9 @@ fn malformed(function: &Function, name: &str, why: &str) -> Fault {
 /// The longest line that is read [byte].
 const LONGEST: usize = 16 << 20;
 
+/// What some editors put before a text in UTF-8.
+const BYTE_ORDER_MARK: &[u8] = "\u{feff}".as_bytes();
+
 /// One call for every line of standard input, in order; a bad line leaves a record of its error.
 pub fn lines(name: &str) -> Result<ExitCode, Stop> {
     let function = find(name)?;
@@ -78,6 +81,9 @@ fn answer<R: io::Read>(function: &Function, input: &mut BufReader<R>, output: &m
         let read = read_line(input, &mut line).map_err(|error| Stop::at("standard input", error))?;
         let Some(whole) = read else { return Ok(all_good) };
         number += 1;
+        if number == 1 && line.starts_with(BYTE_ORDER_MARK) {
+            line.drain(..BYTE_ORDER_MARK.len());
+        }
         if line.iter().all(u8::is_ascii_whitespace) {
             blank += 1;
             continue;

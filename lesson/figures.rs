@@ -7,6 +7,7 @@ use crate::stop::Stop;
 use chapters::figure::Plot;
 use chapters::vocabulary::Item;
 use rayon::prelude::*;
+use std::path::Path;
 use views::plot;
 use views::race_plot;
 use views::report::{CheckReport, FigureReport, RaceReport, Report};
@@ -28,6 +29,11 @@ impl Format {
         }
     }
 
+    /// The name of the file of what stands at an address.
+    fn file(self, address: &str) -> String {
+        format!("{}.{}", address.replace('/', "-"), self.extension())
+    }
+
     fn draw(self, plot: &Plot) -> Vec<u8> {
         match self {
             Self::Png => plot::png(plot),
@@ -44,34 +50,69 @@ struct Subject<'a> {
     plot: Box<dyn Fn() -> Plot + Send + Sync + 'a>,
 }
 
-/// Draws the figures of the selected steps and the races in `report`, and notes their paths there. Either all of them
-/// are in the folder afterwards or none.
-pub fn write(
+/// Draws the figures of the selected steps: a list for each, in the folder as soon as the step's are drawn. `wrote` is
+/// told where each is.
+pub fn own(
     selection: &Selection,
-    report: &mut Report,
     folder: &Folder,
     format: Format,
-    progress: &Progress,
-) -> Result<(), Stop> {
-    let mut files = Vec::new();
-    let steps: Vec<_> = report.chapters.iter_mut().flat_map(|chapter| &mut chapter.steps).collect();
-    for (chosen, step) in selection.steps.iter().zip(steps) {
-        let subjects = subjects(chosen, &step.races, &step.checks);
-        progress.expect(subjects.len() as u64);
-        let drawn: Result<Vec<_>, Stop> = subjects
-            .par_iter()
-            .map(|subject| progress.during(subject.address.clone(), |address| draw(subject, address, folder, format)))
-            .collect();
-        let (figures, drafts): (Vec<_>, Vec<_>) = drawn?.into_iter().unzip();
-        step.figures = figures;
-        files.extend(drafts);
+    wrote: &dyn Fn(&Path),
+) -> Result<Vec<Vec<FigureReport>>, Stop> {
+    let progress = Progress::new();
+    let all: Vec<_> = selection.steps.iter().map(of_step).collect();
+    for subject in all.iter().flatten() {
+        folder.expect(&format.file(&subject.address))?;
     }
-    out::publish(&files)?;
+    progress.expect(all.iter().map(Vec::len).sum::<usize>() as u64);
+    let written = all.iter().map(|subjects| {
+        let written = write(subjects, folder, format, &progress)?;
+        progress.hidden(|| written.iter().for_each(|figure| wrote(&figure.path)));
+        Ok(written)
+    });
+    let written = written.collect();
+    progress.end();
+    written
+}
+
+/// Notes the steps' `own` figures in `report`, and draws what was found: its races, and what broken checks left.
+pub fn found(
+    report: &mut Report,
+    own: Vec<Vec<FigureReport>>,
+    folder: &Folder,
+    format: Format,
+    wrote: &dyn Fn(&Path),
+) -> Result<(), Stop> {
+    let progress = Progress::new();
+    let steps = report.chapters.iter_mut().flat_map(|chapter| &mut chapter.steps);
+    for (step, own) in steps.zip(own) {
+        step.figures = own;
+        let subjects = of_findings(&step.races, &step.checks);
+        progress.expect(subjects.len() as u64);
+        let written = write(&subjects, folder, format, &progress)?;
+        progress.hidden(|| written.iter().for_each(|figure| wrote(&figure.path)));
+        step.figures.extend(written);
+    }
     progress.end();
     Ok(())
 }
 
-fn subjects<'a>(chosen: &'a Chosen, races: &'a [RaceReport], checks: &'a [CheckReport]) -> Vec<Subject<'a>> {
+/// Draws `subjects`. Either all of them are in the folder afterwards or none.
+fn write(
+    subjects: &[Subject],
+    folder: &Folder,
+    format: Format,
+    progress: &Progress,
+) -> Result<Vec<FigureReport>, Stop> {
+    let drawn: Result<Vec<_>, Stop> = subjects
+        .par_iter()
+        .map(|subject| progress.during(subject.address.clone(), |address| draw(subject, address, folder, format)))
+        .collect();
+    let (figures, drafts): (Vec<_>, Vec<_>) = drawn?.into_iter().unzip();
+    out::publish(&drafts)?;
+    Ok(figures)
+}
+
+fn of_step(chosen: &Chosen) -> Vec<Subject<'_>> {
     let figures = chosen.step.items().filter(|item| chosen.wants(item.id())).filter_map(|item| {
         let Item::Figure(figure) = item else { return None };
         Some(Subject {
@@ -81,6 +122,10 @@ fn subjects<'a>(chosen: &'a Chosen, races: &'a [RaceReport], checks: &'a [CheckR
             plot: Box::new(|| (figure.plot)(&chosen.setting)),
         })
     });
+    figures.collect()
+}
+
+fn of_findings<'a>(races: &'a [RaceReport], checks: &'a [CheckReport]) -> Vec<Subject<'a>> {
     let races = races.iter().map(|race| Subject {
         address: race.address.clone(),
         says: race.claim,
@@ -97,7 +142,7 @@ fn subjects<'a>(chosen: &'a Chosen, races: &'a [RaceReport], checks: &'a [CheckR
             plot: Box::new(|| picture.clone()),
         })
     });
-    figures.chain(races).chain(broken).collect()
+    races.chain(broken).collect()
 }
 
 fn draw(
@@ -106,8 +151,7 @@ fn draw(
     folder: &Folder,
     format: Format,
 ) -> Result<(FigureReport, out::Draft), Stop> {
-    let name = format!("{}.{}", address.replace('/', "-"), format.extension());
-    let draft = folder.draft(&name, &format.draw(&(subject.plot)()))?;
+    let draft = folder.draft(&format.file(&address), &format.draw(&(subject.plot)()))?;
     let path = draft.path().to_owned();
     Ok((FigureReport { address, says: subject.says, rows: subject.rows, path }, draft))
 }

@@ -23,7 +23,7 @@ fn main() -> ExitCode {
         Ok(code) => code,
         Err(Stop::ClosedPipe) => ExitCode::SUCCESS,
         Err(Stop::Refused(message)) => {
-            out::say(&format!("lesson: {message}"));
+            out::say(&format!("error: {message}"));
             ExitCode::from(2)
         }
     }
@@ -32,7 +32,10 @@ fn main() -> ExitCode {
 fn serve(request: Request) -> Result<ExitCode, Stop> {
     let teller = Teller::english(Details::default());
     match request {
-        Request::Contents => out::show(&teller.contents())?,
+        Request::Map => out::show(&teller.map())?,
+        Request::Contents { chapter } => out::show(&select::contents(chapter.as_deref(), &teller)?)?,
+        Request::Help { text } => out::print(text.as_bytes())?,
+        Request::About { words, commands } => out::show(&select::about(&words, &commands, &teller)?)?,
         Request::Lesson(lesson) => return walk::serve(&lesson),
         Request::Coverage { json: true } => out::print(views::json::rows().as_bytes())?,
         Request::Coverage { json: false } => out::show(&teller.coverage())?,

@@ -3,9 +3,10 @@
 use crate::stop::Stop;
 use console::Term;
 use std::fmt::Display;
-use std::fs;
-use std::io::{IsTerminal, Write, stderr, stdout};
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, IsTerminal, Write, stderr, stdout};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU32, Ordering};
 use views::block::Block;
 use views::page::Page;
 use views::terminal;
@@ -13,11 +14,15 @@ use views::words::Words;
 
 /// A page for standard output: as wide as the terminal within reason, in colour where that is wanted.
 pub fn page() -> Page {
-    let terminal = stdout().is_terminal();
     let columns = Term::stdout().size_checked().map_or(80, |(_, columns)| usize::from(columns));
+    Page::new(if stdout().is_terminal() { columns } else { 80 }, is_coloured())
+}
+
+/// Whether standard output shows colours and nobody has declined them.
+pub fn is_coloured() -> bool {
     let declined = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
         || std::env::var_os("TERM").is_some_and(|value| value == "dumb");
-    Page::new(if terminal { columns } else { 80 }, terminal && !declined)
+    stdout().is_terminal() && !declined
 }
 
 /// Shows `blocks` on standard output.
@@ -38,10 +43,14 @@ pub fn say(text: &str) {
     let _ = writeln!(stderr(), "{text}");
 }
 
-/// A folder that can be written to.
+/// A folder that can be written to, and a hidden one inside it for what is not yet whole. That one is ours as long as
+/// its lock is held, which ends with the process however it ends: the next run takes away what a killed one left.
 #[derive(Debug)]
 pub struct Folder {
     path: PathBuf,
+    drafts: PathBuf,
+    /// Held, never read.
+    _lock: File,
 }
 
 impl Folder {
@@ -49,28 +58,105 @@ impl Folder {
     pub fn open(path: &Path) -> Result<Self, Stop> {
         let refuse = |error| Stop::at(path.display(), format!("cannot be used as a folder to write to: {error}"));
         fs::create_dir_all(path).map_err(refuse)?;
-        let probe = path.join(format!(".lesson-{}.tmp", std::process::id()));
-        fs::write(&probe, []).and_then(|()| fs::remove_file(&probe)).map_err(refuse)?;
-        Ok(Self { path: path.to_owned() })
+        sweep(path);
+        let (drafts, lock) = claim(path).map_err(refuse)?;
+        Ok(Self { path: path.to_owned(), drafts, _lock: lock })
     }
 
-    /// Writes a file under a temporary name; [`publish`] puts it in its place.
+    /// Refuses a `name` that a folder has already.
+    pub fn expect(&self, name: &str) -> Result<(), Stop> {
+        let place = self.path.join(name);
+        if place.is_dir() { Err(cannot_write(&place, "there is a folder of that name")) } else { Ok(()) }
+    }
+
+    /// Writes a file among the drafts; [`publish`] puts it in its place.
     pub fn draft(&self, name: &str, bytes: &[u8]) -> Result<Draft, Stop> {
-        let draft = Draft {
-            path: self.path.join(name),
-            temporary: self.path.join(format!(".{name}-{}.tmp", std::process::id())),
-        };
-        match draft.path.is_dir() {
-            true => Err(draft.refused("there is a folder of that name")),
-            false => match fs::write(&draft.temporary, bytes) {
-                Ok(()) => Ok(draft),
-                Err(error) => Err(draft.refused(error)),
-            },
+        self.expect(name)?;
+        let draft = Draft { path: self.path.join(name), temporary: self.drafts.join(name) };
+        match fs::write(&draft.temporary, bytes) {
+            Ok(()) => Ok(draft),
+            Err(error) => Err(cannot_write(&draft.path, error)),
         }
     }
 }
 
-/// A file that is written but not yet in its place. Dropped, it is gone.
+/// With what was not published.
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.drafts);
+    }
+}
+
+/// The file in a folder of drafts that its owner holds locked.
+const LOCK: &str = "lock";
+
+/// A name for a folder of drafts that this process has not used: whoever still looks at an old one takes away no new one.
+fn drafts_name() -> String {
+    static USED: AtomicU32 = AtomicU32::new(0);
+    format!(".lesson-{}-{}.tmp", std::process::id(), USED.fetch_add(1, Ordering::Relaxed))
+}
+
+/// Whether a name is one of [`drafts_name`].
+fn is_drafts_name(name: &str) -> bool {
+    let numbers = name.strip_prefix(".lesson-").and_then(|rest| rest.strip_suffix(".tmp"));
+    numbers.and_then(|numbers| numbers.split_once('-')).is_some_and(|(process, count)| {
+        [process, count].iter().all(|number| !number.is_empty() && number.bytes().all(|digit| digit.is_ascii_digit()))
+    })
+}
+
+/// How often somebody may come between, before that is no chance.
+const ATTEMPTS: u32 = 100;
+
+/// Makes a folder of drafts in `path` and locks it.
+fn claim(path: &Path) -> io::Result<(PathBuf, File)> {
+    let mut refusal = None;
+    for _ in 0..ATTEMPTS {
+        let drafts = path.join(drafts_name());
+        let locked = fs::create_dir(&drafts).and_then(|()| File::create(drafts.join(LOCK)));
+        match locked {
+            Ok(lock) => {
+                // A file system without locks lets nobody sweep either.
+                let _ = lock.lock();
+                // Who swept before the lock was held has taken the folder away.
+                if drafts.join(LOCK).exists() {
+                    return Ok((drafts, lock));
+                }
+            }
+            // Another process of that number, or who swept, came between.
+            Err(error) if matches!(error.kind(), ErrorKind::AlreadyExists | ErrorKind::NotFound) => {
+                refusal = Some(error);
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    Err(refusal.unwrap_or_else(|| ErrorKind::AlreadyExists.into()))
+}
+
+/// Takes away folders of drafts in `path` whose owners are no more. What cannot be taken away stays.
+fn sweep(path: &Path) {
+    for entry in fs::read_dir(path).into_iter().flatten().flatten() {
+        // A link of that name is not ours.
+        let is_ours =
+            entry.file_type().is_ok_and(|kind| kind.is_dir()) && entry.file_name().to_str().is_some_and(is_drafts_name);
+        if !is_ours {
+            continue;
+        }
+        let drafts = entry.path();
+        // Killed between making the folder and its lock, the owner left none.
+        let lock = File::options().write(true).create(true).truncate(false).open(drafts.join(LOCK));
+        if let Ok(lock) = lock
+            && lock.try_lock().is_ok()
+        {
+            let _ = fs::remove_dir_all(&drafts);
+        }
+    }
+}
+
+fn cannot_write(path: &Path, why: impl Display) -> Stop {
+    Stop::at(path.display(), format!("cannot be written: {why}"))
+}
+
+/// A file that is written but not yet in its place.
 #[derive(Debug)]
 pub struct Draft {
     path: PathBuf,
@@ -82,16 +168,6 @@ impl Draft {
     pub fn path(&self) -> &Path {
         &self.path
     }
-
-    fn refused(&self, why: impl Display) -> Stop {
-        Stop::at(self.path.display(), format!("cannot be written: {why}"))
-    }
-}
-
-impl Drop for Draft {
-    fn drop(&mut self) {
-        let _ = fs::remove_file(&self.temporary);
-    }
 }
 
 /// Moves all of `drafts` into place, or none: those already moved are taken away again.
@@ -101,7 +177,7 @@ pub fn publish(drafts: &[Draft]) -> Result<(), Stop> {
             for moved in &drafts[..at] {
                 let _ = fs::remove_file(&moved.path);
             }
-            draft.refused(error)
+            cannot_write(&draft.path, error)
         })?;
     }
     Ok(())
@@ -121,15 +197,63 @@ mod tests {
         let drafts = ["first.png", "second.png"].map(|name| folder.draft(name, b"x").unwrap());
         fs::create_dir(path.join("second.png")).unwrap();
         assert!(matches!(publish(&drafts), Err(Stop::Refused(_))));
-        drop(drafts);
         fs::remove_dir(path.join("second.png")).unwrap();
         let drafts = [folder.draft("free.png", b"x").unwrap()];
         publish(&drafts).unwrap();
         assert_eq!(drafts[0].path(), path.join("free.png"));
-        drop(drafts);
-        let mut names: Vec<_> = fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        drop(folder);
+        assert_eq!(names(&path), ["free.png", "taken.png"]);
+        fs::remove_dir_all(&path).unwrap();
+    }
+
+    fn names(path: &Path) -> Vec<String> {
+        let names = fs::read_dir(path).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        let mut names: Vec<_> = names.collect();
         names.sort();
-        assert_eq!(names, ["free.png", "taken.png"]);
+        names
+    }
+
+    #[test]
+    fn what_a_killed_run_left_is_taken_away_and_nothing_else() {
+        let path = std::env::temp_dir().join(format!("lesson-sweep-test-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&path);
+        // Killed with a draft, and killed before there was a lock.
+        for (left, file) in [(".lesson-1-0.tmp", Some("figure.png")), (".lesson-2-3.tmp", None)] {
+            fs::create_dir_all(path.join(left)).unwrap();
+            file.into_iter()
+                .chain(file.map(|_| LOCK))
+                .for_each(|file| fs::write(path.join(left).join(file), []).unwrap());
+        }
+        let others = [".lesson-x-0.tmp", ".lesson-7.tmp", ".lesson--1.tmp", "lesson-1-0.tmp", ".lesson-1-0.tmpx"];
+        others.iter().for_each(|other| fs::create_dir(path.join(other)).unwrap());
+        fs::write(path.join(".lesson-3-0.tmp"), "a file of somebody's").unwrap();
+        let living = Folder::open(&path).unwrap();
+        let draft = living.draft("kept.png", b"x").unwrap();
+        // A second run meanwhile leaves the first one's drafts alone.
+        drop(Folder::open(&path).unwrap());
+        publish(&[draft]).unwrap();
+        drop(living);
+        let mut kept = [&others[..], &[".lesson-3-0.tmp", "kept.png"]].concat();
+        kept.sort_unstable();
+        assert_eq!(names(&path), kept);
+        fs::remove_dir_all(&path).unwrap();
+    }
+
+    #[test]
+    fn runs_that_begin_together_all_get_a_place() {
+        let path = std::env::temp_dir().join(format!("lesson-race-test-{}", std::process::id()));
+        std::thread::scope(|scope| {
+            for worker in 0..8 {
+                let path = &path;
+                scope.spawn(move || {
+                    for turn in 0..50 {
+                        let folder = Folder::open(path).unwrap();
+                        publish(&[folder.draft(&format!("{worker}-{turn}"), b"x").unwrap()]).unwrap();
+                    }
+                });
+            }
+        });
+        assert_eq!(names(&path).len(), 8 * 50);
         fs::remove_dir_all(&path).unwrap();
     }
 

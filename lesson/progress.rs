@@ -46,6 +46,11 @@ impl Progress {
         }
     }
 
+    /// Does `job`, which may write to the terminal, while the bar is off the screen.
+    pub fn hidden(&self, job: impl FnOnce()) {
+        self.bar.suspend(job);
+    }
+
     /// Takes the bar off the screen.
     pub fn end(&self) {
         self.bar.finish_and_clear();

@@ -5,7 +5,9 @@ use chapters::lecture::{LECTURE, chapter_names};
 use chapters::parameter::{FREQUENCY, Fault, Parameter, Setting, WAVELENGTH, excerpt};
 use chapters::vocabulary::Part;
 use chapters::{CURRICULUM, Chapter, Step};
+use views::block::Block;
 use views::report::Parts;
+use views::tell::Teller;
 
 /// The steps that a run is about, in teaching order.
 #[derive(Debug)]
@@ -89,6 +91,9 @@ impl Chosen {
 /// What `words` name: `all`, a chapter, a chapter and a step, or an address, whole or in parts. Somebody who wrote one of
 /// the `commands` wrongly may be told of it.
 pub fn select(words: &[String], commands: &[String]) -> Result<Selection, Stop> {
+    if words.iter().any(|word| word.trim().is_empty()) {
+        return Err(Stop::at("``", "an empty word names nothing; `lesson contents` lists chapters and steps"));
+    }
     let parts: Vec<&str> = words.iter().flat_map(|word| word.split('/')).filter(|part| !part.is_empty()).collect();
     let Some((first, rest)) = parts.split_first() else {
         return Err(Stop::at("chapter", "missing; `lesson` lists them"));
@@ -130,8 +135,42 @@ fn find_chapter(word: &str, commands: &[String]) -> Result<&'static Chapter, Sto
         let written: Vec<_> = CURRICULUM.iter().map(|chapter| chapter.id).collect();
         return Err(Stop::at(&wanted, format!("this chapter is not written yet; there is: {}", written.join(", "))));
     }
+    if commands.contains(&wanted) {
+        return Err(Stop::at(&wanted, "a command, which stands first and has options of its own; `--help` lists them"));
+    }
     let names = chapter_names().into_iter().map(str::to_owned).chain(commands.iter().cloned());
-    Err(Fault::unknown(excerpt(word), word, "no such chapter", names).into())
+    Err(Stop::unknown(Fault::unknown(excerpt(word), word, "no such chapter", names), addresses()))
+}
+
+/// The addresses of all steps and of all that is in them, steps first.
+fn addresses() -> Vec<String> {
+    let steps = || CURRICULUM.iter().flat_map(|chapter| whole(chapter));
+    let items = |chosen: Chosen| {
+        let address = chosen.address();
+        chosen.step.items().map(move |item| format!("{address}/{}", item.id())).collect::<Vec<_>>()
+    };
+    steps().map(|chosen| chosen.address()).chain(steps().flat_map(items)).collect()
+}
+
+/// The steps of the chapter called `name`, or of all chapters.
+pub fn contents(name: Option<&str>, teller: &Teller) -> Result<Vec<Block>, Stop> {
+    match name {
+        None => Ok(CURRICULUM.iter().flat_map(|chapter| teller.contents(chapter)).collect()),
+        Some(name) => Ok(teller.contents(find_chapter(name, &[])?)),
+    }
+}
+
+/// What stands at `words`, and what can be set there.
+pub fn about(words: &[String], commands: &[String], teller: &Teller) -> Result<Vec<Block>, Stop> {
+    let selection = select(words, commands)?;
+    Ok(match &selection.steps[..] {
+        [Chosen { chapter, step, .. }] => teller.step_help(chapter, step),
+        steps => {
+            let mut chapters: Vec<&Chapter> = steps.iter().map(|chosen| chosen.chapter).collect();
+            chapters.dedup_by_key(|chapter| chapter.id);
+            teller.chapters_help(&chapters)
+        }
+    })
 }
 
 fn find_step(chapter: &'static Chapter, word: &str) -> Result<&'static Step, Stop> {
@@ -141,15 +180,19 @@ fn find_step(chapter: &'static Chapter, word: &str) -> Result<&'static Step, Sto
 }
 
 fn find_lane(chosen: &Chosen, word: &str) -> Result<&'static str, Stop> {
-    let race = chosen.step.races.iter().find(|race| Some(race.id) == chosen.item);
-    let lanes: Vec<_> = race.iter().flat_map(|race| race.lanes).map(|lane| lane.id).collect();
-    find("lane", word, &format!("{}/{}", chosen.address(), chosen.item.unwrap_or_default()), &lanes)
+    let place = format!("{}/{}", chosen.address(), chosen.item.unwrap_or_default());
+    let Some(race) = chosen.step.races.iter().find(|race| Some(race.id) == chosen.item) else {
+        let whole = format!("{place}/{}", excerpt(word));
+        return Err(Stop::at(whole, "only a race has parts of its own: its contestants"));
+    };
+    find("contestant of this race", word, &place, &race.lanes.iter().map(|lane| lane.id).collect::<Vec<_>>())
 }
 
 fn find(what: &str, word: &str, place: &str, ids: &[&'static str]) -> Result<&'static str, Stop> {
     let wanted = plain(word);
     ids.iter().find(|id| plain(id) == wanted).copied().ok_or_else(|| {
-        Fault::unknown(format!("{place}/{}", excerpt(word)), word, format!("no such {what}"), ids.to_vec()).into()
+        let place = format!("{place}/{}", excerpt(word));
+        Stop::unknown(Fault::unknown(place, word, format!("no such {what}"), ids.to_vec()), addresses())
     })
 }
 
@@ -218,7 +261,14 @@ impl Selection {
                 known.push(name);
             }
         }
-        Err(Fault::unknown(excerpt(name), name, "no such parameter here", known).into())
+        let fault = Fault::unknown(excerpt(name), name, "no such parameter here", known);
+        // What scripts call by another name where they call the functions.
+        let functions = CURRICULUM.iter().flat_map(|chapter| chapter.functions);
+        let namesakes = functions.filter_map(|function| function.input(name));
+        match namesakes.map(|input| input.name).find(|meant| self.parameters().any(|own| own.name == *meant)) {
+            Some(meant) => Err(Stop::meaning(&fault, Some(meant))),
+            None => Err(fault.into()),
+        }
     }
 
     fn parameters(&self) -> impl Iterator<Item = &'static Parameter> + '_ {

@@ -47,21 +47,49 @@ impl fmt::Display for Stop {
 
 impl From<Fault> for Stop {
     fn from(fault: Fault) -> Self {
-        let hint = fault.unknown.as_ref().map(|unknown| did_you_mean(&unknown.word, &unknown.names));
-        let Fault { place, message, .. } = &fault;
-        Self::Refused(format!("{place}: {message}{}{}", hint.unwrap_or_default(), fault.choice()))
+        Self::unknown(fault, std::iter::empty())
     }
 }
 
-/// ` (did you mean …?)` if one of `names` resembles `word`, otherwise nothing.
-fn did_you_mean(word: &str, names: &[String]) -> String {
-    let word = plain(word);
-    let likeness = |name: &str| strsim::jaro_winkler(&word, &plain(name));
-    let nearest = names.iter().map(|name| (likeness(name), name)).max_by(|a, b| a.0.total_cmp(&b.0));
-    match nearest {
-        Some((likeness, name)) if likeness > 0.75 => format!(" (did you mean `{name}`?)"),
-        _ => String::new(),
+impl Stop {
+    /// A fault, with the name that may have been meant: one of those known at its place, or, if that is more like it,
+    /// the last part of an address `elsewhere`.
+    pub fn unknown(fault: Fault, elsewhere: impl IntoIterator<Item = String>) -> Self {
+        let meant = fault.unknown.as_ref().and_then(|unknown| {
+            let here = nearest(&unknown.word, unknown.names.iter().map(String::as_str));
+            let elsewhere: Vec<String> = elsewhere.into_iter().collect();
+            let there = nearest(&unknown.word, elsewhere.iter().map(String::as_str));
+            let best = match (here, there) {
+                (Some(here), Some(there)) if there.0 > here.0 => Some(there),
+                (here, there) => here.or(there),
+            };
+            best.map(|(_, name)| name.to_owned())
+        });
+        Self::meaning(&fault, meant.as_deref())
     }
+
+    /// A fault, with what was `meant` if that is known.
+    pub fn meaning(fault: &Fault, meant: Option<&str>) -> Self {
+        let meant = meant.map_or(String::new(), |meant| format!(" (did you mean `{meant}`?)"));
+        let Fault { place, message, .. } = fault;
+        Self::Refused(format!("{place}: {message}{meant}{}", fault.choice()))
+    }
+}
+
+/// How alike two names must be for one to be meant by the other.
+const ALIKE: f64 = 0.75;
+
+/// The first of `names` most like `word`, if any is like it, and how much it is. Of an address the end counts, from any
+/// of its parts on.
+fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Option<(f64, &'n str)> {
+    let word = plain(word).replace('/', "-");
+    let likeness = |name: &str| {
+        let starts = std::iter::once(0).chain(name.match_indices('/').map(|(at, _)| at + 1));
+        let ends = starts.map(|start| strsim::jaro_winkler(&word, &plain(&name[start..]).replace('/', "-")));
+        ends.fold(0.0, f64::max)
+    };
+    let alike = names.map(|name| (likeness(name), name)).filter(|(likeness, _)| *likeness > ALIKE);
+    alike.reduce(|best, next| if next.0 > best.0 { next } else { best })
 }
 
 /// A name as it is compared: case does not matter, `_` and `-` are one.

@@ -11,6 +11,7 @@ use chapters::Step;
 use chapters::vocabulary::Part;
 use console::{Key, Term};
 use std::io::{ErrorKind, IsTerminal, stdin, stdout};
+use std::path::Path;
 use std::process::ExitCode;
 use views::block::{Block, Details, Span, Tone};
 use views::page::Page;
@@ -32,20 +33,22 @@ enum View {
 pub fn serve(lesson: &Lesson) -> Result<ExitCode, Stop> {
     let mut selection = select(&lesson.words, &lesson.commands)?;
     for note in selection.set(&lesson.changes)? {
-        out::say(&format!("lesson: {note}"));
+        out::say(&format!("note: {note}"));
     }
     let (view, parts, plot) = plan(lesson, &selection);
     if view == View::Lecture && !lesson.json && !lesson.plain && stdin().is_terminal() && stdout().is_terminal() {
         return interactive(selection, lesson);
     }
     let folder = plot.then(|| Folder::open(&lesson.out)).transpose()?;
-    let progress = Progress::new();
-    let mut report = run::run(&selection, parts, &progress);
-    if let Some(folder) = &folder {
-        figures::write(&selection, &mut report, folder, lesson.format, &progress)?;
+    // What can be looked at comes first: checks and races may take their time.
+    let wrote = |path: &Path| out::say(&format!("wrote {}", path.display()));
+    let own = folder.as_ref().map(|folder| figures::own(&selection, folder, lesson.format, &wrote)).transpose()?;
+    let mut report = run::run(&selection, parts, &Progress::new());
+    if let Some((folder, own)) = folder.as_ref().zip(own) {
+        figures::found(&mut report, own, folder, lesson.format, &wrote)?;
     }
     if report.is_empty() {
-        out::say(&format!("lesson: {}", selection.lacks(parts, plot)));
+        out::say(&format!("note: {}", selection.lacks(parts, plot)));
     }
     let tally = tally(report.passed, report.failed);
     if lesson.json {
@@ -87,9 +90,8 @@ fn exit_code(failed: usize) -> ExitCode {
 fn at_once(selection: &Selection, report: &Report, view: View, parts: Parts, teller: &Teller) -> Vec<Block> {
     let mut blocks = Vec::new();
     let steps = report.chapters.iter().flat_map(|chapter| &chapter.steps);
-    if parts != Parts::default() && !report.is_empty() {
-        blocks.extend(teller.legend());
-    }
+    // Of a whole chapter the evidence is an overview, unless its lines are asked for.
+    let folded = selection.steps.len() > 1 && teller.details == Details::default();
     let mut previous = "";
     for (chosen, step) in selection.steps.iter().zip(steps) {
         match view {
@@ -98,7 +100,7 @@ fn at_once(selection: &Selection, report: &Report, view: View, parts: Parts, tel
                     blocks.extend(teller.chapter(chosen.chapter));
                     previous = chosen.chapter.id;
                 }
-                blocks.extend(teller.lecture(chosen.chapter, chosen.step, step));
+                blocks.extend(teller.lecture(chosen.chapter, chosen.step, step, folded));
             }
             View::Findings => blocks.extend(teller.findings(step, parts, chosen.item.is_some())),
         }
@@ -106,6 +108,10 @@ fn at_once(selection: &Selection, report: &Report, view: View, parts: Parts, tel
     if parts.races {
         blocks.extend(teller.machine(&report.machine));
     }
+    if view == View::Lecture && folded {
+        blocks.extend(teller.unfolding());
+    }
+    blocks.extend(teller.figures(report));
     blocks
 }
 
@@ -158,7 +164,7 @@ fn interactive(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> 
         out::print(screens[screen].as_bytes())?;
         let turn = loop {
             match walk.ask(at)? {
-                Turn::Plot => plot(&mut walk.steps[at], lesson)?,
+                Turn::Plot => plot(&walk.steps[at], lesson)?,
                 Turn::Help => print(|page| page.line(0, Tone::Dim, KEYS))?,
                 turn => break turn,
             }
@@ -298,10 +304,7 @@ impl Walk {
         if self.steps.len() > 1 && (at == 0 || self.steps[at - 1].steps[0].chapter.id != chosen.chapter.id) {
             blocks.extend(teller.chapter(chosen.chapter));
         }
-        if at == 0 {
-            blocks.extend(teller.legend());
-        }
-        blocks.extend(teller.lecture(chosen.chapter, chosen.step, &report.chapters[0].steps[0]));
+        blocks.extend(teller.lecture(chosen.chapter, chosen.step, &report.chapters[0].steps[0], false));
         let mut page = out::page();
         terminal::set(&mut page, teller.words(), &blocks);
         page.into_screens(usize::from(self.term.size().0).saturating_sub(1))
@@ -330,23 +333,24 @@ fn print(set: impl FnOnce(&mut Page)) -> Result<(), Stop> {
 }
 
 /// Draws the figures of a step and says where they are; a folder that cannot be used does not end the walk.
-fn plot(step: &mut Selection, lesson: &Lesson) -> Result<(), Stop> {
-    let progress = Progress::new();
-    // Checks too: one that breaks may leave something to look at.
-    let mut report = run::run(step, Parts { checks: true, races: true, stress: false }, &progress);
-    let drawn = Folder::open(&lesson.out)
-        .and_then(|folder| figures::write(step, &mut report, &folder, lesson.format, &progress));
-    if matches!(drawn, Err(Stop::ClosedPipe)) {
-        return drawn;
-    }
-    print(|page| match drawn {
-        Err(Stop::Refused(message)) => page.line(0, Tone::Bad, &message),
-        _ => {
-            let figures = &report.chapters[0].steps[0].figures;
-            figures.iter().for_each(|figure| page.verbatim(&figure.path.display().to_string()));
-            if figures.is_empty() {
-                page.line(0, Tone::Dim, "this step has no figures");
-            }
+fn plot(step: &Selection, lesson: &Lesson) -> Result<(), Stop> {
+    let wrote = |path: &Path| {
+        // Whoever reads no more is found out at the next screen.
+        let _ = print(|page| page.verbatim(&path.display().to_string()));
+    };
+    let drawn = Folder::open(&lesson.out).and_then(|folder| {
+        let own = figures::own(step, &folder, lesson.format, &wrote)?;
+        // Checks too: one that breaks may leave something to look at.
+        let mut report = run::run(step, Parts { checks: true, races: true, stress: false }, &Progress::new());
+        figures::found(&mut report, own, &folder, lesson.format, &wrote)?;
+        Ok(report)
+    });
+    match drawn {
+        Err(Stop::Refused(message)) => print(|page| page.line(0, Tone::Bad, &message)),
+        Err(closed) => Err(closed),
+        Ok(report) if report.chapters[0].steps[0].figures.is_empty() => {
+            print(|page| page.line(0, Tone::Dim, "this step has no figures"))
         }
-    })
+        Ok(_) => Ok(()),
+    }
 }

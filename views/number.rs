@@ -45,7 +45,7 @@ pub fn seventeen_digits(value: &Real) -> String {
     format!("{sign}{}.{tail}e{magnitude}", &digits[..1])
 }
 
-/// A bound's limit in words: whole multiples of the rounding unit as such, `64 ε`.
+/// A bound's limit in words: whole multiples of the rounding unit as such, `64 ulp`.
 pub fn limit(x: f64) -> String {
     let units = x / f64::EPSILON;
     if (1.0..=1e6).contains(&units) && units.fract() == 0.0 { format!("{units} ulp") } else { short(x) }

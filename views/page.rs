@@ -5,7 +5,7 @@ pub use crate::block::Tone;
 use equation::face::Block;
 use unicode_width::UnicodeWidthStr;
 
-/// Columns that the last cell of a row is worth being wrapped in.
+/// Columns that the last cell of a row is worth being wrapped in; a line that goes on has as many on the narrowest page.
 const LAST_CELL: usize = 16;
 
 /// A piece of text, letter by letter, and what it means.
@@ -75,6 +75,7 @@ impl Page {
     /// A paragraph: the first line starts at column `first`, the others at `rest`. Lines break at spaces; spans that
     /// touch stay together.
     pub fn wrap(&mut self, first: usize, rest: usize, spans: &[Span]) {
+        let rest = rest.min(self.width - LAST_CELL);
         let mut line = Line { page: self, column: first, tone: Tone::Plain };
         line.page.spaces(first);
         let mut empty = true;
@@ -90,6 +91,25 @@ impl Page {
                 word.iter().for_each(|(tone, text)| line.put(*tone, text));
             }
             empty &= blank;
+        }
+        line.end();
+    }
+
+    /// One line at column `indent`: what does not fit is left out, and `…` says so.
+    pub fn cut(&mut self, indent: usize, spans: &[Span]) {
+        let wide: usize = indent + spans.iter().map(|(_, text)| text.width()).sum::<usize>();
+        let room = if wide > self.width { self.width - 1 } else { self.width };
+        let mut line = Line { page: self, column: indent, tone: Tone::Plain };
+        line.page.spaces(indent);
+        for &(tone, text) in spans {
+            let fits = |end: &usize| line.column + text[..*end].width() <= room;
+            let ends = text.char_indices().map(|(at, _)| at).chain([text.len()]);
+            let end = ends.take_while(fits).last().unwrap_or(0);
+            line.put(tone, &text[..end]);
+            if end < text.len() {
+                line.put(tone, "…");
+                break;
+            }
         }
         line.end();
     }
@@ -251,6 +271,18 @@ fn ansi(tone: Tone) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_line_is_cut_where_the_page_ends_and_nowhere_else() {
+        let cut = |text: &str| {
+            let mut page = Page::new(40, false);
+            page.cut(4, &[(Tone::Good, "✓ "), (Tone::Plain, text)]);
+            page.into_text()
+        };
+        let fits = "θ".repeat(34);
+        assert_eq!(cut(&fits), format!("    ✓ {fits}\n"));
+        assert_eq!(cut(&format!("{fits}x")), format!("    ✓ {}…\n", "θ".repeat(33)));
+    }
 
     fn set(width: usize, spans: &[Span]) -> String {
         let mut page = Page::new(width, false);

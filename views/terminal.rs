@@ -48,7 +48,7 @@ fn show(page: &mut Page, words: Words, block: &Block) {
             set(page, words, &fold.blocks);
             page.gap();
         }
-        Block::Fold(fold) => wrap(page, 4, 4, &fold.summary),
+        Block::Fold(fold) => cut(page, 4, &fold.summary),
         Block::Setting(setting) => {
             let setting: Vec<_> = setting.iter().map(|set| format!("{}={}", set.name, set.text)).collect();
             let at = words.tell("At", &[]) + " ";
@@ -63,6 +63,12 @@ fn show(page: &mut Page, words: Words, block: &Block) {
 fn wrap(page: &mut Page, first: usize, rest: usize, spans: &[Span]) {
     let faces: Vec<_> = spans.iter().flat_map(Span::faces).collect();
     page.wrap(first, rest, &borrowed(&faces));
+}
+
+/// A line that is cut where the page ends.
+fn cut(page: &mut Page, indent: usize, spans: &[Span]) {
+    let faces: Vec<_> = spans.iter().flat_map(Span::faces).collect();
+    page.cut(indent, &borrowed(&faces));
 }
 
 fn borrowed(faces: &[(Tone, String)]) -> Vec<page::Span<'_>> {

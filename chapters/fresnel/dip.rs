@@ -178,7 +178,7 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
 /// Place [rad] and value of the least R_n, by search.
 fn least(n_i: f64, n_t: Complex64) -> (f64, f64) {
     let natural = |theta: f64| powers(Incidence::from_angle(theta), n_i, n_t).r_n();
-    // Within √ε of normal incidence the curve is flat to rounding: the search starts from the best of a fan.
+    // Within √ulp of normal incidence the curve is flat to rounding: the search starts from the best of a fan.
     let step = FRAC_PI_2 / 400.0;
     let best =
         (0..400).map(|at| f64::from(at) * step).min_by(|a, b| natural(*a).total_cmp(&natural(*b))).unwrap_or(0.0);

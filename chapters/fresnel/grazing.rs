@@ -111,7 +111,7 @@ fn slope_found(_: &mut Bench, slope: fn(f64) -> f64) -> Measured {
     Measured::worst(cases.map(|(n, cos)| {
         let lost = powers(Incidence::from_cos(cos), 1.0, Complex64::from(n)).t_n();
         let relative = lost / (cos * slope(n)) - 1.0;
-        // Below ε the series is exact and only rounding is left.
+        // Below one ulp the series is exact and only rounding is left.
         (relative / cos.max(f64::EPSILON), format!("n = {n}, cos θ = {cos:e}"))
     }))
 }

@@ -96,11 +96,15 @@ pub(super) fn shortest(value: f64) -> String {
     format!("{value:?}").trim_end_matches(".0").to_owned()
 }
 
-/// serde_json's message, with the place inside the line only.
+/// serde_json's message, with the place in the text if it is at one.
 pub fn reason(error: &serde_json::Error) -> String {
     let text = error.to_string();
     let message = text.split(" at line ").next().unwrap_or(&text);
-    format!("{message} (column {})", error.column())
+    match (error.line(), error.column()) {
+        (_, 0) => message.to_owned(),
+        (0 | 1, column) => format!("{message} (column {column})"),
+        (line, column) => format!("{message} (line {line}, column {column})"),
+    }
 }
 
 impl Serialize for Argument {

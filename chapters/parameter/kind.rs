@@ -72,6 +72,16 @@ impl Kind {
         }
     }
 
+    /// The media that can be given by name; none of a kind that is no medium.
+    pub fn names(&self) -> Vec<&'static str> {
+        match self {
+            Self::Medium => Taken::All.names().collect(),
+            Self::ClearMedium => Taken::Clear.names().collect(),
+            Self::Conductor => media::electric().map(|known| known.name).collect(),
+            _ => Vec::new(),
+        }
+    }
+
     /// The value that `argument` stands for. The fault's place is inside the value: `[1].n`, or empty for the whole.
     ///
     /// # Errors
@@ -169,24 +179,21 @@ impl Kind {
                 ("suffixes", suffixes),
             ]
         };
+        let names = || ("names", Argument::words(self.names()));
         let pair = |(min, max): (f64, f64)| Argument::List(vec![min.into(), max.into()]);
         match self {
             Self::Number(range) | Self::Vector(range) => fields.extend(ends(range)),
             Self::Count { min, max } => fields.extend([("min", (*min as f64).into()), ("max", (*max as f64).into())]),
             Self::Choice(words) => fields.push(("words", Argument::words(words.iter().copied()))),
-            Self::Medium | Self::MediumInParts => fields.extend([
-                ("n", pair((INDEX_MIN, INDEX_MAX))),
-                ("k", pair((0.0, INDEX_MAX))),
-                ("names", Argument::words(Taken::All.names())),
-            ]),
-            Self::ClearMedium => {
-                fields.extend([("n", pair((INDEX_MIN, INDEX_MAX))), ("names", Argument::words(Taken::Clear.names()))])
+            Self::Medium | Self::MediumInParts => {
+                fields.extend([("n", pair((INDEX_MIN, INDEX_MAX))), ("k", pair((0.0, INDEX_MAX))), names()])
             }
+            Self::ClearMedium => fields.extend([("n", pair((INDEX_MIN, INDEX_MAX))), names()]),
             Self::Conductor => fields.extend([
                 ("eps_r", pair(RELATIVE)),
                 ("mu_r", pair(RELATIVE)),
                 ("sigma", pair(CONDUCTIVITY)),
-                ("names", Argument::words(media::electric().map(|known| known.name))),
+                names(),
             ]),
             Self::List { of, most } => fields.extend([("most", (*most as f64).into()), ("of", of.describe())]),
             Self::Record(parameters) => {

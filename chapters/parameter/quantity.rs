@@ -127,12 +127,27 @@ fn parse_in(text: &str, unit: &str, bare: &str) -> Result<f64, String> {
     let text = text.trim();
     let (suffix, factor) = suffix(text, unit).unwrap_or(("", size(bare, unit)));
     let digits = &text[..text.len() - suffix.len()];
-    let value: f64 = digits.trim_end().parse().map_err(|_| format!("`{}` is not a number", excerpt(text)))?;
+    let value: f64 = digits.trim_end().parse().map_err(|_| not_a_quantity(text, unit))?;
     let value = if factor == DEGREE { value.to_radians() } else { value * factor };
     if !value.is_finite() {
         return Err(format!("`{}` is not a finite number", excerpt(text)));
     }
     Ok(value)
+}
+
+/// Why `text` is no quantity in `unit`; if it is a number with a unit of another kind, which units there are.
+fn not_a_quantity(text: &str, unit: &str) -> String {
+    let shown = excerpt(text);
+    let begins = text.char_indices().map(|(at, _)| at).rev().find(|at| text[..*at].trim_end().parse::<f64>().is_ok());
+    let Some(begins) = begins else { return format!("`{shown}` is not a number") };
+    let (known, given) = (suffixes(unit), excerpt(text[begins..].trim_start()));
+    match known {
+        [] => format!("`{shown}`: `{given}` is no unit here; this is a number without one"),
+        _ => {
+            let known: Vec<_> = known.iter().map(|(suffix, _)| *suffix).collect();
+            format!("`{shown}`: `{given}` is no unit here; units: {}", known.join(", "))
+        }
+    }
 }
 
 /// `value` in SI as a text that reads back to it, in the suffix that leaves its number between 1 and 1000 if the trip
@@ -170,6 +185,7 @@ fn usual(unit: &str) -> &'static str {
     match unit {
         "rad" => "deg",
         "m" => "nm",
+        "Hz" => "THz",
         _ => "",
     }
 }
@@ -202,6 +218,17 @@ mod tests {
         for bad in ["", "deg", "1e400", "nan", "inf", "5 furlongs", "550nm nm"] {
             assert!(parse_quantity(bad, "m").is_err(), "{bad}");
         }
+    }
+
+    #[test]
+    fn a_wrong_unit_is_told_the_right_ones() {
+        let says = |text, unit| parse_quantity(text, unit).unwrap_err();
+        assert_eq!(says("545nm", "Hz"), "`545nm`: `nm` is no unit here; units: PHz, THz, GHz, MHz, kHz, mHz, Hz");
+        assert_eq!(says("1e3 furlongs", "rad"), "`1e3 furlongs`: `furlongs` is no unit here; units: deg, °, rad");
+        assert_eq!(says("1.5nm", "1"), "`1.5nm`: `nm` is no unit here; this is a number without one");
+        assert_eq!(says("much", "m"), "`much` is not a number");
+        let light = Range::new(3e11, 3e17, "Hz");
+        assert!(light.read(&"545".into(), "", "").unwrap_err().ends_with("(did you mean `545THz`?)"));
     }
 
     #[test]

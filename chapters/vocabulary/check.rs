@@ -104,7 +104,7 @@ impl Claimed {
         Self { route, ..self }
     }
 
-    /// The worst deviation is at most `limit`, in `unit`: `ε` for multiples of the rounding unit, `1` for plain numbers,
+    /// The worst deviation is at most `limit`, in `unit`: `ulp` for multiples of the rounding unit, `1` for plain numbers,
     /// or an SI unit. `why` says where the limit comes from.
     pub const fn within(self, limit: f64, unit: &'static str, why: &'static str) -> Head {
         self.bound(Bound::AtMost { limit, unit, why })
@@ -144,7 +144,7 @@ impl<F: Copy> Measurement<F> {
 /// What a check allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bound {
-    /// The worst deviation may be at most `limit`. `unit` is `ε` for multiples of the rounding unit
+    /// The worst deviation may be at most `limit`. `unit` is `ulp` for multiples of the rounding unit
     /// (`f64::EPSILON`), `1` for plain numbers, or an SI unit.
     AtMost {
         /// Largest deviation allowed, in `unit`.

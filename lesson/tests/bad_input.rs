@@ -10,7 +10,7 @@ fn refused(arguments: &str, words: &[&str]) {
     let run = lesson(arguments);
     assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments}: {run:?}");
     assert_eq!(run.err.lines().count(), 1, "{arguments}: {run:?}");
-    assert!(run.err.starts_with("lesson: "), "{arguments}: {run:?}");
+    assert!(run.err.starts_with("error: "), "{arguments}: {run:?}");
     for word in words {
         assert!(run.err.contains(word), "{arguments} should say `{word}`: {}", run.err);
     }
@@ -28,12 +28,36 @@ fn unknown_chapters_steps_and_items() {
     refused("a b c", &["a", "no such chapter"]);
     refused("all brewster", &["brewster"]);
     refused("--check", &["all"]);
+    refused("--plot coverage", &["coverage", "a command"]);
+    refused("contents fresnle", &["did you mean `fresnel`"]);
+    refused("help fresnle", &["did you mean `fresnel`"]);
+}
+
+#[test]
+fn a_name_of_elsewhere_is_told_where_it_stands() {
+    refused("fresnel poynting_theorem", &["no such step", "did you mean `poynting/theorem`"]);
+    refused("fresnel no_flow", &["did you mean `fresnel/total_reflection/no_flow`"]);
+    refused("brewster", &["no such chapter", "did you mean `fresnel/brewster`"]);
+    refused("fresnel brewster r_plus_t", &["no such item", "did you mean `fresnel/energy/r_plus_t`"]);
+    refused("fresnel/brewster/square/first", &["only a race", "contestants"]);
+}
+
+#[test]
+fn an_empty_word_is_none() {
+    for words in [&[""][..], &["fresnel", ""], &["fresnel", " "], &["fresnel", "brewster", ""]] {
+        let output = command(words).output().unwrap();
+        assert_eq!((output.status.code(), &output.stdout[..]), (Some(2), &b""[..]), "{words:?}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains("an empty word"), "{words:?}");
+    }
 }
 
 #[test]
 fn unknown_parameters() {
     refused("fresnel brewster --set thetta=1", &["thetta", "did you mean `theta`", "n_t"]);
     refused("fresnel --set thetta=1 --plot", &["thetta", "did you mean `theta`"]);
+    // What the functions call n1, the steps call n_i.
+    refused("fresnel --set n1=1.5", &["n1", "did you mean `n_i`"]);
+    refused("fresnel brewster --set k2=1", &["k2", "no such parameter"]);
     refused("plane-wave --set medium=copper --set medium=gold", &["medium", "given twice"]);
     refused("plane-wave --set medium=copper --set medium=copper", &["medium", "given twice"]);
 }
@@ -50,6 +74,9 @@ fn unknown_options() {
     refused("maxwell media --unstable", &["unstable", "no such parameter here"]);
     refused("eval fresnel --unstable", &["--unstable", "unknown option"]);
     refused("fresnel --chek", &["--chek", "unknown option", "did you mean `--check`"]);
+    let long = format!("--{}", "x".repeat(5000));
+    refused(&format!("fresnel {long}"), &["unknown option"]);
+    assert!(lesson(&format!("fresnel {long}")).err.len() < 120);
 }
 
 #[test]
@@ -66,6 +93,9 @@ fn values_outside_their_domain() {
     refused("fresnel --set n_t=gold --set wavelength=900um", &["gold"]);
     refused("fresnel --set wavelength=-1nm", &["wavelength", "valid"]);
     refused("fresnel brewster --set wavelength=550", &["did you mean `550nm`", "1nm to 1e6nm"]);
+    refused("fresnel brewster --set freq=545", &["did you mean `545THz`"]);
+    refused("fresnel brewster --set freq=545nm", &["no unit here", "PHz, THz, GHz"]);
+    refused("fresnel brewster --set theta=45m", &["no unit here", "deg, °, rad"]);
     refused("fresnel brewster --set n_t=glod", &["glod", "did you mean `gold`"]);
     refused("fresnel metals --set wavelength=5um", &["n_t", "gold"]);
 }
@@ -90,12 +120,17 @@ fn folders_and_formats_are_for_figures() {
 }
 
 #[test]
-fn malformed_flags_are_clap_s_to_refuse() {
-    for arguments in ["fresnel --set theta", "fresnel --format bmp", "fresnel --no-such-flag", "completions tcsh9"] {
-        let run = lesson(arguments);
-        assert_eq!((run.code, run.out.as_str()), (2, ""), "{arguments}");
-        assert!(run.err.starts_with("lesson: ") && !run.err.contains("error:"), "{arguments}: {run:?}");
-    }
+fn malformed_flags_are_refused_like_everything_else() {
+    refused("fresnel --set theta", &["--set: expected NAME=VALUE, found `theta`"]);
+    refused("fresnel --set", &["--set: needs a value"]);
+    refused("fresnel --format bmp", &["--format", "`bmp`", "png, svg"]);
+    refused("completions tcsh9", &["shell", "`tcsh9`", "bash"]);
+    refused("completions", &["shell: missing"]);
+    refused("eval", &["function: missing"]);
+    refused("eval fresnel --json-lines --json", &["--json-lines", "--json"]);
+    refused("coverage everything", &["everything: one word too many"]);
+    refused("fresnel a b c d", &["d: one word too many"]);
+    refused("prove x", &["to: missing"]);
 }
 
 #[test]
@@ -129,7 +164,22 @@ fn a_figure_that_cannot_be_put_in_place_takes_its_set_with_it() {
 #[test]
 fn a_full_disc_is_reported() {
     let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-    let output = command(&["fresnel", "brewster"]).stdout(full).output().unwrap();
-    assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&output.stderr).starts_with("lesson: standard output"));
+    for arguments in [
+        "",
+        "fresnel brewster",
+        "--help",
+        "--version",
+        "help",
+        "eval --help",
+        "fresnel brewster --help",
+        "contents",
+        "completions bash",
+        "eval --list",
+        "coverage",
+    ] {
+        let words: Vec<_> = arguments.split_whitespace().collect();
+        let output = command(&words).stdout(full.try_clone().unwrap()).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        assert!(String::from_utf8_lossy(&output.stderr).starts_with("error: standard output"), "{arguments}");
+    }
 }

@@ -77,7 +77,7 @@ fn bad_arguments_name_their_place_and_range() {
     ] {
         let run = lesson(arguments);
         assert_eq!((run.code, run.out.as_str(), run.err.lines().count()), (2, "", 1), "{arguments}: {run:?}");
-        assert!(run.err.starts_with("lesson: "), "{run:?}");
+        assert!(run.err.starts_with("error: "), "{run:?}");
         assert!(words.iter().all(|word| run.err.contains(word)), "{arguments}: {}", run.err);
     }
     assert_eq!(lesson("eval").code, 2);
@@ -245,4 +245,26 @@ fn a_report_tells_what_its_parameters_may_be() {
     assert!(
         names.contains(&"gold".into()) && !of("n_i")["domain"]["names"].as_array().unwrap().contains(&"gold".into())
     );
+}
+
+#[test]
+fn a_byte_order_mark_before_the_first_line_is_no_part_of_it() {
+    let line = "{\"n_i\":1,\"n_t\":1.5,\"theta\":0}\n";
+    let plain = lesson_fed(&["eval", "fresnel", "--json-lines"], line.as_bytes());
+    let marked = lesson_fed(&["eval", "fresnel", "--json-lines"], format!("\u{feff}{line}").as_bytes());
+    assert_eq!((marked.code, marked.out), (0, plain.out));
+    // Anywhere else it is an error.
+    let second = lesson_fed(&["eval", "fresnel", "--json-lines"], format!("{line}\u{feff}{line}").as_bytes());
+    assert!(second.code == 2 && second.out.contains("line 2"), "{second:?}");
+}
+
+#[test]
+fn a_fault_at_no_place_names_none() {
+    for (line, place) in [("[1]", None), ("1", None), ("{\"n_i\":}", Some("(column 8)"))] {
+        let run = lesson_fed(&["eval", "fresnel", "--json-lines"], line.as_bytes());
+        assert!(!run.out.contains("column 0"), "{run:?}");
+        assert!(place.is_none_or(|place| run.out.contains(place)), "{run:?}");
+    }
+    let folded = lesson_fed(&["eval", "thin-film", "layers=[\n]x"], b"");
+    assert!(folded.err.contains("(line 2, column 2)"), "{folded:?}");
 }

@@ -164,7 +164,7 @@ fn unreadable_input_is_shown_with_a_caret() {
     let run = prove(&["1/2x", "x"]);
     assert_eq!((run.code, run.out.as_str()), (2, ""));
     let lines: Vec<_> = run.err.lines().collect();
-    assert!(lines[0].starts_with("lesson: column 4: "), "{run:?}");
+    assert!(lines[0].starts_with("error: column 4: "), "{run:?}");
     assert_eq!(lines[1..], ["  1/2x", "     ^"]);
     let both = prove(&["a = b", "c"]);
     assert!(both.code == 2 && both.err.contains("one of each"), "{both:?}");

@@ -189,7 +189,17 @@ fn chapters_are_well_formed_whole_and_from_here() {
 fn lists_of_what_there_is_are_well_formed() {
     let teller = Teller::english(Details::default());
     let functions = CURRICULUM.iter().flat_map(|chapter| chapter.functions);
-    for blocks in [teller.contents(), teller.coverage(), teller.functions(functions)] {
+    let fresnel = &chapters::fresnel::CHAPTER;
+    let folded = teller.lecture(fresnel, &fresnel.steps[0], &report(fresnel, &fresnel.steps[0]), true);
+    for blocks in [
+        teller.map(),
+        teller.contents(fresnel),
+        teller.chapters_help(CURRICULUM),
+        teller.step_help(fresnel, &fresnel.steps[0]),
+        folded,
+        teller.coverage(),
+        teller.functions(functions),
+    ] {
         let html = document(&Phrase::parse("R_s & more"), "en", teller.words(), &blocks);
         assert!(parsed(&html).root_element().has_tag_name("html"));
         assert_eq!(blocks.len(), crate::json::blocks(&blocks).as_array().unwrap().len());

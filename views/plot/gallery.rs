@@ -54,7 +54,7 @@ pub fn race() -> Plot {
     let slope = (0..2).map(|k| [10f64.powi(-7 + 2 * k), 10f64.powi(-1 - k)]).collect();
     let chart =
         chart.with(Mark::Line { label: "slope −½".into(), hue: Hue::Reference, dash: Dash::Dotted, points: slope });
-    Plot::of("Mean reflectance of a rough sea: error against time", chart.at_y(f64::EPSILON, "ε"))
+    Plot::of("Mean reflectance of a rough sea: error against time", chart.at_y(f64::EPSILON, "ulp"))
 }
 
 /// Digits lost over two log axes, with places where nothing is left.

@@ -272,7 +272,7 @@ pub struct CheckReport {
     pub route: &'static str,
     /// What was found, in `unit`.
     pub value: Number,
-    /// The bound in words (`at most 8 ε`) and where it comes from.
+    /// The bound in words (`at most 8 ulp`) and where it comes from.
     pub bound: String,
     /// Where the bound comes from.
     pub why: &'static str,

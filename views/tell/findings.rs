@@ -4,8 +4,8 @@ use super::{Teller, owned, section_at, tone};
 use crate::block::{Block, Case, Cases, Column, Figure, Judged, Picture, Span, Table, Tone};
 use crate::number::{full, short};
 use crate::report::{
-    CaseReport, CheckReport, FigureReport, LaneReport, Parts, PointReport, RaceReport, StatementReport, StepReport,
-    StressReport, Verdict,
+    CaseReport, CheckReport, FigureReport, LaneReport, Parts, PointReport, RaceReport, Report, StatementReport,
+    StepReport, StressReport, Verdict,
 };
 use chapters::text::Phrase;
 use chapters::vocabulary::Expects;
@@ -14,12 +14,12 @@ use chapters::vocabulary::Expects;
 const CASES_SHOWN: usize = 8;
 
 impl Teller<'_> {
-    /// A step as `--check`, `--stress`, `--race` and `--plot` show it: what was found, and nothing else. Derivations
+    /// A step as `--check`, `--stress` and `--race` show it: what was found, and nothing else. Derivations
     /// with their lines and questions with their answers if `whole`, because one was asked for by its address.
     pub fn findings(&self, found: &StepReport, parts: Parts, whole: bool) -> Vec<Block> {
         let questions = found.questions.iter().filter(|_| whole);
         let mut verdicts: Vec<Block> = questions.map(|question| self.question(question, true)).collect();
-        if verdicts.is_empty() && found.verdicts().next().is_none() && found.figures.is_empty() {
+        if verdicts.is_empty() && found.verdicts().next().is_none() {
             return Vec::new();
         }
         if parts.checks {
@@ -33,8 +33,14 @@ impl Teller<'_> {
         blocks.push(Block::Group(verdicts));
         blocks.extend(found.stress.iter().map(|stress| self.stress(stress)));
         blocks.extend(found.races.iter().map(|race| self.race(race)));
-        blocks.push(Block::Group(found.figures.iter().map(|figure| self.figure(figure)).collect()));
         vec![section_at(&found.address, blocks)]
+    }
+
+    /// The figures that were written, with their paths.
+    pub fn figures(&self, report: &Report) -> Option<Block> {
+        let steps = report.chapters.iter().flat_map(|chapter| &chapter.steps);
+        let figures: Vec<_> = steps.flat_map(|step| &step.figures).map(|figure| self.figure(figure)).collect();
+        (!figures.is_empty()).then(|| Block::section(vec![Block::Group(figures)]))
     }
 
     fn units(&self, statement: &StatementReport) -> Block {
@@ -160,7 +166,7 @@ impl Teller<'_> {
         })
     }
 
-    pub(super) fn figure(&self, figure: &FigureReport) -> Block {
+    fn figure(&self, figure: &FigureReport) -> Block {
         Block::Figure(Figure {
             address: figure.address.clone(),
             says: self.phrase(&figure.address, "says", figure.says),

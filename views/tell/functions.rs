@@ -15,7 +15,7 @@ impl Teller<'_> {
         let address = format!("eval/{}", function.name);
         let inputs = function.inputs.iter().flat_map(|input| self.input(&address, "", input)).collect();
         let outputs =
-            function.outputs.iter().map(|output| self.field(&address, output.name, output.unit, output.says, ""));
+            function.outputs.iter().map(|output| self.field(&address, output.name, "", output.unit, output.says, ""));
         let says = self.phrase(&address, "says", function.says);
         let heading = Heading {
             rank: Rank::Entry,
@@ -35,7 +35,7 @@ impl Teller<'_> {
     }
 
     /// An input, and the fields of the records that it is made of, each by its path.
-    fn input(&self, address: &str, within: &str, input: &Parameter) -> Vec<Term> {
+    pub(super) fn input(&self, address: &str, within: &str, input: &Parameter) -> Vec<Term> {
         let (note, fields) = match input.kind {
             Kind::Record(fields) => (", fields:".to_owned(), fields),
             Kind::List { of: Kind::Record(fields), most } => {
@@ -51,19 +51,24 @@ impl Teller<'_> {
         let also: Vec<_> = also.collect();
         let also = if also.is_empty() { String::new() } else { format!("; or {}", also.join(", ")) };
         let path = format!("{within}{}", input.name);
-        let own = self.field(address, &path, input.kind.unit(), input.says, &format!("{note}{default}{also}"));
+        let note = format!("{note}{default}{also}");
+        let own = self.field(address, &path, input.symbol, input.kind.unit(), input.says, &note);
         let inner = fields.iter().flat_map(|field| self.input(address, &format!("{path}."), field));
         std::iter::once(own).chain(inner).collect()
     }
 
-    fn field(&self, address: &str, name: &str, unit: &str, says: &str, note: &str) -> Term {
+    fn field(&self, address: &str, name: &str, symbol: &str, unit: &str, says: &str, note: &str) -> Term {
         let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
         let says = self.phrase(&format!("{address}/{name}"), "says", says);
+        let symbol = match symbol {
+            "" => Vec::new(),
+            symbol => vec![Span::new(Tone::Equation, Phrase::parse(symbol)), Span::plain(", ")],
+        };
         // Names and numbers as one types them.
         let note = Phrase::verbatim(unit).then(Phrase::verbatim(note));
         Term {
             name: Span::verbatim(Tone::Code, name),
-            says: vec![Span::new(Tone::Plain, says), Span::new(Tone::Dim, note)],
+            says: [symbol, vec![Span::new(Tone::Plain, says), Span::new(Tone::Dim, note)]].concat(),
             note: None,
         }
     }

@@ -1,9 +1,11 @@
 //! A chapter and its steps as they are taught.
 
-use super::{Teller, face_of, owned, prose, section_at};
-use crate::block::{Assignment, Block, Figure, Formula, Heading, Picture, Quantity, Rank, Span, Term, Terms, Tone};
+use super::{Teller, face_of, owned, prose, section_at, tone};
+use crate::block::{
+    Assignment, Block, Figure, Fold, Formula, Heading, Picture, Quantity, Rank, Span, Term, Terms, Tone,
+};
 use crate::number::value;
-use crate::report::{ParameterReport, RaceReport, StatementReport, StepReport};
+use crate::report::{DerivationReport, ParameterReport, RaceReport, StatementReport, StepReport, Verdict};
 use chapters::text::Phrase;
 use chapters::vocabulary::{Item, Part};
 use chapters::{Chapter, Step};
@@ -23,10 +25,12 @@ impl Teller<'_> {
         vec![section_at(chapter.id, blocks)]
     }
 
-    /// A step as the walk shows it: text, equations, derivations, numbers, verdicts, and where to look next.
-    pub fn lecture(&self, chapter: &Chapter, step: &Step, found: &StepReport) -> Vec<Block> {
-        let mut blocks = self.taught(chapter, step, found);
-        blocks.push(Block::section(self.pointers(step, &found.address)));
+    /// A step as the walk shows it: text, equations, derivations, numbers, verdicts, and where to look next. `folded`,
+    /// its derivations and checks have one line each.
+    pub fn lecture(&self, chapter: &Chapter, step: &Step, found: &StepReport, folded: bool) -> Vec<Block> {
+        let mut blocks = self.taught(chapter, step, found, folded);
+        let settable = self.settable(step, &found.address, !folded);
+        blocks.push(Block::section([self.pointers(step, &found.address), settable].concat()));
         vec![section_at(&found.address, blocks)]
     }
 
@@ -38,7 +42,7 @@ impl Teller<'_> {
         found: &StepReport,
         picture: &dyn Fn(&str) -> Picture,
     ) -> Vec<Block> {
-        let mut blocks = self.taught(chapter, step, found);
+        let mut blocks = self.taught(chapter, step, found, false);
         let figure = |figure: &chapters::vocabulary::Figure| {
             let address = format!("{}/{}", found.address, figure.id);
             Block::Figure(Figure {
@@ -77,15 +81,36 @@ impl Teller<'_> {
         (!found.setting.is_empty()).then(|| Block::Setting(found.setting.iter().map(assignment).collect()))
     }
 
-    fn taught(&self, chapter: &Chapter, step: &Step, found: &StepReport) -> Vec<Block> {
+    /// How to see what [`Self::lecture`] has folded.
+    pub fn unfolding(&self) -> Vec<Block> {
+        let how = "Derivations and checks are folded to a line each: --check shows what was found, --unfold all of it, \
+                   and an address such as fresnel/brewster/square one alone.";
+        vec![Block::section(vec![Block::text(0, Tone::Dim, self.say(how, &[]))])]
+    }
+
+    fn taught(&self, chapter: &Chapter, step: &Step, found: &StepReport, folded: bool) -> Vec<Block> {
         let says = self.phrase(&found.address, "says", found.says);
         let mut blocks = vec![self.heading(found), Block::text(0, Tone::Emphasis, says)];
         blocks.extend(self.prose(&found.address, prose::section(chapter.prose, step.id), step.title));
         blocks.push(Block::section(found.statements.iter().map(|statement| self.formula(statement)).collect()));
         blocks.extend(found.questions.iter().map(|question| Block::section(vec![self.question(question, false)])));
-        blocks.extend(self.derivations(&found.derivations, true).into_iter().map(|block| Block::section(vec![block])));
+        if folded {
+            let line = |derivation: &DerivationReport| {
+                let says = self.phrase(&derivation.address, "says", derivation.says);
+                let told = Block::Group(self.derivations(std::slice::from_ref(derivation), true));
+                fold(&derivation.address, derivation.verdict, says, told)
+            };
+            blocks.push(Block::Group(found.derivations.iter().map(line).collect()));
+        } else {
+            let derivations = self.derivations(&found.derivations, true).into_iter();
+            blocks.extend(derivations.map(|block| Block::section(vec![block])));
+        }
+        let checks = found.checks.iter().map(|check| {
+            let claim = self.phrase(&check.address, "claim", check.claim);
+            if folded { fold(&check.address, check.verdict, claim, self.check(check)) } else { self.check(check) }
+        });
         blocks.push(Block::section(vec![self.numbers(found)]));
-        blocks.push(Block::section(found.checks.iter().map(|check| self.check(check)).collect()));
+        blocks.push(if folded { Block::Group(checks.collect()) } else { Block::section(checks.collect()) });
         blocks
     }
 
@@ -134,4 +159,18 @@ impl Teller<'_> {
         ];
         vec![Block::Group(vec![Block::paragraph(2, 4, more), Block::Terms(Terms { width: Some(8), items })])]
     }
+}
+
+/// What was `told` of the item at an address, folded to a line: how it was judged, its id and what it says. What is
+/// broken stays open.
+fn fold(address: &str, verdict: Verdict, says: Phrase, told: Block) -> Block {
+    let id = address.rsplit('/').next().unwrap_or(address);
+    let sign = if verdict == Verdict::Passed { "✓ " } else { "✗ " };
+    let summary = vec![
+        Span::verbatim(tone(verdict), sign),
+        Span::verbatim(Tone::Name, id),
+        Span::plain("  "),
+        Span::new(Tone::Plain, says),
+    ];
+    Block::Fold(Fold { summary, blocks: vec![told], open: verdict == Verdict::Failed })
 }

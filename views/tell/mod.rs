@@ -5,6 +5,7 @@ mod coverage;
 mod derivation;
 mod findings;
 mod functions;
+mod help;
 mod lecture;
 mod proof;
 mod prose;
@@ -53,12 +54,12 @@ impl<'a> Teller<'a> {
         self.words.say(english, parts)
     }
 
-    /// The signs used in verdicts.
+    /// What the signs in a report mean.
     pub fn legend(&self) -> Vec<Block> {
         let lines = [
-            "ulp = 2⁻⁵² is the rounding unit of the machine's numbers. cond in ulp · (1 + cond) is the condition number: how strongly \
-             the exact answer reacts to its inputs.",
-            "[…] is a unit, [1] a pure number. E36 or C10 is a row of the lecture (`lesson coverage`).",
+            "ulp = 2⁻⁵² is the rounding unit of the machine's numbers. cond in ulp · (1 + cond) is the condition number: \
+             how strongly the exact answer reacts to its inputs.",
+            "✓ holds, ✗ is broken. […] is a unit, [1] a pure number. E36 or C10 is a row of the lecture (`lesson coverage`).",
         ];
         let line = |line: &&str| Block::paragraph(0, 2, vec![Span::new(Tone::Dim, self.say(line, &[]))]);
         vec![Block::section(vec![Block::Group(lines.iter().map(line).collect())])]

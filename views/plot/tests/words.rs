@@ -74,8 +74,17 @@ fn svg_holds_every_label_as_text() {
     let race = svg(&gallery::race());
     let document = roxmltree::Document::parse(&race).expect("well-formed XML");
     let found = labels(&document);
-    let wanted =
-        ["time [s]", "relative error", "10^{−6}", "10^{−14}", "1", "Gauss–Legendre", "Sobol’ points", "slope −½", "ε"];
+    let wanted = [
+        "time [s]",
+        "relative error",
+        "10^{−6}",
+        "10^{−14}",
+        "1",
+        "Gauss–Legendre",
+        "Sobol’ points",
+        "slope −½",
+        "ulp",
+    ];
     for label in wanted {
         assert!(found.contains(&plain(label)), "{label} is not among {found:?}");
     }
