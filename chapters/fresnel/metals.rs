@@ -97,7 +97,7 @@ pub(super) const STEP: Step = step(
         squared_at_normal(at_normal_incidence(-KAPPA.pow(2)))
     }),
     derivation(
-        "inversion",
+        "ellipsometry",
         "the square of what the ellipsometer's equation says, by r_s and r_p: that of the index",
         || inverted(R_P / R_S),
     )

@@ -66,7 +66,7 @@ pub(super) const STEP: Step = step(
     statement("phase_p", "the phase of p", || {
         Equation::new(tan(DELTA_P / 2), -(N_1R.pow(2) * GAMMA / (N_2R.pow(2) * Q_1)))
     }),
-    statement("relative_phase", "the phase of p against s, which turns linear light elliptical", || {
+    statement("p_against_s", "the phase of p against s, which turns linear light elliptical", || {
         Equation::new(tan((DELTA_P - DELTA_S) / 2), -(GAMMA * cos(THETA_1R) / (N_1R * sin(THETA_1R).pow(2))))
     }),
 ])

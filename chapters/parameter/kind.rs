@@ -75,7 +75,7 @@ impl Kind {
     /// The media that can be given by name; none of a kind that is no medium.
     pub fn names(&self) -> Vec<&'static str> {
         match self {
-            Self::Medium => Taken::All.names().collect(),
+            Self::Medium | Self::MediumInParts => Taken::All.names().collect(),
             Self::ClearMedium => Taken::Clear.names().collect(),
             Self::Conductor => media::electric().map(|known| known.name).collect(),
             _ => Vec::new(),

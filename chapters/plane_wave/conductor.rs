@@ -12,7 +12,7 @@ use crate::vocabulary::{
     stress,
 };
 use equation::derivation::Chain;
-use equation::expr::{cos, curl, divergence, dot, exp, i, laplacian, partial, pi, ratio, sin, sqrt, tan, vector};
+use equation::expr::{abs, cos, curl, divergence, dot, exp, i, laplacian, partial, pi, ratio, sin, sqrt, tan, vector};
 use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
 use light::media;
@@ -25,8 +25,6 @@ use yardstick::precise;
 
 /// The angle by which H lags E.
 const PHI: Symbol = Symbol::scalar("phi", Dimension::ONE).real(0.1, 0.7);
-/// The modulus of k = |k|e^{iφ}.
-const K_SIZE: Symbol = Symbol::scalar("|k|", Dimension::RADIAN_PER_METRE).real(0.5, 2.0);
 /// Amplitude and phase of H.
 const AMPLITUDE_H: Symbol = Symbol::scalar("H_0", Dimension::AMPERE_PER_METRE);
 /// A wave number that may be complex.
@@ -92,7 +90,7 @@ pub(super) const STEP: Step = step(
     derivation("ohms", "Faraday's law ties H to E", || ohms(OMEGA * MU / K_C))
         .slip("H on the other side of E: that wave runs back", || ohms(-(OMEGA * MU / K_C))),
     derivation(
-        "lag",
+        "angle_of_k",
         "H lags E by the angle of k, whose square has σ/(ωε) for the tangent of twice that angle",
         || lag(SIGMA / (OMEGA * EPSILON)),
     )
@@ -153,8 +151,8 @@ fn ohms(impedance: Expr) -> Chain {
 }
 
 fn lag(tangent: Expr) -> Chain {
-    Chain::assume(Equation::new(K_SIZE.pow(2) * cos(2 * PHI), EPSILON * MU * OMEGA.pow(2)), "Re k²")
-        .and(Equation::new(K_SIZE.pow(2) * sin(2 * PHI), MU * SIGMA * OMEGA), "Im k²")
+    Chain::assume(Equation::new(abs(K_C).pow(2) * cos(2 * PHI), EPSILON * MU * OMEGA.pow(2)), "Re k²")
+        .and(Equation::new(abs(K_C).pow(2) * sin(2 * PHI), MU * SIGMA * OMEGA), "Im k²")
         .solve_for([EPSILON, SIGMA])
         .then(Equation::new(tan(2 * PHI), sin(2 * PHI) / cos(2 * PHI)), ["tan = sin/cos"])
         .then(tangent, ["k² = εμω² + iμσω"])
