@@ -11,6 +11,7 @@ pub mod maxwell;
 pub mod parameter;
 pub mod plane_wave;
 pub mod poynting;
+pub mod radiometry;
 mod symbols;
 pub mod text;
 pub mod vocabulary;
@@ -18,7 +19,8 @@ pub mod vocabulary;
 pub use vocabulary::{Chapter, Step};
 
 /// The chapters in teaching order: the only list of them.
-pub const CURRICULUM: &[&Chapter] = &[&maxwell::CHAPTER, &plane_wave::CHAPTER, &poynting::CHAPTER, &fresnel::CHAPTER];
+pub const CURRICULUM: &[&Chapter] =
+    &[&maxwell::CHAPTER, &plane_wave::CHAPTER, &poynting::CHAPTER, &radiometry::CHAPTER, &fresnel::CHAPTER];
 
 /// Every step with its chapter, in teaching order.
 pub fn steps() -> impl Iterator<Item = (&'static Chapter, &'static Step)> + Clone {
