@@ -1,7 +1,7 @@
 //! E29, E30: what a source sends in one direction.
 
-use super::symbols::{FLUX, INTENSITY, PLACE, RADIUS, S_R, SOLID_ANGLE, THETA};
-use crate::symbols::S;
+use super::symbols::{FLUX, INTENSITY, RADIUS, S_R, SOLID_ANGLE, THETA};
+use crate::symbols::{R, S};
 use crate::vocabulary::{Exhibit, Step, derivation, exhibit, statement, step};
 use equation::derivation::Chain;
 use equation::expr::{Range, cos, divergence, dot, integral, integral_between, partial, pi, ratio, sin, sqrt};
@@ -48,12 +48,12 @@ pub(super) const STEP: Step = step(
 
 /// r², of a place.
 fn squared() -> Expr {
-    dot(PLACE, PLACE)
+    dot(R, R)
 }
 
 fn inverse_square(fall: Expr) -> Chain {
     Chain::new(divergence(S))
-        .given(S, INTENSITY * PLACE / fall, "S = I/r², outwards")
+        .given(S, INTENSITY * R / fall, "S = I/r², outwards")
         .then(Expr::from(0), ["∂(1/r³)", "∇·r = 3"])
 }
 

@@ -1,6 +1,7 @@
 //! E32: what arrives.
 
-use super::symbols::{AREA, HEIGHT, INTENSITY, IRRADIANCE, NORMAL, PLACE, RADIANCE, RADIUS, SOLID_ANGLE, THETA};
+use super::symbols::{AREA, HEIGHT, INTENSITY, IRRADIANCE, NORMAL, RADIANCE, RADIUS, SOLID_ANGLE, THETA};
+use crate::symbols::R;
 use crate::vocabulary::{Exhibit, Step, derivation, exhibit, statement, step};
 use equation::derivation::Chain;
 use equation::expr::{Range, cos, cross, curl, dot, integral, integral_between, pi, sin};
@@ -27,11 +28,9 @@ pub(super) const STEP: Step = step(
         cos_4(RADIANCE * AREA * cos(THETA).pow(2) / HEIGHT.pow(2))
     }),
     derivation("stokes", "what a surface contributes is the curl of something: its rim alone counts", || {
-        stokes(2 * dot(NORMAL, PLACE) * PLACE / dot(PLACE, PLACE).pow(2))
+        stokes(2 * dot(NORMAL, R) * R / dot(R, R).pow(2))
     })
-    .slip("a rim's field that falls as 1/r, not 1/r²", || {
-        stokes(dot(NORMAL, PLACE) * PLACE / dot(PLACE, PLACE).pow(2))
-    }),
+    .slip("a rim's field that falls as 1/r, not 1/r²", || stokes(dot(NORMAL, R) * R / dot(R, R).pow(2))),
 ]);
 
 fn hemisphere(last: Expr) -> Chain {
@@ -51,7 +50,7 @@ fn cos_4(last: Expr) -> Chain {
 }
 
 fn stokes(last: Expr) -> Chain {
-    Chain::new(curl(cross(NORMAL, PLACE) / dot(PLACE, PLACE)))
+    Chain::new(curl(cross(NORMAL, R) / dot(R, R)))
         .because("half of this, through the surface, is what arrives: Stokes makes it a sum over the rim")
         .then(last, ["∇×(n×r f) = n(2f + rf′) − (n·r) r f′/r"])
 }
