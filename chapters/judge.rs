@@ -56,6 +56,8 @@ pub struct Stated {
     pub equation: Equation,
     /// The SI dimension of both sides, or how they differ.
     pub dimension: Result<Dimension, Mismatch>,
+    /// Whether they must differ, because it is shown as a mistake.
+    pub is_struck_out: bool,
 }
 
 /// A derivation with all its lines, and what became of each hop.
@@ -105,13 +107,13 @@ pub struct Raced {
 /// States an equation.
 pub fn statement(statement: &Statement) -> Stated {
     let equation = (statement.equation)();
-    Stated { dimension: equation.dimension(), equation }
+    Stated { dimension: equation.dimension(), equation, is_struck_out: statement.is_struck_out }
 }
 
 impl Stated {
-    /// Whether both sides have one dimension.
+    /// Whether both sides have one dimension; of what is struck out, whether they have not.
     pub fn holds(&self) -> bool {
-        self.dimension.is_ok()
+        self.dimension.is_ok() != self.is_struck_out
     }
 }
 
@@ -240,7 +242,11 @@ pub fn question(question: &Question, setting: &Setting) -> bool {
 /// whoever looks at it.
 pub fn holds(item: Item, setting: &Setting, address: &str) -> Result<(), String> {
     match item {
-        Item::Statement(item) => statement(item).dimension.map(drop).map_err(|mismatch| mismatch.to_string()),
+        Item::Statement(item) => match statement(item) {
+            found if found.holds() => Ok(()),
+            Stated { dimension: Err(mismatch), .. } => Err(mismatch.to_string()),
+            Stated { dimension: Ok(unit), .. } => Err(format!("struck out, but both sides are in {unit}")),
+        },
         Item::Question(item) => match question(item, setting) {
             true => Ok(()),
             false => Err(format!("its right answer is none: {:?}", item.right(setting))),

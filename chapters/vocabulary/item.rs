@@ -119,11 +119,11 @@ impl Item {
         }
     }
 
-    /// The letter of the lecture's table for which it is evidence. Units count only where both sides agree, a race only
-    /// with a rival.
+    /// The letter of the lecture's table for which it is evidence. Units count only where both sides agree, or where a
+    /// mistake is told by them; a race only with a rival.
     pub fn letter(&self) -> Option<char> {
         match self {
-            Self::Statement(item) => (item.equation)().dimension().is_ok().then_some('U'),
+            Self::Statement(item) => crate::judge::statement(item).holds().then_some('U'),
             Self::Question(_) => None,
             Self::Derivation(_) => Some('D'),
             Self::Check(_) => Some('N'),

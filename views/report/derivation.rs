@@ -15,7 +15,7 @@ pub type Rows = &'static [&'static str];
 /// An equation with its faces and the dimension of its sides.
 pub fn state(statement: &Statement, found: Stated, rows: Rows, address: String) -> StatementReport {
     let holds = found.holds();
-    let Stated { equation, dimension } = found;
+    let Stated { equation, dimension, is_struck_out } = found;
     StatementReport {
         address,
         says: statement.says,
@@ -26,6 +26,7 @@ pub fn state(statement: &Statement, found: Stated, rows: Rows, address: String) 
         layout: equation.layout(),
         verdict: holds.into(),
         dimension: unit(dimension),
+        is_struck_out,
     }
 }
 

@@ -158,6 +158,8 @@ pub struct StatementReport {
     pub mathml: String,
     /// The SI dimension of both sides, or how they differ.
     pub dimension: String,
+    /// Whether it is shown as a mistake, of which the sides must differ.
+    pub is_struck_out: bool,
     /// What became of it.
     pub verdict: Verdict,
 }

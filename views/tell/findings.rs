@@ -44,10 +44,11 @@ impl Teller<'_> {
     }
 
     fn units(&self, statement: &StatementReport) -> Block {
-        let dimension = Phrase::verbatim(&statement.dimension);
-        let units = match statement.verdict {
-            Verdict::Passed => self.say("both sides in [{unit}]", &[("unit", dimension)]),
-            Verdict::Failed => dimension,
+        let units = match (statement.is_struck_out, statement.verdict) {
+            (false, Verdict::Passed) => {
+                self.say("both sides in [{unit}]", &[("unit", Phrase::verbatim(&statement.dimension))])
+            }
+            _ => self.dimension(statement),
         };
         let units = Span::new(Tone::Plain, Phrase::verbatim("  ").then(units));
         Block::Judged(Judged {
@@ -57,6 +58,16 @@ impl Teller<'_> {
             rows: owned(statement.rows),
             details: Vec::new(),
         })
+    }
+
+    /// The unit of both sides, or how they differ; of what is struck out that it is, and rightly.
+    pub(super) fn dimension(&self, statement: &StatementReport) -> Phrase {
+        let dimension = Phrase::verbatim(&statement.dimension);
+        match (statement.is_struck_out, statement.verdict) {
+            (false, _) => dimension,
+            (true, Verdict::Passed) => self.say("struck out: {mismatch}", &[("mismatch", dimension)]),
+            (true, Verdict::Failed) => self.say("struck out, but both sides are in [{unit}]", &[("unit", dimension)]),
+        }
     }
 
     pub(super) fn check(&self, check: &CheckReport) -> Block {

@@ -119,7 +119,7 @@ impl Teller<'_> {
             address: statement.address.clone(),
             face: face_of(statement),
             says: self.phrase(&statement.address, "says", statement.says),
-            unit: statement.dimension.clone(),
+            unit: self.dimension(statement).to_string(),
             verdict: statement.verdict,
             rows: owned(statement.rows),
         })
