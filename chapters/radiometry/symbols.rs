@@ -42,3 +42,5 @@ pub const PLACE: Symbol = Symbol::vector("P", Dimension::METRE);
 pub const N_1: Symbol = Symbol::scalar("n_1", Dimension::ONE).real(1.5, 2.0);
 /// Refractive index behind the interface.
 pub const N_2: Symbol = Symbol::scalar("n_2", Dimension::ONE).real(1.0, 1.4);
+/// The surface that is meant.
+pub const SURFACE: Symbol = Symbol::scalar("Sigma", Dimension::SQUARE_METRE);

@@ -90,6 +90,16 @@ pub fn mirrored(direction: [f64; 3], normal: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|axis| direction[axis] - 2.0 * along * normal[axis])
 }
 
+/// The direction in which what runs along the unit vector `direction` goes on behind an interface between two clear media
+/// (E33): the part along the interface is scaled by n_i/n_t, the part across it follows. `normal` is its unit normal, of
+/// either sense. `None` where everything is reflected.
+pub fn refracted(direction: [f64; 3], normal: [f64; 3], n_i: f64, n_t: f64) -> Option<[f64; 3]> {
+    let across: f64 = direction.iter().zip(normal).map(|(d, n)| d * n).sum();
+    let q = outgoing_root(normal_squared(Incidence::from_cos(across.abs().min(1.0)), n_i, n_t.into()));
+    let go_on = |axis: usize| (n_i * (direction[axis] - across * normal[axis]) + q.re.copysign(across) * normal[axis]) / n_t;
+    (q.im == 0.0).then(|| std::array::from_fn(go_on))
+}
+
 /// The square of the normal wave number over the vacuum wave number, (n cos θ_n)² = n² − n_i² sin² θ [1], of a
 /// wave in the medium `n` whose tangential wave number was set in the clear medium `n_i`.
 ///
