@@ -208,6 +208,7 @@ pub fn list_json() -> String {
                         "default": input.default.and_then(|text| input.parse(text).ok()).map(|value| value.argument()),
                         "kind": input.kind.name(), "symbol": input.symbol,
                         "aliases": input.names().skip(1).collect::<Vec<_>>(), "takes": input.kind.describe(),
+                        "only_with": input.only_with.map(|(choice, words)| json!({ choice: words })),
                     })
                 })
                 .collect();

@@ -44,9 +44,15 @@ pub struct Parameter {
     pub default: Option<&'static str>,
     /// Parameters that this one is given instead of; of none of them if it may simply be left out.
     pub instead_of: Option<&'static [&'static str]>,
+    /// The choice that it belongs to, and with which of its words: of several parameters of one name the one that belongs
+    /// to the word in force is meant.
+    pub only_with: Option<OnlyWith>,
     /// What only the owner of the parameter knows: whether its value goes together with the others.
     pub validate: Option<Validate>,
 }
+
+/// A choice, by its name, and some of its words.
+pub type OnlyWith = (&'static str, &'static [&'static str]);
 
 /// Whether a value goes together with the others of its setting.
 pub type Validate = fn(&Setting) -> Result<(), Fault>;
@@ -91,7 +97,7 @@ impl Alias {
 impl Parameter {
     /// One without a default, which has to be given.
     pub const fn new(name: &'static str, symbol: &'static str, says: &'static str, kind: Kind) -> Self {
-        Self { name, aliases: &[], symbol, says, kind, default: None, instead_of: None, validate: None }
+        Self { name, aliases: &[], symbol, says, kind, default: None, instead_of: None, only_with: None, validate: None }
     }
 
     /// With a default, written as on the command line.
@@ -112,6 +118,11 @@ impl Parameter {
     /// Given instead of `others`, and left out otherwise.
     pub const fn instead_of(self, others: &'static [&'static str]) -> Self {
         Self { instead_of: Some(others), ..self }
+    }
+
+    /// Belonging to these `words` of the choice called `choice`.
+    pub const fn only_with(self, choice: &'static str, words: &'static [&'static str]) -> Self {
+        Self { only_with: Some((choice, words)), ..self }
     }
 
     /// With something that only its owner knows.
@@ -202,16 +213,20 @@ impl Parameter {
     }
 
     /// The parameter for programs: `name`, `aliases`, `symbol`, `says`, `default` (as text, or null) and `takes`, the
-    /// description of its kind.
+    /// description of its kind; `only_with` where it belongs to some words of a choice.
     pub fn describe(&self) -> Argument {
-        Argument::record([
+        let choice = |(choice, words): OnlyWith| {
+            ("only_with", Argument::record([(choice, Argument::words(words.iter().copied()))]))
+        };
+        let fields = [
             ("name", self.name.into()),
             ("aliases", Argument::words(self.aliases.iter().map(|alias| alias.name))),
             ("symbol", self.symbol.into()),
             ("says", self.says.into()),
             ("default", self.default.map_or(Argument::Other, Argument::from)),
             ("takes", self.kind.describe()),
-        ])
+        ];
+        Argument::record(fields.into_iter().chain(self.only_with.map(choice)))
     }
 }
 

@@ -50,7 +50,7 @@ impl Setting {
     /// The first thing wrong with them.
     pub fn with(mut self, changes: &[(String, String)]) -> Result<Self, Fault> {
         self.slots.iter_mut().for_each(|slot| slot.given = None);
-        for (name, text) in changes {
+        for (name, text) in choices_first(self.parameters, changes) {
             let at = self.place(name, "no such parameter here")?;
             let malformed = |why: String| self.parameters[at].malformed(name, &why);
             let argument = Argument::from_text(text).map_err(malformed)?;
@@ -93,7 +93,7 @@ impl Setting {
         unknown: &'static str,
     ) -> Result<Self, Fault> {
         let mut setting = Self::empty(parameters);
-        for (name, argument) in given {
+        for (name, argument) in choices_first(parameters, given) {
             let at = setting.place(name, unknown)?;
             setting.take(at, name, argument)?;
         }
@@ -111,9 +111,26 @@ impl Setting {
 
     /// The index of the parameter that answers to `name`.
     fn place(&self, name: &str, unknown: &'static str) -> Result<usize, Fault> {
-        let at = self.parameters.iter().position(|parameter| parameter.form(name).is_some());
-        at.ok_or_else(|| {
-            Fault::unknown(excerpt(name), name, unknown, self.parameters.iter().flat_map(Parameter::names))
+        let answers = || (0..self.slots.len()).filter(|at| self.parameters[*at].form(name).is_some());
+        let own = || (0..self.slots.len()).filter(|at| self.applies(*at)).map(|at| &self.parameters[at]);
+        answers().find(|at| self.applies(*at)).ok_or_else(|| {
+            let Some((choice, words)) = answers().find_map(|at| self.parameters[at].only_with) else {
+                return Fault::unknown(excerpt(name), name, unknown, own().flat_map(Parameter::names));
+            };
+            let Some(chosen) = self.get(choice).map(Value::argument) else {
+                return self.missing(&self.parameters[self.at(choice)], std::iter::empty());
+            };
+            let takes: Vec<_> = own().filter(|other| other.only_with.is_some()).map(|other| other.name).collect();
+            let takes = if takes.is_empty() { "nothing".to_owned() } else { takes.join(", ") };
+            Fault::new(name, format!("goes with {choice}={}; {choice}={chosen} takes {takes}", words.join(" or ")))
+        })
+    }
+
+    /// Whether a parameter belongs to the words in force.
+    fn applies(&self, at: usize) -> bool {
+        self.parameters[at].only_with.is_none_or(|(choice, words)| match self.get(choice) {
+            Some(Value::Word(word)) => words.contains(word),
+            _ => false,
         })
     }
 
@@ -141,7 +158,10 @@ impl Setting {
 
     /// That every parameter has a value or something that stands instead of it, and not both.
     fn complete(&self) -> Result<(), Fault> {
-        for (parameter, slot) in self.parameters.iter().zip(&self.slots) {
+        for (at, (parameter, slot)) in self.parameters.iter().zip(&self.slots).enumerate() {
+            if !self.applies(at) {
+                continue;
+            }
             let rivals = || {
                 let is_rival = |rival: &&Parameter| {
                     rival.instead_of.is_some_and(|others| {
@@ -346,12 +366,13 @@ impl Setting {
     /// Parameters that have a value, with it and its text, in their order.
     pub fn entries(&self) -> impl Iterator<Item = (&'static Parameter, Cow<'_, str>, &Value)> {
         let entry = |(at, parameter)| Some((parameter, self.text_at(at), self.slots[at].value.as_ref()?));
-        self.parameters.iter().enumerate().filter_map(entry)
+        self.parameters.iter().enumerate().filter(|(at, _)| self.applies(*at)).filter_map(entry)
     }
 
-    /// Every parameter with its value, if it has one.
+    /// Every parameter that belongs to the words in force with its value, if it has one.
     pub fn values(&self) -> impl Iterator<Item = (&'static Parameter, Option<&Value>)> {
-        self.parameters.iter().zip(&self.slots).map(|(parameter, slot)| (parameter, slot.value.as_ref()))
+        let own = (0..self.slots.len()).filter(|at| self.applies(*at));
+        own.map(|at| (&self.parameters[at], self.slots[at].value.as_ref()))
     }
 
     fn text_at(&self, at: usize) -> Cow<'_, str> {
@@ -374,9 +395,16 @@ impl Setting {
     }
 
     fn at(&self, name: &str) -> usize {
-        let at = self.parameters.iter().position(|parameter| parameter.name == name);
-        at.unwrap_or_else(|| panic!("no parameter `{name}` is declared"))
+        let called = || (0..self.slots.len()).filter(|at| self.parameters[*at].name == name);
+        called().find(|at| self.applies(*at)).or_else(|| called().next()).unwrap_or_else(|| panic!("no parameter `{name}` is declared"))
     }
+}
+
+/// What is given, that which others belong to first.
+fn choices_first<'a, T>(parameters: &[Parameter], given: &'a [(String, T)]) -> impl Iterator<Item = &'a (String, T)> {
+    let is_choice = |name: &str| parameters.iter().filter_map(|other| other.only_with).any(|(choice, _)| choice == name);
+    let (choices, rest): (Vec<_>, Vec<_>) = given.iter().partition(|(name, _)| is_choice(name));
+    choices.into_iter().chain(rest)
 }
 
 impl PartialEq for Setting {

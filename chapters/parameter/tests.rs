@@ -213,6 +213,44 @@ fn alternatives_stand_for_one_another() {
 }
 
 #[test]
+fn what_belongs_to_a_word_stands_and_falls_with_it() {
+    const NUMBER: Kind = Kind::number(0.0, 1.0, "1");
+    const FUNCTION: Function = Function {
+        name: "f",
+        says: "",
+        inputs: &[
+            Parameter::new("kind", "", "", Kind::Choice(&["disc", "box", "point"])),
+            Parameter::new("a", "", "", NUMBER).default("0.25").only_with("kind", &["disc"]),
+            Parameter::new("a", "", "", NUMBER).only_with("kind", &["box"]),
+            Parameter::new("b", "", "", NUMBER).only_with("kind", &["box", "disc"]),
+        ],
+        outputs: &[],
+        compute: |setting| {
+            let [a, b] = ["a", "b"].map(|name| (name, if setting.word("kind") == "point" { 0.0 } else { setting.number(name) }));
+            Ok(vec![a, b])
+        },
+    };
+    let call = |given: &[(&str, Argument)]| {
+        let given: Vec<_> = given.iter().map(|(name, argument)| ((*name).to_owned(), argument.clone())).collect();
+        FUNCTION.call(&given).map_err(|fault| fault.to_string())
+    };
+    let half = || Argument::Number(0.5);
+    // In any order.
+    assert_eq!(call(&[("b", half()), ("kind", "disc".into())]).unwrap(), [("a", 0.25), ("b", 0.5)]);
+    assert_eq!(call(&[("kind", "box".into()), ("a", half()), ("b", 1.0.into())]).unwrap(), [("a", 0.5), ("b", 1.0)]);
+    assert!(call(&[("kind", "point".into())]).is_ok());
+    let fault = |given: &[(&str, Argument)]| call(given).unwrap_err();
+    assert_eq!(fault(&[("kind", "box".into()), ("b", half())]), "a: missing; valid: 0 to 1");
+    assert_eq!(
+        fault(&[("kind", "point".into()), ("b", half())]),
+        "b: goes with kind=box or disc; kind=point takes nothing"
+    );
+    assert_eq!(fault(&[("b", half())]), "kind: missing; valid: disc, box, point");
+    assert_eq!(fault(&[("kind", "disc".into()), ("c", half())]), "c: no such input of f. Known: kind, a, b");
+    assert_eq!(fault(&[("kind", "disc".into()), ("b", half()), ("b", half())]), "b: given twice");
+}
+
+#[test]
 fn ends_are_taken() {
     for parameter in ALL {
         for end in parameter.kind.ends() {
@@ -227,11 +265,27 @@ fn every_parameter_of_the_lecture_is_sound() {
     let steps = crate::CURRICULUM.iter().flat_map(|chapter| chapter.steps).map(|step| (step.id, step.parameters()));
     let functions = crate::CURRICULUM.iter().flat_map(|chapter| chapter.functions);
     for (place, parameters) in steps.chain(functions.map(|function| (function.name, function.inputs))) {
-        let mut names: Vec<_> = parameters.iter().flat_map(Parameter::names).collect();
-        let count = names.len();
-        names.sort_unstable();
-        names.dedup();
-        assert_eq!(names.len(), count, "{place}: a name stands for two");
+        // One name may stand for two that are never there together.
+        let together = |one: &Parameter, other: &Parameter| match (one.only_with, other.only_with) {
+            (Some((choice, words)), Some((also, others))) => choice != also || words.iter().any(|word| others.contains(word)),
+            _ => true,
+        };
+        for (at, one) in parameters.iter().enumerate() {
+            for other in &parameters[at + 1..] {
+                let shared = one.names().find(|name| other.form(name).is_some() && together(one, other));
+                assert_eq!(shared, None, "{place}: a name stands for two");
+            }
+            let mut own: Vec<_> = one.names().collect();
+            own.sort_unstable();
+            own.dedup();
+            assert_eq!(own.len(), one.names().count(), "{place}/{}: named twice", one.name);
+            if let Some((choice, words)) = one.only_with {
+                let known = parameters.iter().find(|parameter| parameter.name == choice).map(|parameter| parameter.kind);
+                let Some(Kind::Choice(known)) = known else { panic!("{place}/{}: no choice {choice}", one.name) };
+                assert!(words.iter().all(|word| known.contains(word)), "{place}/{}", one.name);
+            }
+        }
+        let names: Vec<_> = parameters.iter().flat_map(Parameter::names).collect();
         for parameter in parameters {
             let others = parameter.instead_of.unwrap_or(&[]);
             assert!(others.iter().all(|other| names.contains(other)), "{place}/{}", parameter.name);
