@@ -6,9 +6,11 @@
 //! | random numbers by name and seed | [`random`] |
 //! | the observed order of a method | [`order`] |
 //! | integrals by rules | [`quadrature`] |
+//! | directions over the sphere, by rules and by chance | [`directions`] |
 //! | differential equations stepped from their start | [`initial_value`] |
 //! | counts, means and what chance makes of them | [`statistics`] |
 
+pub mod directions;
 pub mod initial_value;
 pub mod order;
 pub mod precise;
