@@ -7,6 +7,7 @@ mod irradiance;
 mod radiance;
 mod ray;
 mod solid_angle;
+mod sums;
 mod surfaces;
 mod symbols;
 

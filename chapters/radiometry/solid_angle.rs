@@ -1,12 +1,15 @@
 //! E27, E28: the power through a sphere, and the angle that a sphere is.
 
+use super::sums::{
+    AXES, KINK, LEBEDEVS, NEAR, PRODUCTS, SMOOTH, STEP as SHADE, by_chance, by_lebedev, by_product, chance,
+};
 use super::symbols::{ALPHA, AZIMUTH, FLUX, PLACE, RADIUS, S_R, SOLID_ANGLE, THETA};
 use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::symbols::S;
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Measured, Misled, Quantity, Step, check, derivation, exhibit, figure, question,
-    statement, step,
+    Answer, Bench, Check, Exhibit, Measured, Misled, Quantity, Race, Step, check, derivation, exhibit, figure, lane,
+    question, race, statement, step,
 };
 use equation::derivation::Chain;
 use equation::expr::{Range, cos, cross, d, dot, integral, integral_between, partial, pi, sin, vector};
@@ -87,7 +90,43 @@ pub(super) const STEP: Step = step(
         quantity("projected", "π sin^2 α", "its cut, seen from far", PI * alpha.sin().powi(2), "sr"),
     ]
 })
-.checks(&[&PATCHES, &ANTENNAS]);
+.checks(&[&PATCHES, &ANTENNAS])
+.races(&[
+    SUMS.named("smooth", "over a smooth pattern Lebedev's rule gains digits with every few points, the product of two rules nearly as fast").lanes(
+        &[
+            chance(|bench, work| by_chance(bench, work, SMOOTH)),
+            lane("product", "Gauss × trapezoid", &[8, 18, 32, 50, 72], |bench, work| by_product(bench, work, SMOOTH))
+                .repeated(AXES)
+                .converges(1e-8, "exact to degree 11; of e^(2c) 2^12/12!/2^11 ~ 4·10⁻⁹ of the peak is beyond it"),
+            lane("lebedev", "Lebedev", &[14, 50, 110], |bench, work| by_lebedev(bench, work, SMOOTH))
+                .repeated(AXES)
+                .converges(1e-14, "exact to degree 17; of e^(2c) 2^18/18!/2^17 ~ 3·10⁻¹⁶ of the peak is beyond it"),
+        ],
+    ),
+    SUMS.named("kink", "at the horizon of a flat lamp every rule has an order, and no digits to give away").lanes(&[
+        chance(|bench, work| by_chance(bench, work, KINK)),
+        lane("product", "Gauss × trapezoid", PRODUCTS, |bench, work| by_product(bench, work, KINK))
+            .repeated(AXES)
+            .order(1.25, 0.25),
+        lane("lebedev", "Lebedev", LEBEDEVS, |bench, work| by_lebedev(bench, work, KINK)).repeated(AXES).order(1.25, 0.25),
+    ]),
+    SUMS.named("step", "at the edge of a shade rules are hardly better than chance").lanes(&[
+        chance(|bench, work| by_chance(bench, work, SHADE)),
+        lane("product", "Gauss × trapezoid", PRODUCTS, |bench, work| by_product(bench, work, SHADE))
+            .repeated(AXES)
+            .order(0.75, 0.25),
+        lane("lebedev", "Lebedev", LEBEDEVS, |bench, work| by_lebedev(bench, work, SHADE)).repeated(AXES).order(0.75, 0.25),
+    ]),
+    SUMS.named("near", "a lamp close to the sphere's wall: digits come slowly, but they come").lanes(&[
+        chance(|bench, work| by_chance(bench, work, NEAR)),
+        lane("product", "Gauss × trapezoid", &[128, 288, 578, 1152, 2048], |bench, work| by_product(bench, work, NEAR))
+            .repeated(AXES)
+            .converges(1e-4, "the pole at 1.01 leaves ρ^−64 of degree 63, ρ = 1.152, and that is 10⁻⁴"),
+        lane("lebedev", "Lebedev", &[110, 194, 434, 770, 1202, 1730], |bench, work| by_lebedev(bench, work, NEAR))
+            .repeated(AXES)
+            .converges(1e-4, "ρ^−72 of degree 71, 4·10⁻⁵"),
+    ]),
+]);
 
 /// The unit vector in the direction (θ, φ).
 fn outwards() -> Expr {
@@ -116,6 +155,12 @@ fn cone(last: Expr) -> Chain {
         .then(last, ["∫ sin θ dθ = −cos θ"])
         .then(Equation::new(rings(pi()), 4 * pi()), ["cos π = −1"])
 }
+
+/// E27 as a sum, whatever is summed.
+const SUMS: Race = race("", "")
+    .rows(&["E27"])
+    .work("directions")
+    .error("relative error of the flux", "rms over 24 axes of the relative error, against the closed form");
 
 const PATCHES: Check<fn(f64, f64) -> f64> = check("patches", "random directions fall into patches as sin θ dφ dθ has it")
     .rows(&["E28"])
