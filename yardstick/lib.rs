@@ -11,6 +11,7 @@
 
 pub mod initial_value;
 pub mod order;
+#[cfg(feature = "precise")]
 pub mod precise;
 pub mod quadrature;
 pub mod random;
