@@ -13,6 +13,7 @@
 pub mod directions;
 pub mod initial_value;
 pub mod order;
+#[cfg(feature = "precise")]
 pub mod precise;
 pub mod quadrature;
 pub mod random;
