@@ -1,6 +1,7 @@
 //! `chapters`: what we claim. The lecture as data; every view (terminal, JSON, tests, book, coverage)
 //! is a walk over [`CURRICULUM`].
 
+pub mod brdf;
 pub mod diagram;
 pub mod figure;
 pub mod fresnel;

@@ -324,6 +324,17 @@ impl Setting {
         }
     }
 
+    /// The vectors of the list named `name`.
+    ///
+    /// # Panics
+    /// As [`Setting::number`].
+    pub fn vectors(&self, name: &str) -> impl Iterator<Item = [f64; 3]> {
+        self.list(name).iter().map(move |item| match item {
+            Value::Vector(numbers) => *numbers,
+            _ => panic!("`{name}` is not declared as a list of vectors"),
+        })
+    }
+
     /// The records of the list named `name`.
     ///
     /// # Panics

@@ -2,10 +2,13 @@
 
 mod any_surface;
 mod flux;
+mod functions;
 mod intensity;
 mod irradiance;
+mod quadrature;
 mod radiance;
 mod ray;
+mod shapes;
 mod solid_angle;
 mod sums;
 mod surfaces;
@@ -28,9 +31,11 @@ pub const CHAPTER: Chapter = Chapter {
         radiance::STEP,
         ray::STEP,
         irradiance::STEP,
+        shapes::STEP,
+        quadrature::STEP,
     ],
     figures: FIGURES,
-    functions: &[],
+    functions: functions::FUNCTIONS,
 };
 
 /// What its steps show, apart from the evidence.
@@ -44,6 +49,8 @@ pub const FIGURES: Gallery = gallery(
         radiance::EXHIBIT,
         ray::EXHIBIT,
         irradiance::EXHIBIT,
+        shapes::EXHIBIT,
+        quadrature::EXHIBIT,
     ],
 );
 #[cfg(test)]

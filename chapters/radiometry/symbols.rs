@@ -44,3 +44,9 @@ pub const N_1: Symbol = Symbol::scalar("n_1", Dimension::ONE).real(1.5, 2.0);
 pub const N_2: Symbol = Symbol::scalar("n_2", Dimension::ONE).real(1.0, 1.4);
 /// The surface that is meant.
 pub const SURFACE: Symbol = Symbol::scalar("Sigma", Dimension::SQUARE_METRE);
+/// Radius of a disc or sphere.
+pub const RADIUS_OF: Symbol = Symbol::scalar("R", Dimension::METRE).real(0.5, 1.0);
+/// Distance of its centre.
+pub const DISTANCE: Symbol = Symbol::scalar("d", Dimension::METRE).real(1.5, 3.0);
+/// Angle between the receiver's normal and the way to a sphere.
+pub const OMEGA: Symbol = Symbol::scalar("omega", Dimension::ONE).real(0.2, 1.2);

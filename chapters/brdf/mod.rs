@@ -1,0 +1,4 @@
+//! draft
+pub mod symbols;
+#[cfg(test)]
+mod chains;
