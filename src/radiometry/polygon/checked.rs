@@ -12,8 +12,6 @@ pub const FLATNESS: f64 = 1e-8;
 pub(super) struct Polygon {
     /// The corners in a unit in which the largest coordinate is about 1.
     pub(super) corners: Vec<Vector>,
-    /// That unit.
-    pub(super) unit: f64,
     /// The receiver's normal, of length 1.
     pub(super) normal: WideVector,
 }
@@ -41,7 +39,7 @@ pub(super) fn checked(corners: &[Vector], normal: Vector) -> Result<Option<Polyg
     let normal = WideVector::from(normal);
     let normal = normal.times(Wide::from(1.0) / normal.norm());
     let seen = f64::from(area.dot(corners[0].into())) != 0.0;
-    Ok(seen.then_some(Polygon { corners, unit, normal }))
+    Ok(seen.then_some(Polygon { corners, normal }))
 }
 
 /// The power of two at or below the largest size, within the range of those whose quotients are exact.

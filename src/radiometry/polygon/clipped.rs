@@ -9,7 +9,6 @@
 //! Where even that leaves too little, all edges are low, and what remains is ½ Σ ∫ T²/(1 + T²) dφ, T the tangent of the
 //! height above the horizon: the sum of areas between edges and horizon, projected.
 
-use super::Edge;
 use super::checked::Polygon;
 use super::wide::WideVector;
 use crate::wide::Wide;
@@ -47,7 +46,6 @@ impl Corner {
 /// The polygon above the horizon.
 pub(super) struct Clipped {
     corners: Vec<Corner>,
-    unit: f64,
     normal: WideVector,
 }
 
@@ -74,7 +72,7 @@ impl Clipped {
                 corners.push(Corner::new(crossing, Wide::from(0.0)));
             }
         }
-        Self { corners, unit: polygon.unit, normal }
+        Self { corners, normal }
     }
 
     fn pairs(&self) -> impl Iterator<Item = (&Corner, &Corner)> {
@@ -104,21 +102,6 @@ impl Clipped {
             if turn == 0.0 { 0.0 } else { -0.5 * turn * mean_square(here.tangent(), there.tangent(), turn) }
         };
         self.pairs().map(strip).sum()
-    }
-
-    /// Each edge with its contribution.
-    pub(super) fn edges(&self) -> Vec<Edge> {
-        let sense = if self.irradiance() < 0.0 { -1.0 } else { 1.0 };
-        self.pairs()
-            .map(|(here, there)| {
-                let across = here.at.cross(there.at);
-                let (size, along) = (f64::from(across.norm()), f64::from(here.at.dot(there.at)));
-                let angle = size.atan2(along);
-                let unit = if size == 0.0 { [0.0; 3] } else { across.narrow().map(|x| sense * x / size) };
-                let place = |corner: &Corner| corner.at.narrow().map(|x| x * self.unit);
-                Edge { from: place(here), to: place(there), angle, contribution: unit.map(|x| 0.5 * angle * x) }
-            })
-            .collect()
     }
 }
 

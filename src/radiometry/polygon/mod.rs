@@ -11,7 +11,7 @@ pub use checked::FLATNESS;
 use super::Refusal;
 use checked::checked;
 use clipped::Clipped;
-use vector::Vector;
+use vector::{Vector, cross, dot};
 
 /// E/L [sr] on the receiver at the origin from what of a simple polygon, convex or not, is above its horizon. Corners may
 /// run either way round, for both sides shine; the normal may have any length. From a place in the polygon's plane, be it
@@ -24,25 +24,15 @@ pub fn irradiance(corners: &[Vector], normal: Vector) -> Result<f64, Refusal> {
     Ok(checked(corners, normal)?.map_or(0.0, |polygon| Clipped::new(&polygon).irradiance().abs()))
 }
 
-/// What one edge adds to Lambert's sum.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Edge {
-    /// Where it starts, in the corners' unit.
-    pub from: Vector,
-    /// Where it ends.
-    pub to: Vector,
-    /// γ: the angle between both as seen from the receiver [rad].
-    pub angle: f64,
-    /// ½γ along the normal of the plane through edge and receiver [sr]. The sum of these has E/L along the receiver's
-    /// normal.
-    pub contribution: Vector,
-}
-
-/// The edges of what is above the horizon, with those along the horizon that close it: bridges between the pieces into
-/// which a polygon that is not convex is cut run there and back. None where nothing is seen.
-///
-/// # Errors
-/// As [`irradiance`].
-pub fn edges(corners: &[Vector], normal: Vector) -> Result<Vec<Edge>, Refusal> {
-    Ok(checked(corners, normal)?.map_or(Vec::new(), |polygon| Clipped::new(&polygon).edges()))
+/// What each edge of a polygon adds to Lambert's sum [sr]: half the angle at which it is seen, along the normal of the plane
+/// through it and the receiver; none where it is seen end-on. E/L of a polygon wholly above the horizon is what the sum of
+/// these has along the receiver's normal, negative if the corners run clockwise as seen from the receiver.
+pub fn edges(corners: &[Vector]) -> Vec<Vector> {
+    let edge = |(&from, &to): (&Vector, &Vector)| {
+        let across = cross(from, to);
+        let size = dot(across, across).sqrt();
+        let half = 0.5 * size.atan2(dot(from, to));
+        if size == 0.0 { [0.0; 3] } else { across.map(|component| half * component / size) }
+    };
+    corners.iter().zip(corners.iter().cycle().skip(1)).map(edge).collect()
 }
