@@ -30,6 +30,7 @@
 //! | energy flow, its averages and its balance | [`waves::flux`], [`waves::energy`] | `poynting` |
 //! | phases after any number of periods | [`waves::phase`] | `poynting` |
 //! | conduction, a stiff equation, and its solver | [`waves::conduction`], [`waves::radau`] | `maxwell/conduction` |
+//! | what lamps of any shape send to a place | [`radiometry`] | `radiometry` |
 //! | s and p | [`Polarisation`] | everywhere |
 //! | references in arbitrary precision, condition numbers | `references` | every stress |
 
@@ -38,6 +39,7 @@ pub mod fields;
 pub mod media;
 pub mod optics;
 mod polarisation;
+pub mod radiometry;
 #[cfg(any(test, feature = "references"))]
 pub mod references;
 pub mod waves;

@@ -1,8 +1,9 @@
 //! Twice the digits of `f64` where a difference of nearly equal inputs would leave too few: an unevaluated sum of
 //! two `f64` (Dekker, *Numer. Math.* 18 (1971) 224; Knuth, TAOCP vol. 2, §4.2.2), about 31 decimal digits.
-//! Only what `optics` needs near critical angles and `waves` after many periods; everything wider is [`yardstick::precise`].
+//! Only what `optics` needs near critical angles, `waves` after many periods and `radiometry` where a polygon's edges cancel;
+//! everything wider is [`yardstick::precise`].
 
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// hi + lo with |lo| ≤ ½ ulp(hi).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +84,40 @@ impl Mul for Wide {
     }
 }
 
+impl Div for Wide {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        let first = self.hi / other.hi;
+        let rest = self - other * Self::from(first);
+        let second = rest.hi / other.hi;
+        let rest = rest - other * Self::from(second);
+        ordered_sum(first, second) + Self::from(rest.hi / other.hi)
+    }
+}
+
 impl Wide {
+    /// √x of x ≥ 0.
+    pub fn sqrt(self) -> Self {
+        let root = self.hi.sqrt();
+        if root == 0.0 {
+            return Self::from(0.0);
+        }
+        let rest = self - product(root, root);
+        ordered_sum(root, 0.5 * (rest.hi + rest.lo) / root)
+    }
+
+    /// The angle 0 … π of the direction (x, y), y ≥ 0, from that of `f64` by one step of Newton's.
+    pub fn atan2(y: Self, x: Self) -> Self {
+        if x.hi < 0.0 {
+            const PI: Wide = Wide { hi: std::f64::consts::PI, lo: 1.224_646_799_147_353_2e-16 };
+            return PI - Self::atan2(y, -x);
+        }
+        let near = Self::from(y.hi.atan2(x.hi));
+        let (sin, cos) = Self::sin_cos(near.hi);
+        near + (y * cos - x * sin) / (x * cos + y * sin)
+    }
+
     /// The nearest `f64` and what is left.
     pub fn parts(self) -> (f64, f64) {
         (self.hi, self.lo)
@@ -136,6 +170,24 @@ mod tests {
             assert!(distance(sin, &exact_sin) < 1e-30, "sin {x}: {}", distance(sin, &exact_sin));
             assert!(distance(cos, &exact_cos) < 1e-30, "cos {x}: {}", distance(cos, &exact_cos));
         }
+    }
+
+    #[test]
+    fn quotients_roots_and_arc_tangents_are_wide() {
+        for (a, b) in [(1.0, 3.0), (0.1, 7e-9), (2e-5, 0.7), (1e-30, 3e-3), (5.0, 5.0)] {
+            let quotient = Wide::from(a) / Wide::from(b);
+            let exact = precise::real(a) / precise::real(b);
+            assert!(distance(quotient, &exact) <= 4e-32 * (a / b), "{a}/{b}");
+            // Of a number that itself has all digits.
+            let root = quotient.sqrt();
+            assert!(distance(root, &exact.sqrt()) <= 4e-32 * (a / b).sqrt(), "√({a}/{b})");
+            for sign in [1.0, -1.0] {
+                let angle = Wide::atan2(Wide::from(a), Wide::from(sign * b));
+                let exact = precise::real(a).atan2(&precise::real(sign * b));
+                assert!(distance(angle, &exact) <= 1e-30 * (a / b).min(1.0).max(if sign < 0.0 { 1.0 } else { 0.0 }));
+            }
+        }
+        assert_eq!(f64::from(Wide::from(0.0).sqrt()), 0.0);
     }
 
     #[test]

@@ -20,7 +20,8 @@ pub struct Disc {
 }
 
 impl Disc {
-    /// E/L [sr], by Lambert's contour integral along the arc above the horizon and the chord that closes it.
+    /// E/L [sr] of what is above the horizon: in closed form if that is all of it, else as the one integral that is left, whose
+    /// antiderivative would cancel near the horizon.
     ///
     /// # Errors
     /// If radius or height are not positive, or offset or tilt are outside their range.
@@ -51,83 +52,109 @@ struct Seen {
 
 impl Seen {
     fn irradiance(&self) -> f64 {
-        let Self { radius, height, offset, sin, cos } = *self;
-        // How far the horizon's line, x sin τ + h cos τ = 0, lies below the rims, times sin τ.
-        let near = (offset - radius) * sin + height * cos;
-        let far = (offset + radius) * sin + height * cos;
-        if near >= 0.0 {
-            return self.whole();
+        let (low, high) = (self.rim(self.offset - self.radius), self.rim(self.offset + self.radius));
+        if low.up >= 0.0 && high.up >= 0.0 {
+            self.whole(low.distance * high.distance)
+        } else if low.up <= 0.0 && high.up <= 0.0 {
+            0.0
+        } else {
+            self.cut(&low, &high)
         }
-        if far <= 0.0 {
-            return 0.0;
-        }
-        self.clipped(-near, far)
     }
 
-    /// S, p, q and d = pq: p and q are how far the rims are.
-    fn rims(&self) -> [f64; 4] {
-        let Self { radius, height, offset, .. } = *self;
-        let (p, q) = (height.hypot(offset - radius), height.hypot(offset + radius));
-        [height * height + offset * offset + radius * radius, p, q, p * q]
+    /// The rim where it crosses the x axis.
+    fn rim(&self, x: f64) -> Rim {
+        let Self { height, sin, cos, .. } = *self;
+        Rim { distance: x.hypot(height), up: x * sin + height * cos, back: height * sin - x * cos }
     }
 
-    fn whole(&self) -> f64 {
+    /// h² + a² − R² [1]: where it is negative, the receiver is under the disc.
+    fn power(&self) -> f64 {
+        self.height * self.height + (self.offset - self.radius) * (self.offset + self.radius)
+    }
+
+    /// With d, the product of the rims' distances.
+    fn whole(&self, d: f64) -> f64 {
         let Self { radius, height, offset, sin, cos } = *self;
-        let [sum, _, _, d] = self.rims();
-        let s = height * height + (offset - radius) * (offset + radius);
+        let s = self.power();
         let facing = match s >= 0.0 {
             true => 2.0 * PI * (radius * height / d) * (radius * height / (d + s)),
             false => PI * (d - s) / (2.0 * d),
         };
+        let sum = height * height + offset * offset + radius * radius;
         let aside = 2.0 * PI * (height * radius / d) * (offset * radius / (sum + d));
         cos * facing + sin * aside
     }
 
-    /// With `below` and `above` of the diameter on either side of the horizon, times sin τ.
-    fn clipped(&self, below: f64, above: f64) -> f64 {
-        let Self { radius, height, offset, sin, cos } = *self;
-        let [_, p, q, d] = self.rims();
-        // tan of half the arc's angle, and half the chord.
-        let half = (above / below).sqrt();
-        let chord = (above * below).sqrt() / sin;
-        let r = p / q;
-        let e = 4.0 * offset * radius / (q * (p + q));
-        let full = (r * half).atan();
-        let slope = half / (1.0 + r * half * half);
-        let bent = if e == 0.0 { slope } else { (e * slope).atan() / e };
-        let even = 2.0 / d * full;
-        let swing = 4.0 / (q * q * (1.0 + r)) * (bent - e / (2.0 * r) * full);
-        let terms = [
-            cos * radius * radius * even,
-            cos * radius * offset * swing,
-            -sin * height * radius * swing,
-            (chord * sin / height).atan(),
-        ];
-        let total: f64 = terms.iter().sum();
-        let size: f64 = terms.iter().map(|term| term.abs()).sum();
-        // What cancels is summed in strips instead, which are all of one sign.
-        if size > MOST * total.abs() { self.strips(above) } else { total }
-    }
-
-    /// The same as a sum over strips across the lamp, from the horizon's line to the far rim.
-    fn strips(&self, above: f64) -> f64 {
-        static RULE: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| gauss_legendre(24));
-        let Self { radius, height, offset, sin, .. } = *self;
-        let width = above / sin;
-        let strip = |(s, weight): &(f64, f64)| {
-            // Squares from the rim, where the strips' length has its root.
-            let from_rim = width * s * s;
-            let from_line = width * (1.0 - s) * (1.0 + s);
-            let x = offset + radius - from_rim;
-            let half = (from_rim * (2.0 * radius - from_rim)).sqrt();
-            let distance = x.hypot(height);
-            let ratio = half / distance;
-            let across = (ratio / (1.0 + ratio * ratio) + ratio.atan()) / (distance * distance * distance);
-            weight * 2.0 * width * s * height * from_line * sin * across
+    fn cut(&self, low: &Rim, high: &Rim) -> f64 {
+        let (sine, power) = (2.0 * self.radius * self.height, self.power());
+        let across = Strips {
+            opening: sine.atan2(power),
+            rest: sine.atan2(-power),
+            low: low.distance / self.height,
+            high: high.distance / self.height,
         };
-        RULE.iter().map(strip).sum()
+        let (seen, hidden) = (high.up.atan2(high.back), (-low.up).atan2(low.back));
+        let middle = 0.5 * across.opening;
+        let near_high = across.sum(0.0, seen.min(middle), |from_high| seen - from_high);
+        if seen <= middle {
+            return near_high;
+        }
+        near_high + across.sum(hidden, middle, |from_low| from_low - hidden)
     }
 }
 
-/// How much larger than their sum terms may be [1].
-const MOST: f64 = 4.0;
+/// A point of the rim.
+struct Rim {
+    distance: f64,
+    /// How high it is above the receiver's horizon.
+    up: f64,
+    /// How far it is from there to the receiver's back.
+    back: f64,
+}
+
+/// Strips across the lamp, by the angles at which the receiver sees them. A strip at the height β above the horizon that ends
+/// at ±atan Y on both sides sends sin β (Y/(1 + Y²) + atan Y) dβ, and Y² = pq/h² sin u sin v if the lamp's rims, p and q away,
+/// are u farther up and v farther down. All of this is positive, so nothing cancels however low the lamp is.
+struct Strips {
+    /// The angle u + v between the rims, and π less that.
+    opening: f64,
+    rest: f64,
+    /// p/h and q/h.
+    low: f64,
+    high: f64,
+}
+
+impl Strips {
+    /// From one angle off a rim to another that is at most half the opening, given the height above the horizon.
+    fn sum(&self, from: f64, to: f64, height: impl Fn(f64) -> f64) -> f64 {
+        static RULE: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| gauss_legendre(NODES));
+        // With u = (u + v) sin² w, Y has no root at the rims; near them it falls to 0 within w ~ 1/Y, so every panel ends
+        // at half of what is left, down to there.
+        let place = |angle: f64| (angle / self.opening).sqrt().asin();
+        let (end, mut top, mut total) = (place(from), place(to), 0.0);
+        while top > end {
+            let half = 0.5 * top;
+            let bottom = if half > end && self.reach(self.opening * half.sin().powi(2)) > 0.25 { half } else { end };
+            let node = |&(at, weight): &(f64, f64)| {
+                let w = bottom + (top - bottom) * at;
+                let angle = self.opening * w.sin().powi(2);
+                let reach = self.reach(angle);
+                let across = reach / (1.0 + reach * reach) + reach.atan();
+                weight * height(angle).sin() * across * (2.0 * w).sin()
+            };
+            total += (top - bottom) * self.opening * RULE.iter().map(node).sum::<f64>();
+            top = bottom;
+        }
+        total
+    }
+
+    /// Y at an angle from either rim.
+    fn reach(&self, angle: f64) -> f64 {
+        let other = if self.rest < self.opening { self.rest + angle } else { self.opening - angle };
+        (self.low * angle.sin()).sqrt() * (self.high * other.sin()).sqrt()
+    }
+}
+
+/// Of Gauss's rule in a panel [1]: the nearest pole, Y = ±i, is no nearer than half the panel's length from its end.
+const NODES: usize = 16;

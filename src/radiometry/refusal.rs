@@ -26,16 +26,15 @@ impl Refusal {
 
     /// `value` if it is finite and `holds`; `valid` says what it may be.
     pub(super) fn unless(place: &'static str, value: f64, holds: bool, valid: &str) -> Result<f64, Self> {
-        if value.is_finite() && holds { Ok(value) } else { Err(Self::new(place, format!("{value} is not valid; valid: {valid}"))) }
+        if value.is_finite() && holds {
+            Ok(value)
+        } else {
+            Err(Self::new(place, format!("{value} is not valid; valid: {valid}")))
+        }
     }
 
     /// `value` if it is positive and finite.
     pub(super) fn unless_positive(place: &'static str, value: f64) -> Result<f64, Self> {
         Self::unless(place, value, value > 0.0, "positive, finite")
-    }
-
-    /// A length that is positive, or null.
-    pub(super) fn unless_length(place: &'static str, value: f64) -> Result<f64, Self> {
-        Self::unless(place, value, value >= 0.0, "0 or positive, finite")
     }
 }

@@ -1,0 +1,95 @@
+//! Which polygons have an answer.
+
+use super::super::Refusal;
+use super::vector::{Vector, dot, minus};
+use super::wide::WideVector;
+use crate::wide::Wide;
+
+/// How far corners may be off their plane [1], in units of the largest distance from the first to another.
+pub const FLATNESS: f64 = 1e-8;
+
+/// A polygon that has an answer, and is not seen edge-on.
+pub(super) struct Polygon {
+    /// The corners in a unit in which the largest coordinate is about 1.
+    pub(super) corners: Vec<Vector>,
+    /// The receiver's normal, of length 1.
+    pub(super) normal: WideVector,
+}
+
+/// None where the receiver is in the polygon's plane.
+pub(super) fn checked(corners: &[Vector], normal: Vector) -> Result<Option<Polygon>, Refusal> {
+    let count = corners.len();
+    if count < 3 {
+        return Err(Refusal::new("vertices", format!("{count} corners are no polygon; valid: 3 or more")));
+    }
+    for &coordinate in corners.as_flattened() {
+        Refusal::unless("vertices", coordinate, true, "finite coordinates")?;
+    }
+    for component in normal {
+        Refusal::unless("normal", component, true, "finite components")?;
+    }
+    if normal == [0.0; 3] {
+        return Err(Refusal::new("normal", "[0, 0, 0] has no direction; valid: any other"));
+    }
+    let unit = power_of_two(corners.as_flattened());
+    let corners: Vec<Vector> = corners.iter().map(|corner| corner.map(|x| x / unit)).collect();
+    let area = plane(&corners)?;
+    simple(&corners, area.narrow())?;
+    let normal = normal.map(|x| x / power_of_two(&normal));
+    let normal = WideVector::from(normal);
+    let normal = normal.times(Wide::from(1.0) / normal.norm());
+    let seen = f64::from(area.dot(corners[0].into())) != 0.0;
+    Ok(seen.then_some(Polygon { corners, normal }))
+}
+
+/// The power of two at or below the largest size, within the range of those whose quotients are exact.
+fn power_of_two(numbers: &[f64]) -> f64 {
+    let largest = numbers.iter().fold(f64::MIN_POSITIVE, |largest, number| largest.max(number.abs()));
+    f64::from_bits(largest.to_bits() >> 52 << 52)
+}
+
+/// Twice the polygon's area along the normal of its plane, if it has one.
+fn plane(corners: &[Vector]) -> Result<WideVector, Refusal> {
+    let first = WideVector::from(corners[0]);
+    let from_first: Vec<WideVector> = corners.iter().map(|&corner| WideVector::from(corner).minus(first)).collect();
+    let extent = from_first.iter().map(|&side| f64::from(side.norm())).fold(0.0, f64::max);
+    let area =
+        from_first.windows(2).map(|pair| pair[0].cross(pair[1])).reduce(WideVector::plus).expect("three corners");
+    let size = f64::from(area.norm());
+    // A line's corners leave no more than the rounding of 106 bits.
+    if size <= 1e-30 * extent * extent {
+        return Err(Refusal::new("vertices", "all corners are on one line; valid: a polygon with an area"));
+    }
+    for (at, side) in from_first.iter().enumerate() {
+        let off = f64::from(side.dot(area)).abs() / size / extent;
+        if off > FLATNESS {
+            let why =
+                format!("corner {at} is off the plane by {off:.3e} of the polygon's extent; valid: up to {FLATNESS:e}");
+            return Err(Refusal::new("vertices", why));
+        }
+    }
+    Ok(area)
+}
+
+/// Refuses edges that cross; those that merely touch may pass.
+fn simple(corners: &[Vector], area: Vector) -> Result<(), Refusal> {
+    let edge = |at: usize| (corners[at], corners[(at + 1) % corners.len()]);
+    // On which side of the edge a → b the corner c is, 0 within rounding of its line.
+    let side = |(a, b): (Vector, Vector), c: Vector| {
+        let (along, aside) = (minus(b, a), minus(c, a));
+        let turn = dot(area, super::vector::cross(along, aside));
+        let size = (dot(area, area) * dot(along, along) * dot(aside, aside)).sqrt();
+        if turn.abs() <= 1e-14 * size { 0.0 } else { turn.signum() }
+    };
+    let apart = |one: (Vector, Vector), other: (Vector, Vector)| side(one, other.0) * side(one, other.1) >= 0.0;
+    for first in 0..corners.len() {
+        for second in first + 1..corners.len() {
+            let (one, other) = (edge(first), edge(second));
+            if !apart(one, other) && !apart(other, one) {
+                let why = format!("the edges from corners {first} and {second} cross; valid: edges that do not");
+                return Err(Refusal::new("vertices", why));
+            }
+        }
+    }
+    Ok(())
+}

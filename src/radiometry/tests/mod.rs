@@ -1,0 +1,1 @@
+//! The closed forms against arbitrary precision, and what must hold among them.
