@@ -27,9 +27,9 @@ pub fn half(last: Expr) -> Chain {
         .then(last, ["sin 2θ = 2 sin θ cos θ"])
 }
 pub fn refr(last: Expr) -> Chain {
-    Chain::new(sin(THETA_O - THETA_I) * (1 - partial(THETA_I, THETA_O)) / sin(THETA_O))
-        .given(partial(THETA_I, THETA_O), N_O * cos(THETA_O) / (N_I * cos(THETA_I)), "Snell's law, differentiated")
-        .given(sin(THETA_I), N_O * sin(THETA_O) / N_I, "Snell's law")
+    Chain::new(sin(THETA_O - THETA_I) * (1 - TURN) / sin(THETA_O))
+        .given(TURN, N_O * cos(THETA_O) / (N_I * cos(THETA_I)), "Snell's law, differentiated")
+        .given(N_I, N_O * sin(THETA_O) / sin(THETA_I), "Snell's law")
         .then(last, ["Snell's law"])
 }
 pub fn snell(last: Expr) -> Chain {
@@ -44,7 +44,8 @@ pub fn smith(last: Expr) -> Chain {
         .then(last, ["x"])
 }
 pub fn smith2(last: Expr) -> Chain {
-    Chain::new((sqrt(1 + (ALPHA / MU).pow(2)) - 1) / 2)
+    Chain::new((1 + 2 * LAMBDA).pow(2))
+        .given(LAMBDA, (1 / sin(PSI_0) - 1) / 2, "l")
         .given(MU, ALPHA * tan(PSI_0), "grazed")
         .then(last, ["x"])
 }
@@ -74,7 +75,8 @@ fn drafts() {
     go("snell", snell(N_O * cos(THETA_O) / (N_I * cos(THETA_I))));
     go("smith", smith((1 / sin(PSI_0) - 1) / 2));
     go("smith!", smith((1 / sin(PSI_0) + 1) / 2));
-    go("smith2", smith2((1 / sin(PSI_0) - 1) / 2));
+    go("smith2", smith2(1 + (ALPHA / MU).pow(2)));
+    go("smith2!", smith2(1 + ALPHA / MU));
     go("smith3", smith((sqrt(1 + (ALPHA / MU).pow(2)) - 1) / 2));
     go("weight", weight(F * G_2 / G_1));
     go("weight!", weight(F * G_2));

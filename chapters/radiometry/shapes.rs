@@ -1,5 +1,6 @@
 //! E32 for the lamps that people build: closed forms for discs, rectangles, polygons and spheres.
 
+use super::extremes;
 use super::symbols::{ALPHA, DISTANCE, HEIGHT, IRRADIANCE, NORMAL, OMEGA, RADIANCE, RADIUS_OF, THETA};
 use crate::diagram::{Diagram, Part};
 use crate::figure::{Axis, Chart, Dash, Hue, Plot};
@@ -7,7 +8,7 @@ use crate::parameter::{Kind, Parameter, Setting};
 use crate::symbols::R;
 use crate::vocabulary::{
     Answer, Bench, Check, Exhibit, Measured, Quantity, Step, check, choice, derivation, exhibit, figure, question,
-    statement, step,
+    statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{atan, cos, cross, curl, dot, integral_between, partial, pi, ratio, sin, sqrt};
@@ -42,6 +43,11 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
             "A polygon over the floor: to each edge belongs a vector across its triangle, as long as half its angle; their \
              sum's part along n is what arrives.",
             edges,
+        ),
+        figure(
+            "digits",
+            "Digits that the printed forms keep and that the program keeps, from a millionth of the size to a million times it.",
+            extremes::digits_kept,
         ),
     ],
 );
@@ -81,15 +87,20 @@ pub(super) const STEP: Step = step(
         edge(NEAREST / (NEAREST.pow(2) + ALONG.pow(2)))
     })
     .slip("the sine of the angle for the angle", || edge(NEAREST.pow(2) / sqrt(NEAREST.pow(2) + ALONG.pow(2)).pow(3))),
-    derivation("disc_from_rings", "a disc over the receiver: rings of the sky up to its rim", || {
+    derivation("rings", "a round lamp over the receiver: rings of the sky up to its rim at α", || {
+        rings_up_to(pi() * RADIANCE * sin(ALPHA).pow(2))
+    })
+    .slip("the solid angle of the cone", || rings_up_to(2 * pi() * RADIANCE * (1 - cos(ALPHA)))),
+    derivation("disc_from_rings", "a disc's rim", || {
         disc(pi() * RADIANCE * RADIUS_OF.pow(2) / (RADIUS_OF.pow(2) + HEIGHT.pow(2)))
     })
     .slip("the rim's tangent for its sine", || disc(pi() * RADIANCE * (RADIUS_OF / HEIGHT).pow(2))),
-    derivation("sphere_from_cone", "a sphere fills a cone of sin α = R/d, and a tilt takes a cosine", || {
+    derivation("sphere_from_cone", "a sphere's rim is where a tangent touches it; a tilt takes a cosine", || {
         sphere(pi() * RADIANCE * (RADIUS_OF / DISTANCE).pow(2) * cos(OMEGA))
     })
-    .slip("its solid angle for the projected one", || {
-        sphere(2 * pi() * RADIANCE * (1 - sqrt(1 - (RADIUS_OF / DISTANCE).pow(2))) * cos(OMEGA))
+    .slip("the tangent of the rim for its sine", || {
+        let tangent2 = RADIUS_OF.pow(2) / (DISTANCE.pow(2) - RADIUS_OF.pow(2));
+        sphere(pi() * RADIANCE * tangent2 * cos(OMEGA))
     }),
 ])
 .questions(&[question(
@@ -129,7 +140,21 @@ pub(super) const STEP: Step = step(
         quantity("share", "E/πL", "of what a whole sky of it would send", arrives(disc) / PI, "1"),
     ]
 })
-.checks(&[&DISC, &SPHERE, &POLYGON, &CORNER, &FACTORS]);
+.checks(&[&DISC, &SPHERE, &POLYGON, &CORNER, &FACTORS])
+.stress(&[
+    stress("discs", "discs near, far, beside the axis and cut by the horizon keep their digits", |_| extremes::discs())
+        .textbook("Foote's form of 1915; cut by the horizon the plain antiderivative of the arc")
+        .against("contour integrals in 512 bits and more"),
+    stress("spheres", "spheres that almost touch, and those almost below the horizon, keep theirs", |_| extremes::spheres())
+        .textbook("the form of Lagarde and de Rousiers (2014)")
+        .against("Snyder's form in 512 bits and more"),
+    stress("polygons", "polygons far away, edge-on and on the horizon keep theirs", |_| extremes::polygons())
+        .textbook("Lambert's sum with arc cosines")
+        .against("Lambert's sum in 512 bits and more"),
+    stress("factors", "upright corners and form factors from a millionth to a million of the distance", |_| extremes::factors())
+        .textbook("Howell's catalogue as printed")
+        .against("the same in 512 bits and more"),
+]);
 
 /// A triangle's edges: their angles, and the unit vectors across them.
 const EDGES: [(Symbol, Symbol); 3] = [
@@ -156,22 +181,25 @@ fn edge(last: Expr) -> Chain {
         .then(last, ["∂ atan x = 1/(1 + x²)"])
 }
 
-fn disc(last: Expr) -> Chain {
+fn rings_up_to(last: Expr) -> Chain {
     Chain::new(integral_between(2 * pi() * RADIANCE * cos(THETA) * sin(THETA), THETA, 0, ALPHA))
         .because("rings of the sky, each 2π sin θ dθ")
-        .given(sin(ALPHA), RADIUS_OF / sqrt(RADIUS_OF.pow(2) + HEIGHT.pow(2)), "the rim")
         .primitive(pi() * RADIANCE * sin(THETA).pow(2), THETA)
-        .then(pi() * RADIANCE * sin(ALPHA).pow(2), ["∂ sin² θ = 2 sin θ cos θ"])
+        .then(last, ["∂ sin² θ = 2 sin θ cos θ"])
+}
+
+fn disc(last: Expr) -> Chain {
+    Chain::new(pi() * RADIANCE * sin(ALPHA).pow(2))
+        .because("rings of the sky up to the rim")
+        .given(sin(ALPHA), RADIUS_OF / sqrt(RADIUS_OF.pow(2) + HEIGHT.pow(2)), "the rim")
         .then(last, ["the rim"])
 }
 
 fn sphere(last: Expr) -> Chain {
-    Chain::new(integral_between(2 * pi() * RADIANCE * cos(THETA) * sin(THETA), THETA, 0, ALPHA) * cos(OMEGA))
+    Chain::new(pi() * RADIANCE * sin(ALPHA).pow(2) * cos(OMEGA))
         .because("the cone's light as a vector along its axis, and its part along the receiver's normal")
-        .given(sin(ALPHA), RADIUS_OF / DISTANCE, "the rim, a tangent to the sphere")
-        .primitive(pi() * RADIANCE * sin(THETA).pow(2), THETA)
-        .then(pi() * RADIANCE * sin(ALPHA).pow(2) * cos(OMEGA), ["∂ sin² θ = 2 sin θ cos θ"])
-        .then(last, ["the rim, a tangent to the sphere"])
+        .given(sin(ALPHA), RADIUS_OF / DISTANCE, "a tangent to the sphere")
+        .then(last, ["a tangent to the sphere"])
 }
 
 fn lamp(setting: &Setting) -> Disc {
@@ -387,7 +415,7 @@ const FACTORS: Check<Factors> =
         .within(
             1e-7,
             "1",
-            "at the common edge what arrives has a step in its slope: points drawn together there leave 48⁻⁶ of it",
+            "at the common edge what arrives has a step in its slope: points drawn together there, 80 each way, leave some 10⁻⁸ of it",
         )
         .of(factors, |[a, b, c]| {
             let all = [
@@ -407,7 +435,7 @@ const FACTORS: Check<Factors> =
         });
 
 fn factors(_: &mut Bench, form: Factors) -> Measured {
-    let rule = gauss_legendre(48);
+    let rule = gauss_legendre(80);
     let over = |f: &dyn Fn(f64, f64) -> f64| -> f64 {
         rule.iter().map(|(u, weight)| weight * rule.iter().map(|(v, share)| share * f(*u, *v)).sum::<f64>()).sum()
     };
