@@ -30,6 +30,7 @@
 //! | energy flow, its averages and its balance | [`waves::flux`], [`waves::energy`] | `poynting` |
 //! | phases after any number of periods | [`waves::phase`] | `poynting` |
 //! | conduction, a stiff equation, and its solver | [`waves::conduction`], [`waves::radau`] | `maxwell/conduction` |
+//! | rough surfaces as heights, and rays among them | [`relief`] | `brdf` |
 //! | s and p | [`Polarisation`] | everywhere |
 //! | references in arbitrary precision, condition numbers | `references` | every stress |
 
@@ -40,6 +41,7 @@ pub mod optics;
 mod polarisation;
 #[cfg(any(test, feature = "references"))]
 pub mod references;
+pub mod relief;
 pub mod waves;
 mod wide;
 
