@@ -23,7 +23,7 @@ fn gaussian_slopes_are_beckmanns() {
 #[test]
 fn a_mixture_of_gaussians_has_the_slopes_of_ggx() {
     let alpha = 0.5;
-    let relief = Relief::ggx(1024, [8.0, 64.0], alpha, even(1, "relief/ggx")).expect("a valid relief");
+    let relief = Relief::ggx(1024, [8.0, 128.0], alpha, even(1, "relief/ggx")).expect("a valid relief");
     let distance = relief.distance(|slope| Smith::Ggx.below(slope / alpha));
     println!("ggx {distance}");
     assert!(distance < NEAR, "{distance}");
