@@ -81,16 +81,18 @@ impl Relief {
 
     /// The first facet that `ray` falls through.
     fn next(&self, ray: &Ray) -> Met {
-        let [dx, dy, dz] = ray.direction;
+        let rising = ray.direction[2] >= 0.0;
+        let pace = ray.direction.map(f64::recip);
         let (mut t, mut cell, mut level) = (0.0_f64, ray.cell, 0);
         for _ in 0..MOST_STEPS {
-            if dz >= 0.0 && ray.height(t) >= self.top() {
+            if rising && ray.height(t) >= self.top() {
                 return Met::Nothing;
             }
+            let low = cell.map(|part| part >> level << level);
             let [(to_x, next_x), (to_y, next_y)] =
-                [0, 1].map(|axis| crossing(ray.origin[axis], ray.direction[axis], cell[axis], level));
+                [0, 1].map(|axis| leaving(low[axis], level, ray.origin[axis], pace[axis]));
             let end = to_x.min(to_y).max(t);
-            let lowest = ray.height(if dz < 0.0 { end } else { t });
+            let lowest = ray.height(if rising { t } else { end });
             if lowest <= self.pyramid.highest(level, cell) {
                 if level > 0 {
                     level -= 1;
@@ -100,17 +102,19 @@ impl Relief {
                     return Met::Facet(facet, cell, ray.at(at));
                 }
             }
-            // On to the neighbour; the other coordinate stays within its square whatever rounding says.
+            // The coordinate that is not crossed stays within the square whatever rounding says; `as` cuts towards zero.
             let beside = |axis: usize| {
-                let low = cell[axis] >> level << level;
-                let place = (ray.origin[axis] + ray.direction[axis] * end).floor() as isize;
-                place.clamp(low, low + (1 << level) - 1)
+                let inside = ray.origin[axis] + ray.direction[axis] * end - low[axis] as f64;
+                low[axis] + (inside as isize).clamp(0, (1 << level) - 1)
             };
-            cell = if to_x <= to_y { [next_x, beside(1)] } else { [beside(0), next_y] };
-            t = end;
-            level = (level + 1).min(self.pyramid.summit());
+            let next = if to_x <= to_y { [next_x, beside(1)] } else { [beside(0), next_y] };
+            // Into another square of twice the size: it may all be below.
+            let up = level + 1;
+            if up <= self.pyramid.summit() && (next[0] >> up, next[1] >> up) != (cell[0] >> up, cell[1] >> up) {
+                level = up;
+            }
+            (cell, t) = (next, end);
         }
-        debug_assert!([dx, dy, dz].iter().all(|part| part.is_finite()), "a direction must be finite");
         Met::TooLate
     }
 
@@ -169,16 +173,11 @@ enum Met {
     TooLate,
 }
 
-/// When a ray leaves the square of `level` that holds `cell` along one axis, and which cell it enters.
+/// When a ray leaves the square of `level` from `low` on along one axis, and which cell it enters; `pace` is the time it
+/// takes for a cell, infinite if it stays.
 #[inline]
-fn crossing(origin: f64, direction: f64, cell: isize, level: usize) -> (f64, isize) {
-    let low = cell >> level << level;
-    if direction > 0.0 {
-        let next = low + (1 << level);
-        ((next as f64 - origin) / direction, next)
-    } else if direction < 0.0 {
-        ((low as f64 - origin) / direction, low - 1)
-    } else {
-        (f64::INFINITY, cell)
-    }
+fn leaving(low: isize, level: usize, origin: f64, pace: f64) -> (f64, isize) {
+    let next = if pace > 0.0 { low + (1 << level) } else { low - 1 };
+    let border = if pace > 0.0 { next } else { low };
+    (if pace.is_infinite() { f64::INFINITY } else { (border as f64 - origin) * pace }, next)
 }
