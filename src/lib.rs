@@ -31,6 +31,7 @@
 //! | phases after any number of periods | [`waves::phase`] | `poynting` |
 //! | conduction, a stiff equation, and its solver | [`waves::conduction`], [`waves::radau`] | `maxwell/conduction` |
 //! | what lamps of any shape send to a place | [`radiometry`] | `radiometry` |
+//! | rough surfaces as heights, and rays among them | [`relief`] | `brdf` |
 //! | s and p | [`Polarisation`] | everywhere |
 //! | references in arbitrary precision, condition numbers | `references` | every stress |
 
@@ -42,6 +43,7 @@ mod polarisation;
 pub mod radiometry;
 #[cfg(any(test, feature = "references"))]
 pub mod references;
+pub mod relief;
 pub mod waves;
 mod wide;
 

@@ -1,0 +1,81 @@
+//! Mirrors, grazing light, and rays that do not come back.
+
+use super::super::{Fate, Relief};
+use super::{dot, even, gaussian, towards};
+use proptest::prelude::*;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+
+proptest! {
+    #[test]
+    fn a_flat_relief_is_a_mirror_to_the_bit(
+        theta in 0.0..FRAC_PI_2, phi in 0.0..TAU, u in 0.0..1.0_f64, v in 0.0..1.0_f64, bits in 1_u32..6,
+    ) {
+        let wi = towards(theta, phi);
+        let path = Relief::flat(1 << bits).expect("valid").trace(wi, [u, v], |cos| cos, 1);
+        prop_assert_eq!((path.fate, path.bounces, path.first), (Fate::Left, 1, [0.0, 0.0, 1.0]));
+        prop_assert_eq!(path.direction, [-wi[0], -wi[1], wi[2]]);
+        prop_assert_eq!(path.power, wi[2]);
+    }
+
+    #[test]
+    fn no_direction_is_too_much(
+        height in prop_oneof![Just(0.0), Just(1e-300), Just(1e-12), 0.0..1.0_f64, Just(1.0)],
+        phi in prop_oneof![0.0..TAU, (0..8_i32).prop_map(|eighth| f64::from(eighth) * FRAC_PI_4)],
+        u in prop_oneof![0.0..1.0_f64, Just(0.0), Just(0.5), Just(1.0)],
+        v in prop_oneof![0.0..1.0_f64, Just(0.0), Just(0.25)],
+        alpha in prop_oneof![Just(1e-4), 0.01..1.0_f64, Just(10.0)],
+    ) {
+        let relief = Relief::gaussian(16, 2.0, alpha, even(1, "relief/hostile")).expect("valid");
+        let level = (1.0 - height * height).sqrt();
+        let path = relief.trace([level * phi.cos(), level * phi.sin(), height], [u, v], |_| 1.0, 100);
+        prop_assert!(path.direction.iter().chain(&path.first).all(|part| part.is_finite()), "{path:?}");
+        prop_assert!((dot(path.direction, path.direction) - 1.0).abs() < 1e-12, "{path:?}");
+        prop_assert!(path.power == 1.0 && path.bounces <= 100);
+        // All rays that came down leave upwards, or are said to be missing.
+        prop_assert!(path.fate == Fate::Trapped || path.direction[2] >= 0.0, "{path:?}");
+    }
+}
+
+#[test]
+fn level_rays_and_those_from_below_pass_over() {
+    let relief = gaussian(0.5);
+    for wi in [[1.0, 0.0, 0.0], [-FRAC_PI_4.cos(), FRAC_PI_4.sin(), -0.0], [0.6, 0.0, -0.8]] {
+        let path = relief.trace(wi, [0.3, 0.7], |_| 0.0, 10);
+        assert_eq!((path.fate, path.bounces, path.power), (Fate::Left, 0, 1.0));
+        assert_eq!(path.direction, wi.map(|part| 0.0 - part));
+    }
+}
+
+#[test]
+fn what_cannot_leave_is_counted() {
+    let relief = gaussian(1.0);
+    let mut even = even(1, "relief/trapped");
+    let points: Vec<[f64; 2]> = (0..4000).map(|_| [even(), even()]).collect();
+    let wi = towards(0.5, 0.3);
+    let free = relief.trace_all(wi, &points, |_| 0.5, 1000);
+    assert!(free.iter().all(|path| path.fate == Fate::Left && path.bounces >= 1));
+    for most in 0..3 {
+        let held = relief.trace_all(wi, &points, |_| 0.5, most);
+        for (held, free) in held.iter().zip(&free) {
+            assert_eq!(held.fate == Fate::Trapped, free.bounces > most);
+            assert_eq!(held.bounces, free.bounces.min(most));
+            assert_eq!(held.power, 0.5_f64.powi(held.bounces as i32));
+        }
+        assert!(held.iter().any(|path| path.fate == Fate::Trapped));
+    }
+}
+
+#[test]
+fn neither_threads_nor_neighbours_move_a_ray() {
+    let relief = gaussian(0.5);
+    let mut even = even(1, "relief/threads");
+    let points: Vec<[f64; 2]> = (0..2000).map(|_| [even(), even()]).collect();
+    let wi = towards(1.2, 1.0);
+    let all = relief.trace_all(wi, &points, |cos| cos, 100);
+    for (point, path) in points.iter().zip(&all) {
+        assert_eq!(*path, relief.trace(wi, *point, |cos| cos, 100));
+        // A period farther it is the same ray, up to the rounding of its place.
+        let farther = relief.trace(wi, [point[0] + 1.0, point[1] - 2.0], |cos| cos, 100);
+        assert!(farther.bounces == path.bounces && dot(farther.direction, path.direction) > 1.0 - 1e-6);
+    }
+}
