@@ -36,6 +36,7 @@
 pub mod em;
 pub mod fields;
 pub mod media;
+pub mod number;
 pub mod optics;
 mod polarisation;
 #[cfg(any(test, feature = "references"))]
