@@ -33,6 +33,7 @@
 //! | s and p | [`Polarisation`] | everywhere |
 //! | references in arbitrary precision, condition numbers | `references` | every stress |
 
+pub mod bsdf;
 pub mod em;
 pub mod fields;
 pub mod media;

@@ -3,4 +3,5 @@
 
 pub mod film;
 pub mod fresnel;
+pub mod microfacet;
 pub mod waves;
