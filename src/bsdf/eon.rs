@@ -109,4 +109,3 @@ impl<N: Number> Eon<N> {
         albedo.squared() * (N::of(1.0) - loss) / (N::of(1.0) - albedo * loss)
     }
 }
-

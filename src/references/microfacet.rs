@@ -86,4 +86,3 @@ fn erfc(x: &Real) -> Real {
     }
     number(1.0) - number(2.0) / precise::pi(BITS).sqrt() * (-(x * x)).exp() * sum
 }
-

@@ -150,4 +150,3 @@ fn gaussian<N: Number>(u: N) -> N {
     let (zero, one) = (N::of(0.0), N::of(1.0));
     View { sin: zero, cos: one, z: one, s: zero, edge: N::of(STEEPEST) }.invert(u)
 }
-

@@ -1,5 +1,5 @@
-mod digits;
 mod diffuse;
+mod digits;
 mod hostile;
 mod rough;
 

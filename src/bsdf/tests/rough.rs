@@ -2,7 +2,7 @@
 
 use super::direction;
 use crate::bsdf::microfacet::{Beckmann, Distribution, Ggx, visible_density};
-use crate::bsdf::{Bsdf, Setting, zoo};
+use crate::bsdf::{Setting, zoo};
 use crate::number::Vector;
 use yardstick::random::{stream, uniform};
 use yardstick::statistics::{chi_square, sidak};
@@ -57,8 +57,7 @@ fn the_squares_area_is_the_visible_density() {
                     Vector::new(m.y * east.z - m.z * east.y, m.z * east.x - m.x * east.z, m.x * east.y - m.y * east.x);
                 let step = 1e-5;
                 let slope = |way: Vector<f64>| {
-                    let [ahead, behind] =
-                        [step, -step].map(|by| facets.place(wo, (m + way.scaled(by)).normalised()));
+                    let [ahead, behind] = [step, -step].map(|by| facets.place(wo, (m + way.scaled(by)).normalised()));
                     let turn = |d: f64| d - d.round();
                     [turn(ahead[0] - behind[0]) / (2.0 * step), turn(ahead[1] - behind[1]) / (2.0 * step)]
                 };
@@ -87,8 +86,16 @@ fn samples_agree_with_value_and_density() {
                 if drawn.pdf > 0.0 && drawn.wi.z > 1e-6 && close < 1e-2 {
                     let (f, pdf) = model.eval_pdf(drawn.wi, wo);
                     let weight = f[0] * drawn.wi.z / pdf;
-                    assert!((pdf / drawn.pdf - 1.0).abs() < close, "{} α {alpha:?} μ {cos} {pdf} {drawn:?}", entry.name);
-                    assert!((weight - drawn.weight[0]).abs() < close, "{} α {alpha:?} μ {cos} {weight} {drawn:?}", entry.name);
+                    assert!(
+                        (pdf / drawn.pdf - 1.0).abs() < close,
+                        "{} α {alpha:?} μ {cos} {pdf} {drawn:?}",
+                        entry.name
+                    );
+                    assert!(
+                        (weight - drawn.weight[0]).abs() < close,
+                        "{} α {alpha:?} μ {cos} {weight} {drawn:?}",
+                        entry.name
+                    );
                     let back = model.eval(wo, drawn.wi)[0];
                     assert!((back / f[0] - 1.0).abs() < 1e-12, "{} {f:?} {back}", entry.name);
                 }
