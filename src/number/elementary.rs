@@ -41,7 +41,7 @@ const ALTERNATING_ODD: [f64; LONGEST] = {
 /// (−1)ᵏ.
 #[inline(always)]
 fn alternating(k: usize) -> f64 {
-    if k % 2 == 0 { 1.0 } else { -1.0 }
+    if k.is_multiple_of(2) { 1.0 } else { -1.0 }
 }
 
 /// Sine and cosine of `turns` full turns, −1 ≤ turns ≤ 1, to 2 ε.
@@ -79,7 +79,7 @@ pub fn exp<N: Number>(x: N) -> N {
 
 /// ln 2 cut to 12 bits, so that multiples up to 1024 are exact in `f32`, and what is left of it.
 const LN_2_HIGH: f64 = 2839.0 / 4096.0;
-const LN_2_LOW: f64 = (LN_2 - LN_2_HIGH) + 2.319046813846299558e-17;
+const LN_2_LOW: f64 = (LN_2 - LN_2_HIGH) + 2.3190468138462996e-17;
 
 /// ln x for normal x > 0, to 2 ε.
 #[inline(always)]
