@@ -16,10 +16,21 @@ use crate::number::{Number, Vector, beta};
 /// The least roughness α [1]; the largest is 1.
 pub const LEAST_ALPHA: f64 = 1e-4;
 
+/// Which distribution of slopes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Slopes {
+    /// Trowbridge and Reitz's, [`Ggx`].
+    Ggx,
+    /// Gaussian, [`Beckmann`].
+    Beckmann,
+}
+
 /// A distribution of slopes, stretched along x and y.
 pub trait Distribution<N: Number>: Copy + Send + Sync + 'static {
     /// Command-line word.
     const NAME: &'static str;
+    /// Whether steep facets are a power's share, rather than an exponential's.
+    const HAS_TAIL: bool;
 
     /// With roughness α along x and y [1], each held within [`LEAST_ALPHA`] … 1.
     fn new(alpha: [N; 2]) -> Self;

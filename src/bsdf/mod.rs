@@ -10,9 +10,11 @@
 //! | Lambert; rough and diffuse | [`lambert`], [`oren_nayar`], [`eon`] |
 //! | smooth: mirror, metal, glass | [`smooth`] |
 //! | slopes of a rough surface, what of them is visible | [`microfacet`] |
-//! | rough metal, one bounce | [`rough_conductor`] |
+//! | rough metal, rough glass, one event | [`rough_conductor`], [`rough_dielectric`] |
+//! | what the first bounce returns | [`albedo`], with [`rules`] |
 //! | what takes any input | [`guard`] |
 
+pub mod albedo;
 pub mod eon;
 pub mod fresnel;
 pub mod guard;
@@ -20,6 +22,8 @@ pub mod lambert;
 pub mod microfacet;
 pub mod oren_nayar;
 pub mod rough_conductor;
+pub mod rough_dielectric;
+pub mod rules;
 pub mod smooth;
 #[cfg(test)]
 mod tests;

@@ -1,8 +1,9 @@
 //! All the models: one more is a file and a line here.
 
 use super::fresnel::Conductor;
-use super::microfacet::{Beckmann, Distribution, Ggx, Joint};
+use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes};
 use super::rough_conductor::RoughConductor;
+use super::rough_dielectric::RoughDielectric;
 use super::{Bsdf, Guarded, eon, lambert, oren_nayar, smooth};
 use crate::number::Number;
 use num_complex::Complex64;
@@ -14,6 +15,10 @@ pub struct Setting {
     pub albedo: [f64; 3],
     /// Roughness along x and y [1]: the root mean square slope times √2 (Beckmann), or its namesake (GGX); 1e−4 … 1.
     pub alpha: [f64; 2],
+    /// How slopes are distributed.
+    pub slopes: Slopes,
+    /// How masking from two sides goes together.
+    pub joint: Joint,
     /// Roughness of diffuse bodies [1], 0 … 1.
     pub roughness: f64,
     /// Index of what is clear [1], over that outside.
@@ -25,7 +30,15 @@ pub struct Setting {
 impl Default for Setting {
     /// White, glass, and the metal that absorbs nothing.
     fn default() -> Self {
-        Self { albedo: [1.0; 3], alpha: [0.3; 2], roughness: 0.5, index: 1.5, metal: [Complex64::I; 3] }
+        Self {
+            albedo: [1.0; 3],
+            alpha: [0.3; 2],
+            slopes: Slopes::Ggx,
+            joint: Joint::Correlated,
+            roughness: 0.5,
+            index: 1.5,
+            metal: [Complex64::I; 3],
+        }
     }
 }
 
@@ -44,6 +57,7 @@ impl Setting {
             roughness: within(self.roughness, 0.0, 1.0),
             index: within(self.index, 0.1, 10.0),
             metal: self.metal.map(|index| Complex64::new(part(index.re), part(index.im))),
+            ..self
         }
     }
 
@@ -69,11 +83,28 @@ impl<N: Number> Entry<N> {
     }
 }
 
+fn boxed<N: Number>(model: impl Bsdf<N> + 'static) -> Box<dyn Bsdf<N>> {
+    Box::new(Guarded(model))
+}
+
+/// A model of facets whose slopes are distributed as the setting says.
+macro_rules! with_facets {
+    ($setting:ident, $facets:ident => $model:expr) => {
+        match $setting.slopes {
+            Slopes::Ggx => {
+                let $facets = Ggx::new($setting.alpha.map(N::of));
+                boxed($model)
+            }
+            Slopes::Beckmann => {
+                let $facets = Beckmann::new($setting.alpha.map(N::of));
+                boxed($model)
+            }
+        }
+    };
+}
+
 /// Every model.
 pub fn zoo<N: Number>() -> Vec<Entry<N>> {
-    fn boxed<N: Number>(model: impl Bsdf<N> + 'static) -> Box<dyn Bsdf<N>> {
-        Box::new(Guarded(model))
-    }
     let entry = |name, about, make| Entry { name, about, make };
     vec![
         entry("lambert", "diffuse", |s| boxed(lambert::Lambert { albedo: s.albedo.map(N::of) })),
@@ -87,16 +118,15 @@ pub fn zoo<N: Number>() -> Vec<Entry<N>> {
         entry("mirror", "a plain mirror", |s| boxed(smooth::Mirror { reflectance: s.albedo.map(N::of) })),
         entry("conductor", "polished metal", |s| boxed(smooth::SmoothConductor { metal: s.metal() })),
         entry("dielectric", "polished glass", |s| boxed(smooth::SmoothDielectric { index: N::of(s.index) })),
-        entry("rough-conductor", "rough metal, GGX", |s| boxed(rough_metal::<N, Ggx<N>>(s, Joint::Correlated))),
-        entry("rough-conductor-beckmann", "rough metal, Gaussian slopes", |s| {
-            boxed(rough_metal::<N, Beckmann<N>>(s, Joint::Correlated))
-        }),
-        entry("rough-conductor-separable", "rough metal, GGX, masked from each side by itself", |s| {
-            boxed(rough_metal::<N, Ggx<N>>(s, Joint::Separable))
-        }),
+        entry(
+            "rough-conductor",
+            "rough metal, one bounce",
+            |s| with_facets!(s, facets => RoughConductor { facets, joint: s.joint, metal: s.metal() }),
+        ),
+        entry(
+            "rough-dielectric",
+            "rough glass, one event",
+            |s| with_facets!(s, facets => RoughDielectric::new(facets, s.joint, N::of(s.index))),
+        ),
     ]
-}
-
-fn rough_metal<N: Number, D: Distribution<N>>(setting: &Setting, joint: Joint) -> RoughConductor<N, D> {
-    RoughConductor { facets: D::new(setting.alpha.map(N::of)), joint, metal: setting.metal() }
 }

@@ -1,15 +1,7 @@
 //! Slopes of rough surfaces in arbitrary precision, by the plainest formulas, with the condition numbers of what they give.
 
+pub use crate::bsdf::microfacet::Slopes;
 use yardstick::precise::{self, Real};
-
-/// Which distribution.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Slopes {
-    /// Trowbridge and Reitz's.
-    Ggx,
-    /// Gaussian.
-    Beckmann,
-}
 
 /// The names of what is given.
 pub const NAMES: [&str; 3] = ["D", "lambda", "G1"];

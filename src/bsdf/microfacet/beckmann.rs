@@ -15,6 +15,7 @@ const LEAST_HEIGHT: f64 = 1e-6;
 
 impl<N: Number> Distribution<N> for Beckmann<N> {
     const NAME: &'static str = "beckmann";
+    const HAS_TAIL: bool = false;
 
     #[inline(always)]
     fn new(alpha: [N; 2]) -> Self {

@@ -13,6 +13,7 @@ pub struct Ggx<N> {
 
 impl<N: Number> Distribution<N> for Ggx<N> {
     const NAME: &'static str = "ggx";
+    const HAS_TAIL: bool = true;
 
     #[inline(always)]
     fn new(alpha: [N; 2]) -> Self {

@@ -1,5 +1,6 @@
 //! No bit pattern gets anything but finite numbers out of a model.
 
+use crate::bsdf::microfacet::{Joint, Slopes};
 use crate::bsdf::{Bsdf, Sample, Setting, zoo};
 use crate::number::{Eight, F32x8, Number, Vector};
 use proptest::prelude::*;
@@ -38,10 +39,13 @@ fn vector() -> impl Strategy<Value = [f32; 3]> {
 }
 
 fn setting() -> impl Strategy<Value = Setting> {
-    let parts = (prop::array::uniform3(bits()), prop::array::uniform2(bits()), bits(), bits(), bits(), bits());
-    parts.prop_map(|(albedo, alpha, roughness, index, n, k)| Setting {
+    let kind = (any::<bool>(), any::<bool>());
+    let parts = (prop::array::uniform3(bits()), prop::array::uniform2(bits()), bits(), bits(), bits(), bits(), kind);
+    parts.prop_map(|(albedo, alpha, roughness, index, n, k, (is_ggx, is_correlated))| Setting {
         albedo: albedo.map(f64::from),
         alpha: alpha.map(f64::from),
+        slopes: if is_ggx { Slopes::Ggx } else { Slopes::Beckmann },
+        joint: if is_correlated { Joint::Correlated } else { Joint::Separable },
         roughness: roughness.into(),
         index: index.into(),
         metal: [num_complex::Complex64::new(n.into(), k.into()); 3],
@@ -51,7 +55,7 @@ fn setting() -> impl Strategy<Value = Setting> {
 proptest! {
     #[test]
     fn gets_finite_numbers(setting in setting(), plain in any::<bool>(), cases in prop::collection::vec((vector(), vector(), prop::array::uniform3(bits())), 8)) {
-        let setting = if plain { Setting { alpha: setting.alpha, ..Setting::default() } } else { setting };
+        let setting = if plain { Setting { metal: Setting::default().metal, index: 1.5, ..setting } } else { setting };
         let of = |v: [f32; 3]| Vector::new(v[0], v[1], v[2]);
         let wide = |v: [f32; 3]| Vector::of(v.map(f64::from));
         for (narrow, doubled) in zoo::<f32>().iter().zip(zoo::<f64>()) {
@@ -65,7 +69,7 @@ proptest! {
 
     #[test]
     fn eight_lanes_are_eight_surfaces(plain in any::<bool>(), setting in setting(), cases in prop::array::uniform8((vector(), vector(), prop::array::uniform3(bits())))) {
-        let setting = if plain { Setting { alpha: setting.alpha, ..Setting::default() } } else { setting };
+        let setting = if plain { Setting { metal: Setting::default().metal, index: 1.5, ..setting } } else { setting };
         let gather = |of: &dyn Fn(usize) -> f32| Eight(std::array::from_fn(of)) as F32x8;
         let all = |of: &dyn Fn(usize) -> [f32; 3]| Vector::new(gather(&|i| of(i)[0]), gather(&|i| of(i)[1]), gather(&|i| of(i)[2]));
         let (wi, wo) = (all(&|i| cases[i].0), all(&|i| cases[i].1));
