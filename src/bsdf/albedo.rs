@@ -65,7 +65,8 @@ impl<D: Distribution<f64>> Rule<D> {
             let facing = cos * (1.0 + r * lean);
             let seen = facing * cos_i / (cos_i * cos + (cos * self.facets.hidden(wi) + cos_i * hidden_o));
             // D m_z⁴ R dR is the share of the slopes.
-            let slopes = self.facets.density(Vector::new(r * z, 0.0, z)) * z.powi(4) * r * self.alpha * stretch * stretch;
+            let slopes =
+                self.facets.density(Vector::new(r * z, 0.0, z)) * z.powi(4) * r * self.alpha * stretch * stretch;
             node.weight * slopes * seen * reflectance((facing * z).min(1.0))
         };
         end * self.radii.iter().map(radius).sum::<f64>()

@@ -25,10 +25,23 @@ pub enum Slopes {
     Beckmann,
 }
 
+impl Slopes {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Ggx, Self::Beckmann];
+
+    /// Command-line word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ggx => "ggx",
+            Self::Beckmann => "beckmann",
+        }
+    }
+}
+
 /// A distribution of slopes, stretched along x and y.
 pub trait Distribution<N: Number>: Copy + Send + Sync + 'static {
-    /// Command-line word.
-    const NAME: &'static str;
+    /// Which one it is.
+    const SLOPES: Slopes;
     /// Whether steep facets are a power's share, rather than an exponential's.
     const HAS_TAIL: bool;
 
@@ -101,6 +114,17 @@ pub enum Joint {
 }
 
 impl Joint {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Correlated, Self::Separable];
+
+    /// Command-line word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Correlated => "correlated",
+            Self::Separable => "separable",
+        }
+    }
+
     /// G₂/(z_i z_o) [1] of two directions above the surface, from their z and h.
     #[inline(always)]
     pub fn reflected<N: Number>(self, [z_i, h_i]: [N; 2], [z_o, h_o]: [N; 2]) -> N {
@@ -128,6 +152,6 @@ fn held<N: Number>(alpha: [N; 2]) -> [N; 2] {
 
 /// The stretched sine squared [1].
 #[inline(always)]
-fn stretched2<N: Number>([along, across]: [N; 2], w: Vector<N>) -> N {
+pub(super) fn stretched2<N: Number>([along, across]: [N; 2], w: Vector<N>) -> N {
     (along * w.x).squared() + (across * w.y).squared()
 }

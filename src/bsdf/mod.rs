@@ -11,14 +11,18 @@
 //! | smooth: mirror, metal, glass | [`smooth`] |
 //! | slopes of a rough surface, what of them is visible | [`microfacet`] |
 //! | rough metal, rough glass, one event | [`rough_conductor`], [`rough_dielectric`] |
+//! | the same with every bounce, as a walk | [`walk`] |
+//! | one bounce, and a second lobe for what it loses | [`compensated`], with the tables of [`losses`] |
 //! | what the first bounce returns | [`albedo`], with [`rules`] |
 //! | what takes any input | [`guard`] |
 
 pub mod albedo;
+pub mod compensated;
 pub mod eon;
 pub mod fresnel;
 pub mod guard;
 pub mod lambert;
+pub mod losses;
 pub mod microfacet;
 pub mod oren_nayar;
 pub mod rough_conductor;
@@ -27,6 +31,7 @@ pub mod rules;
 pub mod smooth;
 #[cfg(test)]
 mod tests;
+pub mod walk;
 mod zoo;
 
 pub use guard::Guarded;

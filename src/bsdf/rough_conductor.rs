@@ -17,6 +17,14 @@ pub struct RoughConductor<N, D> {
     pub metal: Conductor<N>,
 }
 
+/// The facet's normal that mirrors one direction into the other, and the cosine [1] to either.
+#[inline(always)]
+pub(super) fn half_vector<N: Number>(wi: Vector<N>, wo: Vector<N>) -> (Vector<N>, N) {
+    let both = wi + wo;
+    let half = both.scaled(N::of(1.0) / both.dot(both).max(N::of(f64::from(f32::MIN_POSITIVE))).sqrt());
+    (half, wo.dot(half).max(N::of(0.0)).min(N::of(1.0)))
+}
+
 impl<N: Number, D: Distribution<N>> Bsdf<N> for RoughConductor<N, D> {
     fn character(&self) -> Character {
         Character {
@@ -34,8 +42,7 @@ impl<N: Number, D: Distribution<N>> Bsdf<N> for RoughConductor<N, D> {
         let above = both_above(wi, wo);
         let wi = Vector::select(above, wi, Vector::of([0.0, 0.0, 1.0]));
         let wo = Vector::select(above, wo, Vector::of([0.0, 0.0, 1.0]));
-        let half = (wi + wo).normalised();
-        let cos = wo.dot(half).max(N::of(0.0)).min(N::of(1.0));
+        let (half, cos) = half_vector(wi, wo);
         let quarter = N::of(0.25) * self.facets.density(half);
         let shape = quarter * self.joint_area(wi, wo);
         let pdf = (quarter / self.facets.reflecting_area(wo)).only(above);

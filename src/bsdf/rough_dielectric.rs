@@ -77,10 +77,65 @@ pub(super) fn held_off_one<N: Number>(index: N) -> N {
     N::select(off.abs().lt(least), N::select(off.lt(N::of(0.0)), one - least, one + least), index)
 }
 
+/// The density [sr⁻¹] of where light comes from that goes to `w`, above or below the surface, by the facets that are seen
+/// from there: of reflection, or of refraction where the mask is true.
+#[inline(always)]
+pub(super) fn phase<N: Number>(
+    facets: &impl Distribution<N>,
+    eta: N,
+    is_transmitted: N::Mask,
+    wi: Vector<N>,
+    w: Vector<N>,
+) -> N {
+    let (zero, one) = (N::of(0.0), N::of(1.0));
+    let both = w + wi.scaled(N::select(is_transmitted, eta, one));
+    // Opposite directions, or ones that a rarer far side joins, have no facet or one that looks down.
+    let length2 = both.dot(both);
+    let some = N::of(f64::from(f32::MIN_POSITIVE));
+    let half = both.scaled(one / length2.max(some).sqrt());
+    let half = Vector::select(half.z.lt(zero), -half, half);
+    let (cos, cos_i) = (w.dot(half), wi.dot(half));
+    let is_beyond = N::select(is_transmitted, -cos_i, cos_i).gt(zero);
+    let is_met = cos.gt(zero) & is_beyond & length2.gt(some);
+    let cos = N::select(is_met, cos.min(one), one);
+    let turned = turned(is_transmitted, cos, eta, dielectric(cos, eta));
+    (turned * facets.density(half) / projected(facets, w).max(some)).only(is_met)
+}
+
 impl<N: Number, D: Distribution<N>> RoughDielectric<N, D> {
     /// Glass whose inside has the given index [1], held off 1 by [`LEAST_CONTRAST`].
     pub fn new(facets: D, joint: Joint, index: N) -> Self {
         Self { facets, joint, index: held_off_one(index) }
+    }
+
+    /// The share [1] that one facet sends on without another, both ways together: a facet as seen from `wo`, drawn by two
+    /// numbers in 0 ≤ u < 1.
+    #[inline(always)]
+    pub fn energy(&self, wo: Vector<N>, u: [N; 2]) -> N {
+        let (side, facet, cos, there) = self.meet(wo, u);
+        let [back, through] =
+            [false, true].map(|through| self.send(N::Mask::of(through), &side, facet, cos, there).1);
+        there.reflectance * back + (N::of(1.0) - there.reflectance) * through
+    }
+
+    /// A facet that is seen, at what cosine, and what it does.
+    #[inline(always)]
+    fn meet(&self, wo: Vector<N>, u: [N; 2]) -> (Side<N>, Vector<N>, N, Interface<N>) {
+        let side = Side::of(wo, self.index);
+        let facet = self.facets.visible(side.wo, u);
+        let cos = side.wo.dot(facet).max(N::of(0.0)).min(N::of(1.0));
+        (side, facet, cos, dielectric(cos, side.eta))
+    }
+
+    /// Where a facet sends light to, or through, and the share [1] of it that no other facet stops.
+    #[inline(always)]
+    fn send(&self, through: N::Mask, side: &Side<N>, facet: Vector<N>, cos: N, there: Interface<N>) -> (Vector<N>, N) {
+        let zero = N::of(0.0);
+        let wo = side.wo;
+        let wi = Vector::select(through, refracted(wo, facet, cos, side.eta, there), reflected(wo, facet, cos));
+        let is_kept = N::select(through, -wi.z, wi.z).gt(zero);
+        let share = wi.z.abs() * projected(&self.facets, wo) * self.joint_area(through, wi, wo);
+        (wi, share.only(is_kept))
     }
 
     /// G₂/(z_i z_o).
@@ -107,47 +162,29 @@ impl<N: Number, D: Distribution<N>> Bsdf<N> for RoughDielectric<N, D> {
 
     #[inline(always)]
     fn eval_pdf(&self, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
-        let (zero, one) = (N::of(0.0), N::of(1.0));
         let Side { is_inside, wo, eta } = Side::of(wo, self.index);
         let wi = wi.flipped(is_inside);
-        let is_transmitted = wi.z.lt(zero);
-        let both = wo + wi.scaled(N::select(is_transmitted, eta, one));
-        // Opposite directions, or ones that a rarer far side joins, have no facet or one that looks down.
-        let length2 = both.dot(both);
-        let some = N::of(f64::from(f32::MIN_POSITIVE));
-        let half = both.scaled(one / length2.max(some).sqrt());
-        let half = Vector::select(half.z.lt(zero), -half, half);
-        let (cos_o, cos_i) = (wo.dot(half), wi.dot(half));
-        let is_facing = cos_o.gt(zero) & length2.gt(some);
-        let is_met = is_facing & ((is_transmitted & cos_i.lt(zero)) | (!is_transmitted & cos_i.gt(zero)));
-        let cos_o = N::select(is_met, cos_o.min(one), one);
-        let there = dielectric(cos_o, eta);
-        let density = turned(is_transmitted, cos_o, eta, there) * self.facets.density(half);
-        let f = density * self.joint_area(is_transmitted, wi, wo) * compression(is_transmitted, eta);
-        (grey(f.only(is_met)), (density / projected(&self.facets, wo)).only(is_met))
+        let is_transmitted = wi.z.lt(N::of(0.0));
+        let pdf = phase(&self.facets, eta, is_transmitted, wi, wo);
+        let weight = self.joint_area(is_transmitted, wi, wo) * projected(&self.facets, wo);
+        (grey(pdf * weight * compression(is_transmitted, eta)), pdf)
     }
 
     #[inline(always)]
     fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
-        let (zero, one) = (N::of(0.0), N::of(1.0));
-        let Side { is_inside, wo, eta } = Side::of(wo, self.index);
-        let facet = self.facets.visible(wo, [u[0], u[1]]);
-        let cos = wo.dot(facet).max(zero).min(one);
-        let there = dielectric(cos, eta);
+        let (side, facet, cos, there) = self.meet(wo, [u[0], u[1]]);
         let is_transmitted = u[2].ge(there.reflectance);
-        let wi = Vector::select(is_transmitted, refracted(wo, facet, cos, eta, there), reflected(wo, facet, cos));
-        let is_kept = (is_transmitted & wi.z.lt(zero)) | (!is_transmitted & wi.z.gt(zero));
-        let area = projected(&self.facets, wo);
-        let compression = compression(is_transmitted, eta);
-        let share = wi.z.abs() * area * self.joint_area(is_transmitted, wi, wo);
+        let (wi, share) = self.send(is_transmitted, &side, facet, cos, there);
+        let compression = compression(is_transmitted, side.eta);
+        let turned = turned(is_transmitted, cos, side.eta, there);
         Sample {
-            wi: wi.flipped(is_inside),
+            wi: wi.flipped(side.is_inside),
             weight: grey(share * compression),
-            pdf: turned(is_transmitted, cos, eta, there) * self.facets.density(facet) / area,
+            pdf: turned * self.facets.density(facet) / projected(&self.facets, side.wo),
             is_delta: N::Mask::of(false),
             is_transmitted,
             compression,
         }
-        .only(is_kept)
+        .only(share.gt(N::of(0.0)))
     }
 }

@@ -1,9 +1,11 @@
 //! All the models: one more is a file and a line here.
 
+use super::compensated::Compensated;
 use super::fresnel::Conductor;
 use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes};
 use super::rough_conductor::RoughConductor;
 use super::rough_dielectric::RoughDielectric;
+use super::walk::{Glass, Walk};
 use super::{Bsdf, Guarded, eon, lambert, oren_nayar, smooth};
 use crate::number::Number;
 use num_complex::Complex64;
@@ -128,5 +130,21 @@ pub fn zoo<N: Number>() -> Vec<Entry<N>> {
             "rough glass, one event",
             |s| with_facets!(s, facets => RoughDielectric::new(facets, s.joint, N::of(s.index))),
         ),
+        entry(
+            "conductor-walk",
+            "rough metal, every bounce walked",
+            |s| with_facets!(s, facets => Walk::new(facets, s.metal())),
+        ),
+        entry(
+            "dielectric-walk",
+            "rough glass, every event walked",
+            |s| with_facets!(s, facets => Walk::new(facets, Glass::new(N::of(s.index)))),
+        ),
+        entry("conductor-compensated", "rough metal, what one bounce loses given back", |s| {
+            with_facets!(s, facets => Compensated::metal(facets, s.metal()))
+        }),
+        entry("dielectric-compensated", "rough glass, what one event loses given back", |s| {
+            with_facets!(s, facets => Compensated::glass(facets, N::of(s.index)))
+        }),
     ]
 }

@@ -1,6 +1,6 @@
 //! Gaussian slopes: P. Beckmann and A. Spizzichino, *The Scattering of Electromagnetic Waves from Rough Surfaces* (1963).
 
-use super::{Distribution, held, stretched2};
+use super::{Distribution, Slopes, held, stretched2};
 use crate::number::{Number, Vector, erfcx, exp, ln};
 use std::f64::consts::PI;
 
@@ -14,7 +14,7 @@ pub struct Beckmann<N> {
 const LEAST_HEIGHT: f64 = 1e-6;
 
 impl<N: Number> Distribution<N> for Beckmann<N> {
-    const NAME: &'static str = "beckmann";
+    const SLOPES: Slopes = Slopes::Beckmann;
     const HAS_TAIL: bool = false;
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! The distribution with long tails: T. S. Trowbridge and K. P. Reitz, JOSA 65 (1975) 531; B. Walter et al., *Microfacet
 //! models for refraction through rough surfaces*, EGSR 2007, who named it.
 
-use super::{Distribution, held, stretched2};
+use super::{Distribution, Slopes, held, stretched2};
 use crate::number::{Number, Vector, sin_cos_turns};
 use std::f64::consts::{FRAC_1_PI, TAU};
 
@@ -12,7 +12,7 @@ pub struct Ggx<N> {
 }
 
 impl<N: Number> Distribution<N> for Ggx<N> {
-    const NAME: &'static str = "ggx";
+    const SLOPES: Slopes = Slopes::Ggx;
     const HAS_TAIL: bool = true;
 
     #[inline(always)]
