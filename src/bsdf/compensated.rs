@@ -110,9 +110,11 @@ impl<N: Number, S: Bsdf<N>> Compensated<N, S> {
         let is_lossy = mean.gt(N::of(0.0));
         let shape = (loss_o * loss_i * cosine / N::select(is_lossy, mean, N::of(1.0))).only(is_lossy);
         let through = self.through(wo);
-        let back = self.of_side(wo.z.lt(N::of(0.0)), |lobe| lobe.back, |mask, yes, no| {
-            std::array::from_fn(|channel| N::select(mask, yes[channel], no[channel]))
-        });
+        let back = self.of_side(
+            wo.z.lt(N::of(0.0)),
+            |lobe| lobe.back,
+            |mask, yes, no| std::array::from_fn(|channel| N::select(mask, yes[channel], no[channel])),
+        );
         let odds = N::select(is_through, through, N::of(1.0) - through);
         (back.map(|back| shape * N::select(is_through, through, back)), odds * cosine)
     }

@@ -113,8 +113,7 @@ impl<N: Number, D: Distribution<N>> RoughDielectric<N, D> {
     #[inline(always)]
     pub fn energy(&self, wo: Vector<N>, u: [N; 2]) -> N {
         let (side, facet, cos, there) = self.meet(wo, u);
-        let [back, through] =
-            [false, true].map(|through| self.send(N::Mask::of(through), &side, facet, cos, there).1);
+        let [back, through] = [false, true].map(|through| self.send(N::Mask::of(through), &side, facet, cos, there).1);
         there.reflectance * back + (N::of(1.0) - there.reflectance) * through
     }
 

@@ -140,11 +140,15 @@ pub fn zoo<N: Number>() -> Vec<Entry<N>> {
             "rough glass, every event walked",
             |s| with_facets!(s, facets => Walk::new(facets, Glass::new(N::of(s.index)))),
         ),
-        entry("conductor-compensated", "rough metal, what one bounce loses given back", |s| {
-            with_facets!(s, facets => Compensated::metal(facets, s.metal()))
-        }),
-        entry("dielectric-compensated", "rough glass, what one event loses given back", |s| {
-            with_facets!(s, facets => Compensated::glass(facets, N::of(s.index)))
-        }),
+        entry(
+            "conductor-compensated",
+            "rough metal, what one bounce loses given back",
+            |s| with_facets!(s, facets => Compensated::metal(facets, s.metal())),
+        ),
+        entry(
+            "dielectric-compensated",
+            "rough glass, what one event loses given back",
+            |s| with_facets!(s, facets => Compensated::glass(facets, N::of(s.index))),
+        ),
     ]
 }

@@ -49,7 +49,7 @@ impl<N: Number> Distribution<N> for Beckmann<N> {
 
     /// In slopes along and across the view (E. Heitz and E. d'Eon, *Importance sampling microfacet-based BSDFs using the
     /// distribution of visible normals*, CGF 33(4) (2014), supplement): the one across is Gaussian, the one along has the
-    /// density (z − s p)e^(−p²) for p < z/s, whose integral is inverted by Newton's steps kept between bounds.
+    /// density (z − s p)e^(−p²) for p < z/s, whose integral is inverted by Newton's steps.
     #[inline(always)]
     fn visible(&self, w: Vector<N>, u: [N; 2]) -> Vector<N> {
         let [along, across] = self.alpha;
@@ -102,14 +102,21 @@ impl<N: Number> View<N> {
         Self { sin: (alpha[1] * w.y * over).only(is_turned), cos, z: w.z * length, s: s * length, edge }
     }
 
-    /// ∫(z − s p′)e^(−p′²)dp′ up to p, times 2: √π z erfc(−p) + s e^(−p²).
+    /// ∫(z − s p′)e^(−p′²)dp′ up to p ≤ the edge, times 2: √π z erfc(−p) + s e^(−p²), below 0 without a difference.
     #[inline(always)]
     fn area(&self, p: N) -> N {
         let gauss = exp(-p.squared());
-        let tail = erfcx(p.abs(), N::of(1.0)).scaled * gauss;
+        let tail = erfcx(p.abs(), N::of(1.0));
         let root_pi = N::of(PI.sqrt());
-        let upper = N::of(2.0) - tail;
-        root_pi * self.z * N::select(p.gt(N::of(0.0)), upper, tail) + self.s * gauss
+        let below = (self.s * tail.rest + root_pi * self.facing(p) * tail.scaled) * gauss;
+        let above = root_pi * self.z * (N::of(2.0) - tail.scaled * gauss) + self.s * gauss;
+        N::select(p.gt(N::of(0.0)), above, below)
+    }
+
+    /// z − s p: how much of a slope is seen.
+    #[inline(always)]
+    fn facing(&self, p: N) -> N {
+        (self.z - self.s * p).max(N::of(0.0))
     }
 
     #[inline(always)]
@@ -117,26 +124,39 @@ impl<N: Number> View<N> {
         self.area(p) / self.area(self.edge)
     }
 
+    /// The p below which a share u lies, from the end to which it is nearer. Both logarithms are concave, so Newton's
+    /// steps from a bound on the far side of the root never pass it.
     #[inline(always)]
     fn invert(&self, u: N) -> N {
-        let wanted = u * self.area(self.edge);
-        let (mut low, mut high) = (N::of(-STEEPEST), self.edge);
-        let mut p = N::of(0.5) * (high - (-ln(u.max(N::of(1e-16)))).sqrt()).max(low + low).min(high + high);
-        for _ in 0..STEPS {
-            let excess = self.area(p) - wanted;
-            let slope = N::of(2.0) * (self.z - self.s * p) * exp(-p.squared());
-            let is_beyond = excess.gt(N::of(0.0));
-            (low, high) = (N::select(is_beyond, low, p), N::select(is_beyond, p, high));
-            let step = p - excess / slope;
-            let is_within = step.gt(low) & step.lt(high);
-            p = N::select(is_within, step, N::of(0.5) * (low + high));
+        let (zero, one) = (N::of(0.0), N::of(1.0));
+        let some = N::of(f64::from(f32::MIN_POSITIVE));
+        let least = N::of(1e-16);
+        let total = self.area(self.edge).max(some);
+        let is_low = u.lt(N::of(0.5));
+        let wanted = total * N::select(is_low, u, one - u).max(least);
+        // By erfcx ≤ 1 the area below p ≤ 0 is at most (√π z + s)e^(−p²) and that above p ≥ 0 at most √π z e^(−p²); and
+        // near the edge at most s(edge − p)² times the largest e^(−p²).
+        let root_pi_z = N::of(PI.sqrt()) * self.z.max(zero);
+        let root = |most: N| ln((most / wanted).max(one)).sqrt();
+        let low = -root(root_pi_z + self.s);
+        let largest = self.s.max(least) * exp(-self.edge.min(zero).squared());
+        let at_edge = self.edge - (wanted / largest).sqrt();
+        let is_far = self.edge.ge(N::of(STEEPEST));
+        let from_above = N::select(is_far, self.edge, at_edge);
+        let high = N::select(self.z.gt(zero), from_above.min(root(root_pi_z)), from_above);
+        let start = N::select(is_low, low, high);
+        let mut p = start;
+        for _ in 0..if N::EPSILON > 1e-10 { 5 } else { 8 } {
+            let below = self.area(p);
+            let here = N::select(is_low, below, total - below).max(some);
+            let slope = N::of(2.0) * self.facing(p) * exp(-p.squared());
+            let step = ln(here / wanted) * here / slope.max(some);
+            p = N::select(is_low, (p - step).max(start).min(self.edge), (p + step).min(start));
+            p = p.max(N::of(-STEEPEST));
         }
         p
     }
 }
-
-/// Newton's steps from a guess that is off by one at most, some of them halvings.
-const STEPS: usize = 14;
 
 /// The share [1] of e^(−q²)/√π below q.
 #[inline(always)]
