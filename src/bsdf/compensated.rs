@@ -10,7 +10,7 @@ use super::losses::Losses;
 use super::microfacet::{Distribution, Joint};
 use super::rough_conductor::RoughConductor;
 use super::rough_dielectric::{RoughDielectric, Side, compression, held_off_one};
-use super::{Bsdf, Character, Energy, Rgb, Sample, cosine_weighted, grey};
+use super::{Bsdf, Character, Energy, Rgb, Sample, cosine_weighted, grey, rgb};
 use crate::number::{Mask, Number, Vector};
 use crate::optics::fresnel::diffuse_reflectance;
 use std::f64::consts::FRAC_1_PI;
@@ -113,10 +113,10 @@ impl<N: Number, S: Bsdf<N>> Compensated<N, S> {
         let back = self.of_side(
             wo.z.lt(N::of(0.0)),
             |lobe| lobe.back,
-            |mask, yes, no| std::array::from_fn(|channel| N::select(mask, yes[channel], no[channel])),
+            |mask, yes, no| rgb(|c| N::select(mask, yes[c], no[c])),
         );
         let odds = N::select(is_through, through, N::of(1.0) - through);
-        (back.map(|back| shape * N::select(is_through, through, back)), odds * cosine)
+        (rgb(|c| shape * N::select(is_through, through, back[c])), odds * cosine)
     }
 }
 
@@ -140,7 +140,7 @@ impl<N: Number, S: Bsdf<N>> Bsdf<N> for Compensated<N, S> {
         let Side { is_inside, eta, .. } = Side::of(wo, self.index);
         let factor = compression(wi.flipped(is_inside).z.lt(N::of(0.0)), eta) / wi.z.abs();
         let pdf = (pdf + loss * density) / (N::of(1.0) + loss);
-        (std::array::from_fn(|channel| (f[channel] + second[channel] * factor).only(is_asked)), pdf.only(is_asked))
+        (rgb(|c| (f[c] + second[c] * factor).only(is_asked)), pdf.only(is_asked))
     }
 
     /// By the facets that are seen, or, with odds of the loss to 1, by the cosine.
@@ -165,7 +165,7 @@ impl<N: Number, S: Bsdf<N>> Bsdf<N> for Compensated<N, S> {
         let pdf = (first + loss * density) / (one + loss);
         let is_drawn = self.joins(wi, wo) & pdf.gt(zero) & (is_second | single.pdf.gt(zero));
         let over = one / N::select(is_drawn, pdf, one);
-        let weight = std::array::from_fn(|channel| {
+        let weight = rgb(|channel| {
             let carried = N::select(is_second, f[channel] * wi.z.abs(), single.weight[channel] * single.pdf);
             (carried + second[channel] * compression) * over
         });

@@ -2,7 +2,7 @@
 //! energy-preserving rough diffuse BRDF*, JCGT 14(1) (2025): Fujii's Oren–Nayar, whose albedo has a closed form, and what
 //! it loses given back by a reciprocal lobe.
 
-use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, cosine_weighted};
+use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, cosine_weighted, rgb};
 use crate::number::{Number, Vector, atan2, sin_cos_turns};
 use std::f64::consts::{FRAC_1_PI, PI};
 
@@ -35,7 +35,8 @@ impl<N: Number> Bsdf<N> for Eon<N> {
     #[inline(always)]
     fn eval_pdf(&self, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
         let above = both_above(wi, wo);
-        (self.value(wi, wo).map(|f| f.only(above)), Self::density(wi).only(above))
+        let f = self.value(wi, wo);
+        (rgb(|c| f[c].only(above)), Self::density(wi).only(above))
     }
 
     /// Half by the cosine, half evenly: by the cosine alone weights have no bound at grazing.
@@ -46,7 +47,8 @@ impl<N: Number> Bsdf<N> for Eon<N> {
         let evenly = Vector::new(sine * cos, sine * sin, N::of(1.0) - u[0]);
         let wi = Vector::select(u[2].lt(N::of(0.5)), cosine_weighted(u), evenly);
         let pdf = Self::density(wi);
-        let weight = self.value(wi, wo).map(|f| f * wi.z / pdf);
+        let f = self.value(wi, wo);
+        let weight = rgb(|c| f[c] * wi.z / pdf);
         Sample::reflected(wi, weight, pdf).only(both_above(wi, wo))
     }
 
@@ -55,7 +57,7 @@ impl<N: Number> Bsdf<N> for Eon<N> {
         let loss = self.loss(wo);
         let direct = N::of(1.0) - loss;
         let above = wo.z.gt(N::of(0.0));
-        Some(std::array::from_fn(|c| (self.albedo[c] * direct + self.rebound(self.albedo[c]) * loss).only(above)))
+        Some(rgb(|c| (self.albedo[c] * direct + self.rebound(self.albedo[c]) * loss).only(above)))
     }
 }
 
@@ -76,7 +78,7 @@ impl<N: Number> Eon<N> {
         let is_rough = mean_loss.gt(zero);
         let lobe = self.loss(wi) * self.loss(wo) / N::select(is_rough, mean_loss, N::of(1.0));
         let lobe = N::of(FRAC_1_PI) * lobe.only(is_rough);
-        self.albedo.map(|albedo| albedo * single + self.rebound(albedo) * lobe)
+        rgb(|c| self.albedo[c] * single + self.rebound(self.albedo[c]) * lobe)
     }
 
     /// A.

@@ -1,7 +1,7 @@
 //! Fresnel's reflectance of natural light, for every width: the products of [`crate::optics::fresnel`], whose module tells
 //! why, with a choice in place of each branch.
 
-use super::Rgb;
+use super::{Rgb, rgb};
 use crate::number::Number;
 
 /// What a clear interface does to a ray.
@@ -52,7 +52,7 @@ impl<N: Number> Conductor<N> {
     pub fn reflectance(&self, cos_i: N) -> Rgb<N> {
         let one = N::of(1.0);
         let (cos2, sin2) = (cos_i.squared(), (one - cos_i) * (one + cos_i));
-        std::array::from_fn(|channel| absorbing(cos_i, cos2, sin2, self.n[channel], self.k[channel]))
+        rgb(|c| absorbing(cos_i, cos2, sin2, self.n[c], self.k[c]))
     }
 
     /// 2∫R μ dμ [1]: the reflectance of light from everywhere.
@@ -63,9 +63,9 @@ impl<N: Number> Conductor<N> {
         for k in 0..NODES {
             let cos = N::of(((k as f64 + 0.5) / NODES as f64).sqrt());
             let here = self.reflectance(cos);
-            sum = std::array::from_fn(|channel| sum[channel] + here[channel]);
+            sum = rgb(|c| sum[c] + here[c]);
         }
-        sum.map(|sum| sum * N::of(1.0 / NODES as f64))
+        rgb(|c| sum[c] * N::of(1.0 / NODES as f64))
     }
 }
 
@@ -78,11 +78,14 @@ fn absorbing<N: Number>(cos: N, cos2: N, sin2: N, n: N, k: N) -> N {
     let im = N::of(2.0) * n * k;
     let modulus = (re.squared() + im.squared()).sqrt();
     // The larger part of the root directly, the smaller by their product.
-    let larger = ((re.abs() + modulus) * N::of(0.5)).sqrt().max(N::of(f64::from(f32::MIN_POSITIVE)));
-    let smaller = N::of(0.5) * im / larger;
+    let some = N::of(f64::from(f32::MIN_POSITIVE));
+    let larger = ((re.abs() + modulus) * N::of(0.5)).max(some);
+    let smaller = N::of(0.25) * im.squared() / larger;
     let is_forward = re.ge(zero);
-    let (a, b2) = (N::select(is_forward, larger, smaller), N::select(is_forward, smaller, larger).squared());
-    let s = ((cos - a).squared() + b2) / ((cos + a).squared() + b2);
-    let ratio = ((sin2 - cos * a).squared() + cos2 * b2) / ((sin2 + cos * a).squared() + cos2 * b2).max(N::of(1e-36));
-    N::of(0.5) * s * (N::of(1.0) + ratio)
+    let (a2, b2) = (N::select(is_forward, larger, smaller), N::select(is_forward, smaller, larger));
+    let a = a2.sqrt();
+    let (s, s_all) = ((cos - a).squared() + b2, (cos + a).squared() + b2);
+    let (p, p_all) = ((sin2 - cos * a).squared() + cos2 * b2, (sin2 + cos * a).squared() + cos2 * b2);
+    // ½ s(1 + p), their quotients in one.
+    N::of(0.5) * s * (p + p_all).max(some + some) / (s_all * p_all.max(some))
 }

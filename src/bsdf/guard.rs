@@ -1,6 +1,6 @@
 //! The gate in front of a model: whatever comes in, what goes out is finite.
 
-use super::{Bsdf, Character, Rgb, Sample};
+use super::{Bsdf, Character, Rgb, Sample, rgb};
 use crate::number::{Number, Vector};
 
 /// A model behind its gate. Directions whose length is off 1 by more than 1/2000, nearly in the surface (|z| < 1e−7) or not
@@ -33,14 +33,14 @@ impl<N: Number, M: Bsdf<N>> Bsdf<N> for Guarded<M> {
         let (fit_i, fit_o) = (is_fit(wi), is_fit(wo));
         let (f, pdf) = self.0.eval_pdf(or_normal(fit_i, wi), or_normal(fit_o, wo));
         let fit = fit_i & fit_o;
-        (f.map(|f| f.only(fit)), pdf.only(fit))
+        (rgb(|c| f[c].only(fit)), pdf.only(fit))
     }
 
     #[inline(always)]
     fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
         let fit = is_fit(wo);
         let wo = or_normal(fit, wo);
-        let u = u.map(|u| N::select(u.ge(N::of(0.0)) & u.lt(N::of(1.0)), u, N::of(0.5)));
+        let u = rgb(|k| N::select(u[k].ge(N::of(0.0)) & u[k].lt(N::of(1.0)), u[k], N::of(0.5)));
         let drawn = self.0.sample(wo, u);
         let is_drawn = is_fit(drawn.wi);
         Sample { wi: or_normal(is_drawn, drawn.wi), ..drawn }.only(fit & is_drawn)
@@ -49,6 +49,7 @@ impl<N: Number, M: Bsdf<N>> Bsdf<N> for Guarded<M> {
     #[inline(always)]
     fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
         let fit = is_fit(wo);
-        Some(self.0.albedo(or_normal(fit, wo))?.map(|albedo| albedo.only(fit)))
+        let albedo = self.0.albedo(or_normal(fit, wo))?;
+        Some(rgb(|c| albedo[c].only(fit)))
     }
 }

@@ -1,6 +1,6 @@
 //! The diffuse surface (J. H. Lambert, *Photometria* (1760)): f = ρ/π whatever the directions (E48).
 
-use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, cosine_weighted};
+use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, cosine_weighted, rgb};
 use crate::number::{Number, Vector};
 use std::f64::consts::FRAC_1_PI;
 
@@ -26,7 +26,7 @@ impl<N: Number> Bsdf<N> for Lambert<N> {
     #[inline(always)]
     fn eval_pdf(&self, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
         let inverse_pi = N::of(FRAC_1_PI).only(both_above(wi, wo));
-        (self.albedo.map(|albedo| albedo * inverse_pi), wi.z * inverse_pi)
+        (rgb(|c| self.albedo[c] * inverse_pi), wi.z * inverse_pi)
     }
 
     #[inline(always)]
@@ -37,6 +37,6 @@ impl<N: Number> Bsdf<N> for Lambert<N> {
 
     #[inline(always)]
     fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
-        Some(self.albedo.map(|albedo| albedo.only(wo.z.gt(N::of(0.0)))))
+        Some(rgb(|c| self.albedo[c].only(wo.z.gt(N::of(0.0)))))
     }
 }

@@ -120,7 +120,7 @@ impl Losses {
     #[inline(always)]
     pub fn at<N: Number>(&self, w: Vector<N>) -> N {
         let (zero, one) = (N::of(0.0), N::of(1.0));
-        let alpha = self.alpha.map(N::of);
+        let alpha = [N::of(self.alpha[0]), N::of(self.alpha[1])];
         let (s2, z) = (stretched2(alpha, w), w.z.abs());
         let near = (z * ((s2 + z.squared()).sqrt() + z)).sqrt();
         let x = near / (near + s2.sqrt()) * N::of((NODES - 1) as f64);
@@ -160,7 +160,7 @@ fn direction(alpha: [f64; 2], x: f64, cos2: f64) -> [f64; 3] {
 /// The weights of four neighbours at 0, 1, 2, 3 (Lagrange).
 #[inline(always)]
 fn lagrange<N: Number>(x: N) -> [N; 4] {
-    let [a, b, c, d] = [0.0, 1.0, 2.0, 3.0].map(|at| x - N::of(at));
+    let (a, b, c, d) = (x, x - N::of(1.0), x - N::of(2.0), x - N::of(3.0));
     let (sixth, half) = (N::of(1.0 / 6.0), N::of(0.5));
     [-(b * c * d * sixth), a * c * d * half, -(a * b * d * half), a * b * c * sixth]
 }

@@ -57,6 +57,12 @@ pub trait Distribution<N: Number>: Copy + Send + Sync + 'static {
     /// h = |z|Λ(|z|) [1], for a direction on either side: what facets that face away from it hide.
     fn hidden(&self, w: Vector<N>) -> N;
 
+    /// |z| + h [1]: the area of the facets that are seen from a direction above the surface, per mean area.
+    #[inline(always)]
+    fn area(&self, w: Vector<N>) -> N {
+        w.z.abs() + self.hidden(w)
+    }
+
     /// A facet as seen from `w`, which may lie below the surface, from two numbers in 0 ≤ u < 1: drawn with
     /// [`visible_density`].
     fn visible(&self, w: Vector<N>, u: [N; 2]) -> Vector<N>;
@@ -71,7 +77,7 @@ pub trait Distribution<N: Number>: Copy + Send + Sync + 'static {
     /// The area [1] that belongs to [`Distribution::visible_reflecting`]: facets are drawn with D (w·m)/area.
     #[inline(always)]
     fn reflecting_area(&self, w: Vector<N>) -> N {
-        projected(self, w)
+        self.area(w)
     }
 
     /// The (u₁, u₂) from which [`Distribution::visible`] makes `m`, for w_z > 0: where a facet lies in the sampler's own
@@ -100,7 +106,7 @@ pub fn lambda<N: Number>(facets: &impl Distribution<N>, w: Vector<N>) -> N {
 /// G₁ = 1/(1 + Λ) [1], for z > 0: the share of facets facing `w` that is not masked.
 #[inline(always)]
 pub fn masking<N: Number>(facets: &impl Distribution<N>, w: Vector<N>) -> N {
-    w.z / (w.z + facets.hidden(w))
+    w.z / facets.area(w)
 }
 
 /// How masking from two sides goes together.
@@ -125,29 +131,30 @@ impl Joint {
         }
     }
 
-    /// G₂/(z_i z_o) [1] of two directions above the surface, from their z and h.
+    /// G₂/(z_i z_o) [1] of two directions above the surface, from their z and area z + h.
     #[inline(always)]
-    pub fn reflected<N: Number>(self, [z_i, h_i]: [N; 2], [z_o, h_o]: [N; 2]) -> N {
+    pub fn reflected<N: Number>(self, [z_i, area_i]: [N; 2], [z_o, area_o]: [N; 2]) -> N {
         match self {
-            Self::Correlated => N::of(1.0) / (z_i * z_o + (z_o * h_i + z_i * h_o)),
-            Self::Separable => N::of(1.0) / ((z_i + h_i) * (z_o + h_o)),
+            // z_i z_o + z_o h_i + z_i h_o, of which the last term here is at most the half of the rest.
+            Self::Correlated => N::of(1.0) / (z_o * area_i + z_i * area_o - z_i * z_o),
+            Self::Separable => N::of(1.0) / (area_i * area_o),
         }
     }
 
-    /// G₂/(z_i z_o) [1] of two directions on either side, from their |z| and h.
+    /// G₂/(z_i z_o) [1] of two directions on either side, from their |z| and area |z| + h.
     #[inline(always)]
-    pub fn transmitted<N: Number>(self, [z_i, h_i]: [N; 2], [z_o, h_o]: [N; 2]) -> N {
+    pub fn transmitted<N: Number>(self, [z_i, area_i]: [N; 2], [z_o, area_o]: [N; 2]) -> N {
         match self {
-            Self::Correlated => beta(N::of(1.0) + h_i / z_i, N::of(1.0) + h_o / z_o) / (z_i * z_o),
-            Self::Separable => self.reflected([z_i, h_i], [z_o, h_o]),
+            Self::Correlated => beta(area_i / z_i, area_o / z_o) / (z_i * z_o),
+            Self::Separable => self.reflected([z_i, area_i], [z_o, area_o]),
         }
     }
 }
 
 /// α held within what the forms bear; the least if it is not a number.
 #[inline(always)]
-fn held<N: Number>(alpha: [N; 2]) -> [N; 2] {
-    alpha.map(|alpha| alpha.clamp(LEAST_ALPHA, 1.0))
+fn held<N: Number>([along, across]: [N; 2]) -> [N; 2] {
+    [along.clamp(LEAST_ALPHA, 1.0), across.clamp(LEAST_ALPHA, 1.0)]
 }
 
 /// The stretched sine squared [1].

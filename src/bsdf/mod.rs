@@ -84,7 +84,7 @@ impl<N: Number> Sample<N> {
     /// The same where the mask is true, [`Sample::none`] elsewhere.
     #[inline(always)]
     fn only(self, mask: N::Mask) -> Self {
-        Self { weight: self.weight.map(|share| share.only(mask)), pdf: self.pdf.only(mask), ..self }
+        Self { weight: rgb(|c| self.weight[c].only(mask)), pdf: self.pdf.only(mask), ..self }
     }
 }
 
@@ -144,6 +144,12 @@ pub trait Bsdf<N: Number>: Send + Sync {
     fn albedo(&self, _wo: Vector<N>) -> Option<Rgb<N>> {
         None
     }
+}
+
+/// By channel. An array's own `map` is a call, which would not know of the machine's wider instructions.
+#[inline(always)]
+pub fn rgb<N>(of: impl Fn(usize) -> N) -> Rgb<N> {
+    [of(0), of(1), of(2)]
 }
 
 /// The same in all channels.

@@ -2,7 +2,7 @@
 //! model*, SIGGRAPH 1994, the "qualitative" model of its eq. 30. Near grazing it returns more than it is sent.
 
 use super::lambert::Lambert;
-use super::{Bsdf, Character, Energy, Rgb, Sample, both_above};
+use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, rgb};
 use crate::number::{Number, Vector};
 
 /// Facets that are Lambert's, in V-grooves.
@@ -23,14 +23,14 @@ impl<N: Number> Bsdf<N> for OrenNayar<N> {
     fn eval_pdf(&self, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
         let (flat, pdf) = self.body().eval_pdf(wi, wo);
         let factor = self.factor(wi, wo);
-        (flat.map(|f| f * factor), pdf)
+        (rgb(|c| flat[c] * factor), pdf)
     }
 
     #[inline(always)]
     fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
         let flat = self.body().sample(wo, u);
         let factor = self.factor(flat.wi, wo).only(both_above(flat.wi, wo));
-        Sample { weight: flat.weight.map(|weight| weight * factor), ..flat }
+        Sample { weight: rgb(|c| flat.weight[c] * factor), ..flat }
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::fresnel::Conductor;
 use super::microfacet::{Distribution, Joint};
-use super::{Bsdf, Character, Energy, Rgb, Sample, both_above};
+use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, rgb};
 use crate::number::{Number, Vector};
 
 /// Facets of metal.
@@ -46,7 +46,8 @@ impl<N: Number, D: Distribution<N>> Bsdf<N> for RoughConductor<N, D> {
         let quarter = N::of(0.25) * self.facets.density(half);
         let shape = quarter * self.joint_area(wi, wo);
         let pdf = (quarter / self.facets.reflecting_area(wo)).only(above);
-        (self.metal.reflectance(cos).map(|share| (share * shape).only(above)), pdf)
+        let share = self.metal.reflectance(cos);
+        (rgb(|c| (share[c] * shape).only(above)), pdf)
     }
 
     #[inline(always)]
@@ -56,7 +57,8 @@ impl<N: Number, D: Distribution<N>> Bsdf<N> for RoughConductor<N, D> {
         let wi = facet.scaled(N::of(2.0) * cos) - wo;
         let area = self.facets.reflecting_area(wo);
         let carried = wi.z * area * self.joint_area(wi, wo);
-        let weight = self.metal.reflectance(cos).map(|share| share * carried);
+        let share = self.metal.reflectance(cos);
+        let weight = rgb(|c| share[c] * carried);
         let pdf = N::of(0.25) * self.facets.density(facet) / area;
         Sample::reflected(wi, weight, pdf).only(both_above(wi, wo))
     }
@@ -66,6 +68,6 @@ impl<N: Number, D: Distribution<N>> RoughConductor<N, D> {
     /// G₂/(cos cos).
     #[inline(always)]
     fn joint_area(&self, wi: Vector<N>, wo: Vector<N>) -> N {
-        self.joint.reflected([wi.z, self.facets.hidden(wi)], [wo.z, self.facets.hidden(wo)])
+        self.joint.reflected([wi.z, self.facets.area(wi)], [wo.z, self.facets.area(wo)])
     }
 }

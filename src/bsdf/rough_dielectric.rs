@@ -113,7 +113,8 @@ impl<N: Number, D: Distribution<N>> RoughDielectric<N, D> {
     #[inline(always)]
     pub fn energy(&self, wo: Vector<N>, u: [N; 2]) -> N {
         let (side, facet, cos, there) = self.meet(wo, u);
-        let [back, through] = [false, true].map(|through| self.send(N::Mask::of(through), &side, facet, cos, there).1);
+        let (_, back) = self.send(N::Mask::of(false), &side, facet, cos, there);
+        let (_, through) = self.send(N::Mask::of(true), &side, facet, cos, there);
         there.reflectance * back + (N::of(1.0) - there.reflectance) * through
     }
 
@@ -133,14 +134,14 @@ impl<N: Number, D: Distribution<N>> RoughDielectric<N, D> {
         let wo = side.wo;
         let wi = Vector::select(through, refracted(wo, facet, cos, side.eta, there), reflected(wo, facet, cos));
         let is_kept = N::select(through, -wi.z, wi.z).gt(zero);
-        let share = wi.z.abs() * projected(&self.facets, wo) * self.joint_area(through, wi, wo);
+        let share = wi.z.abs() * self.facets.area(wo) * self.joint_area(through, wi, wo);
         (wi, share.only(is_kept))
     }
 
     /// G₂/(z_i z_o).
     #[inline(always)]
     fn joint_area(&self, is_transmitted: N::Mask, wi: Vector<N>, wo: Vector<N>) -> N {
-        let [i, o] = [wi, wo].map(|w| [w.z.abs(), self.facets.hidden(w)]);
+        let (i, o) = ([wi.z.abs(), self.facets.area(wi)], [wo.z.abs(), self.facets.area(wo)]);
         let back = self.joint.reflected(i, o);
         // Euler's integral is dear, and a metal-like view never asks for it.
         if is_transmitted.any() { N::select(is_transmitted, self.joint.transmitted(i, o), back) } else { back }
@@ -165,7 +166,7 @@ impl<N: Number, D: Distribution<N>> Bsdf<N> for RoughDielectric<N, D> {
         let wi = wi.flipped(is_inside);
         let is_transmitted = wi.z.lt(N::of(0.0));
         let pdf = phase(&self.facets, eta, is_transmitted, wi, wo);
-        let weight = self.joint_area(is_transmitted, wi, wo) * projected(&self.facets, wo);
+        let weight = self.joint_area(is_transmitted, wi, wo) * self.facets.area(wo);
         (grey(pdf * weight * compression(is_transmitted, eta)), pdf)
     }
 
@@ -179,7 +180,7 @@ impl<N: Number, D: Distribution<N>> Bsdf<N> for RoughDielectric<N, D> {
         Sample {
             wi: wi.flipped(side.is_inside),
             weight: grey(share * compression),
-            pdf: turned * self.facets.density(facet) / projected(&self.facets, side.wo),
+            pdf: turned * self.facets.density(facet) / self.facets.area(side.wo),
             is_delta: N::Mask::of(false),
             is_transmitted,
             compression,

@@ -1,7 +1,7 @@
 //! Surfaces without roughness, whose directions have no choice: f is a delta over the cosine (E49, E50).
 
 use super::fresnel::{Conductor, dielectric};
-use super::{Bsdf, Character, Energy, Rgb, Sample, grey};
+use super::{Bsdf, Character, Energy, Rgb, Sample, grey, rgb};
 use crate::number::{Mask, Number, Vector};
 
 const CHARACTER: Character = Character {
@@ -49,7 +49,7 @@ impl<N: Number> Bsdf<N> for Mirror<N> {
 
     #[inline(always)]
     fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
-        Some(self.reflectance.map(|share| share.only(wo.z.gt(N::of(0.0)))))
+        Some(rgb(|c| self.reflectance[c].only(wo.z.gt(N::of(0.0)))))
     }
 }
 

@@ -10,7 +10,7 @@ use super::fresnel::{Conductor, dielectric};
 use super::microfacet::{Distribution, Joint, projected};
 use super::rough_conductor::{self, RoughConductor};
 use super::rough_dielectric::{self, RoughDielectric, Side, compression, held_off_one, reflected, refracted};
-use super::{Bsdf, Character, Energy, Rgb, Sample, grey};
+use super::{Bsdf, Character, Energy, Rgb, Sample, grey, rgb};
 use crate::number::{Dice, Mask, Number, Vector, exp, ln, ln_1p};
 use std::f64::consts::FRAC_1_PI;
 
@@ -112,7 +112,7 @@ impl<N: Number> Ray<N> {
         Self {
             along: Vector::select(mask, yes.along, no.along),
             depth: N::select(mask, yes.depth, no.depth),
-            weight: std::array::from_fn(|channel| N::select(mask, yes.weight[channel], no.weight[channel])),
+            weight: rgb(|c| N::select(mask, yes.weight[c], no.weight[c])),
             is_through: (yes.is_through & mask) | (no.is_through & !mask),
             eta: N::select(mask, yes.eta, no.eta),
         }
@@ -195,11 +195,11 @@ impl<N: Number, D: Distribution<N>, M: Matter<N>> Bsdf<N> for Walk<N, D, M> {
                 let depth = if transmits { N::select(through, ray.depth_beyond(), ray.depth) } else { ray.depth };
                 let escape = Ray::escape(depth, &self.facets, wi).only(is_in);
                 let phase = self.matter.phase(&self.facets, ray, through, wi);
-                more = std::array::from_fn(|channel| more[channel] + phase[channel] * escape);
+                more = rgb(|c| more[c] + phase[c] * escape);
             }
         });
         let factor = compression(is_far, eta) / wi.z.abs();
-        (std::array::from_fn(|channel| first[channel] + (more[channel] * factor).only(is_asked)), pdf)
+        (rgb(|c| first[c] + (more[c] * factor).only(is_asked)), pdf)
     }
 
     #[inline(always)]
@@ -213,7 +213,7 @@ impl<N: Number, D: Distribution<N>, M: Matter<N>> Bsdf<N> for Walk<N, D, M> {
         let may = if self.character().transmits { is_out } else { is_out & !side.is_inside };
         Sample {
             wi,
-            weight: ray.weight.map(|share| share * compression),
+            weight: rgb(|c| ray.weight[c] * compression),
             pdf,
             is_delta: N::Mask::of(false),
             is_transmitted: ray.is_through,
@@ -239,7 +239,7 @@ impl<N: Number> Matter<N> for Conductor<N> {
     #[inline(always)]
     fn scatter(&self, ray: Ray<N>, facet: Vector<N>, cos: N, _: N) -> Ray<N> {
         let share = self.reflectance(cos);
-        let weight = std::array::from_fn(|channel| ray.weight[channel] * share[channel]);
+        let weight = rgb(|c| ray.weight[c] * share[c]);
         Ray { along: reflected(-ray.along, facet, cos), weight, ..ray }
     }
 
@@ -252,7 +252,7 @@ impl<N: Number> Matter<N> for Conductor<N> {
         let share = self.reflectance(cos);
         // A facet that looks down is none.
         let is_facet = half.z.gt(N::of(0.0));
-        std::array::from_fn(|channel| (ray.weight[channel] * share[channel] * density).only(is_facet))
+        rgb(|c| (ray.weight[c] * share[c] * density).only(is_facet))
     }
 }
 
@@ -299,6 +299,6 @@ impl<N: Number> Matter<N> for Glass<N> {
     #[inline(always)]
     fn phase<D: Distribution<N>>(&self, facets: &D, ray: &Ray<N>, through: N::Mask, wi: Vector<N>) -> Rgb<N> {
         let density = rough_dielectric::phase(facets, ray.eta, through, wi, -ray.along);
-        ray.weight.map(|weight| weight * density)
+        rgb(|c| ray.weight[c] * density)
     }
 }

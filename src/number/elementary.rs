@@ -102,12 +102,17 @@ pub fn ln_1p<N: Number>(x: N) -> N {
     N::select(is_lost, x, ln(sum) * (x / step))
 }
 
+/// tan of half the angle.
+#[inline(always)]
+fn halved<N: Number>(tan: N) -> N {
+    tan / (N::of(1.0) + (N::of(1.0) + tan.squared()).sqrt())
+}
+
 /// The angle [rad] of the point (x, y) from the x axis, for x ≥ 0, y ≥ 0, not both 0; to 4 ε.
 #[inline(always)]
 pub fn atan2<N: Number>(y: N, x: N) -> N {
     // tan of the half angle is at most 1, of a quarter tan π/8, of an eighth tan π/16.
     let half = y / (x + (x.squared() + y.squared()).sqrt());
-    let halved = |tan: N| tan / (N::of(1.0) + (N::of(1.0) + tan.squared()).sqrt());
     let eighth = halved(halved(half));
     let square = eighth.squared();
     let tail = square * polynomial(square, N::TERMS.arctangent - 1, |k| ALTERNATING_ODD[k + 1]);
@@ -153,20 +158,8 @@ pub fn erfcx<N: Number>(above: N, below: N) -> Erfcx<N> {
 /// Euler's integral B(x, y) for x, y ≥ 1, to 1e−11 or 30 ε of the larger of x, y and 1/B's exponent; symmetric to the bit.
 #[inline(always)]
 pub fn beta<N: Number>(x: N, y: N) -> N {
-    const SHIFT: usize = 6;
     let (small, large) = (x.min(y), x.max(y));
-    let sum = small + large;
-    // B(x, y) = B(x + 1, y + 1) (x + y)(x + y + 1)/(x y), until Stirling's series is good. Half of the factors at a time:
-    // all of them together would leave the range of `f32`.
-    let lift = |from: usize| {
-        let mut product = N::of(1.0);
-        for k in (from..from + SHIFT / 2).map(|k| k as f64) {
-            let even = (sum + N::of(2.0 * k)) / (large + N::of(k));
-            product = product * even * ((sum + N::of(2.0 * k + 1.0)) / (small + N::of(k)));
-        }
-        ln(product)
-    };
-    let lift = lift(0) + lift(SHIFT / 2);
+    let lift = lift(small, large, 0) + lift(small, large, SHIFT / 2);
     let by = N::of(SHIFT as f64);
     let (small, large) = (small + by, large + by);
     let sum = small + large;
@@ -175,6 +168,23 @@ pub fn beta<N: Number>(x: N, y: N) -> N {
         + stirling(small)
         + (stirling(large) - stirling(sum));
     exp(lift + exponent) * (N::of(2.0 * PI) / sum).sqrt()
+}
+
+/// By how much the arguments of [`beta`] are raised, until Stirling's series is good.
+const SHIFT: usize = 6;
+
+/// ln of half of the factors (x + y)(x + y + 1)/(x y) by which B(x, y) exceeds B(x + 1, y + 1): all of them together would
+/// leave the range of `f32`.
+#[inline(always)]
+fn lift<N: Number>(small: N, large: N, from: usize) -> N {
+    let sum = small + large;
+    let mut product = N::of(1.0);
+    for k in from..from + SHIFT / 2 {
+        let k = k as f64;
+        let even = (sum + N::of(2.0 * k)) / (large + N::of(k));
+        product = product * even * ((sum + N::of(2.0 * k + 1.0)) / (small + N::of(k)));
+    }
+    ln(product)
 }
 
 /// ln Γ(x) less (x − ½) ln x − x + ½ ln 2π, for x ≥ 7 (DLMF 5.11.1), to 2e−12.

@@ -1,7 +1,6 @@
 //! Eight `f32` at once: a plain array, which the compiler turns into the vectors of the machine it is dispatched to.
 
 use super::{Mask, Number, Terms};
-use std::array::from_fn;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// Eight things side by side.
@@ -12,15 +11,55 @@ pub struct Eight<T>(pub [T; 8]);
 /// Eight `f32`.
 pub type F32x8 = Eight<f32>;
 
+/// Lane by lane, written out: an array's own `map` is a call, which would not know of the machine's wider instructions.
+macro_rules! lanes {
+    ($lane:ident => $value:expr) => {
+        Eight([
+            {
+                let $lane = 0;
+                $value
+            },
+            {
+                let $lane = 1;
+                $value
+            },
+            {
+                let $lane = 2;
+                $value
+            },
+            {
+                let $lane = 3;
+                $value
+            },
+            {
+                let $lane = 4;
+                $value
+            },
+            {
+                let $lane = 5;
+                $value
+            },
+            {
+                let $lane = 6;
+                $value
+            },
+            {
+                let $lane = 7;
+                $value
+            },
+        ])
+    };
+}
+
 impl<T: Copy> Eight<T> {
     #[inline(always)]
     fn map<U>(self, f: impl Fn(T) -> U) -> Eight<U> {
-        Eight(from_fn(|i| f(self.0[i])))
+        lanes!(i => f(self.0[i]))
     }
 
     #[inline(always)]
     fn zip<U: Copy, V>(self, other: Eight<U>, f: impl Fn(T, U) -> V) -> Eight<V> {
-        Eight(from_fn(|i| f(self.0[i], other.0[i])))
+        lanes!(i => f(self.0[i], other.0[i]))
     }
 }
 
@@ -40,8 +79,8 @@ operator!(Add, add, f32, +);
 operator!(Sub, sub, f32, -);
 operator!(Mul, mul, f32, *);
 operator!(Div, div, f32, /);
-operator!(BitAnd, bitand, bool, &);
-operator!(BitOr, bitor, bool, |);
+operator!(BitAnd, bitand, u32, &);
+operator!(BitOr, bitor, u32, |);
 
 impl Neg for F32x8 {
     type Output = Self;
@@ -51,7 +90,7 @@ impl Neg for F32x8 {
     }
 }
 
-impl Not for Eight<bool> {
+impl Not for Eight<u32> {
     type Output = Self;
     #[inline(always)]
     fn not(self) -> Self {
@@ -59,23 +98,31 @@ impl Not for Eight<bool> {
     }
 }
 
-impl Mask for Eight<bool> {
+/// All bits of a lane or none, as the machine's own masks are.
+impl Mask for Eight<u32> {
     #[inline(always)]
     fn of(value: bool) -> Self {
-        Self([value; 8])
+        Self([all(value); 8])
     }
     #[inline(always)]
     fn any(self) -> bool {
-        self.0.iter().fold(false, |any, &lane| any | lane)
+        let [a, b, c, d, e, f, g, h] = self.0;
+        (a | b | c | d) | (e | f | g | h) != 0
     }
     #[inline(always)]
     fn lane(self, at: usize) -> bool {
-        self.0[at]
+        self.0[at] != 0
     }
 }
 
+/// All bits if true.
+#[inline(always)]
+fn all(value: bool) -> u32 {
+    if value { u32::MAX } else { 0 }
+}
+
 impl Number for F32x8 {
-    type Mask = Eight<bool>;
+    type Mask = Eight<u32>;
     type Bits = Eight<u32>;
     const LANES: usize = 8;
     const EPSILON: f64 = f32::EPSILON as f64;
@@ -87,7 +134,7 @@ impl Number for F32x8 {
     }
     #[inline(always)]
     fn from_lanes(mut of: impl FnMut(usize) -> f64) -> Self {
-        Self(from_fn(|i| of(i) as f32))
+        lanes!(i => of(i) as f32)
     }
     #[inline(always)]
     fn lane(self, at: usize) -> f64 {
@@ -110,16 +157,16 @@ impl Number for F32x8 {
         self.zip(other, Number::max)
     }
     #[inline(always)]
-    fn lt(self, other: Self) -> Eight<bool> {
-        self.zip(other, |a, b| a < b)
+    fn lt(self, other: Self) -> Eight<u32> {
+        self.zip(other, |a, b| all(a < b))
     }
     #[inline(always)]
-    fn le(self, other: Self) -> Eight<bool> {
-        self.zip(other, |a, b| a <= b)
+    fn le(self, other: Self) -> Eight<u32> {
+        self.zip(other, |a, b| all(a <= b))
     }
     #[inline(always)]
-    fn select(mask: Eight<bool>, yes: Self, no: Self) -> Self {
-        Self(from_fn(|i| if mask.0[i] { yes.0[i] } else { no.0[i] }))
+    fn select(mask: Eight<u32>, yes: Self, no: Self) -> Self {
+        lanes!(i => f32::from_bits(yes.0[i].to_bits() & mask.0[i] | no.0[i].to_bits() & !mask.0[i]))
     }
     #[inline(always)]
     fn round(self) -> Self {

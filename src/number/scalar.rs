@@ -52,7 +52,9 @@ macro_rules! scalar {
             }
             #[inline(always)]
             fn select(mask: bool, yes: Self, no: Self) -> Self {
-                if mask { yes } else { no }
+                // By bits: a branch on data that nobody can predict costs more than both ways.
+                let all = (mask as $whole).wrapping_neg();
+                $float::from_bits(yes.to_bits() & all | no.to_bits() & !all)
             }
             #[inline(always)]
             fn round(self) -> Self {

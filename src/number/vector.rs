@@ -53,8 +53,7 @@ impl<N: Number> Vector<N> {
     /// `yes` where the mask is true, `no` elsewhere.
     #[inline(always)]
     pub fn select(mask: N::Mask, yes: Self, no: Self) -> Self {
-        let pick = |yes, no| N::select(mask, yes, no);
-        Self { x: pick(yes.x, no.x), y: pick(yes.y, no.y), z: pick(yes.z, no.z) }
+        Self { x: N::select(mask, yes.x, no.x), y: N::select(mask, yes.y, no.y), z: N::select(mask, yes.z, no.z) }
     }
 
     /// Mirrored in the surface where the mask is true.

@@ -137,13 +137,12 @@ impl<N: Number> View<N> {
         // By erfcx ≤ 1 the area below p ≤ 0 is at most (√π z + s)e^(−p²) and that above p ≥ 0 at most √π z e^(−p²); and
         // near the edge at most s(edge − p)² times the largest e^(−p²).
         let root_pi_z = N::of(PI.sqrt()) * self.z.max(zero);
-        let root = |most: N| ln((most / wanted).max(one)).sqrt();
-        let low = -root(root_pi_z + self.s);
+        let low = -gaussian_root((root_pi_z + self.s) / wanted);
         let largest = self.s.max(least) * exp(-self.edge.min(zero).squared());
         let at_edge = self.edge - (wanted / largest).sqrt();
         let is_far = self.edge.ge(N::of(STEEPEST));
         let from_above = N::select(is_far, self.edge, at_edge);
-        let high = N::select(self.z.gt(zero), from_above.min(root(root_pi_z)), from_above);
+        let high = N::select(self.z.gt(zero), from_above.min(gaussian_root(root_pi_z / wanted)), from_above);
         let start = N::select(is_low, low, high);
         let mut p = start;
         for _ in 0..if N::EPSILON > 1e-10 { 5 } else { 8 } {
@@ -156,6 +155,12 @@ impl<N: Number> View<N> {
         }
         p
     }
+}
+
+/// √ln x, or 0 below 1: where e^(−p²) has fallen to 1/x.
+#[inline(always)]
+fn gaussian_root<N: Number>(x: N) -> N {
+    ln(x.max(N::of(1.0))).sqrt()
 }
 
 /// The share [1] of e^(−q²)/√π below q.

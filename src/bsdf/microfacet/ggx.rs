@@ -28,8 +28,10 @@ impl<N: Number> Distribution<N> for Ggx<N> {
     #[inline(always)]
     fn density(&self, m: Vector<N>) -> N {
         let [along, across] = self.alpha;
-        let q = (m.x / along).squared() + (m.y / across).squared() + m.z.squared();
-        N::of(FRAC_1_PI) / (along * across * q.squared())
+        // (x/α_x)² + (y/α_y)² + z² times (α_x α_y)²: one division in all.
+        let both = along * across;
+        let q = (m.x * across).squared() + (m.y * along).squared() + (m.z * both).squared();
+        N::of(FRAC_1_PI) * both * (both / q).squared()
     }
 
     #[inline(always)]
@@ -37,6 +39,11 @@ impl<N: Number> Distribution<N> for Ggx<N> {
         let s2 = stretched2(self.alpha, w);
         let z = w.z.abs();
         N::of(0.5) * s2 / (z + (s2 + z.squared()).sqrt())
+    }
+
+    #[inline(always)]
+    fn area(&self, w: Vector<N>) -> N {
+        N::of(0.5) * (w.z.abs() + self.slant(w))
     }
 
     /// By spherical caps: J. Dupuy and A. Benyoub, *Sampling visible GGX normals with spherical caps*, CGF 42(8) (2023).
@@ -58,8 +65,7 @@ impl<N: Number> Distribution<N> for Ggx<N> {
     #[inline(always)]
     fn reflecting_area(&self, w: Vector<N>) -> N {
         let (kept, _) = self.cut(w);
-        let slant = (stretched2(self.alpha, w) + w.z.squared()).sqrt();
-        N::of(0.5) * (kept * w.z + slant)
+        N::of(0.5) * (kept * w.z + self.slant(w))
     }
 
     #[inline(always)]
@@ -76,6 +82,12 @@ impl<N: Number> Distribution<N> for Ggx<N> {
 }
 
 impl<N: Number> Ggx<N> {
+    /// √(s² + z²) [1].
+    #[inline(always)]
+    fn slant(&self, w: Vector<N>) -> N {
+        (stretched2(self.alpha, w) + w.z.squared()).sqrt()
+    }
+
     /// The direction from which the ellipsoid's facets are seen as those of a ball.
     #[inline(always)]
     fn on_ball(&self, w: Vector<N>) -> Vector<N> {
