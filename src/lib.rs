@@ -24,6 +24,8 @@
 //! | the same as the lecture writes it | [`optics::textbook`] | `fresnel/digits` |
 //! | Schlick and its descendants | [`optics::schlick`] | `fresnel/schlick` |
 //! | stacks of films | [`optics::film`] | `fresnel/films` |
+//! | surfaces that scatter | [`bsdf`] | `brdf` |
+//! | one formula for `f64`, `f32` and eight `f32` | [`number`] | `brdf` |
 //! | media by name: indices, (ε, μ, σ) | [`media`] | every step, by name |
 //! | plane waves in lossy media | [`waves::plane`] | `plane-wave` |
 //! | pulses by their spectra | [`waves::harmonics`] | `plane-wave` |
@@ -35,9 +37,11 @@
 //! | s and p | [`Polarisation`] | everywhere |
 //! | references in arbitrary precision, condition numbers | `references` | every stress |
 
+pub mod bsdf;
 pub mod em;
 pub mod fields;
 pub mod media;
+pub mod number;
 pub mod optics;
 mod polarisation;
 pub mod radiometry;

@@ -4,4 +4,5 @@
 pub mod film;
 pub mod fresnel;
 pub mod radiometry;
+pub mod microfacet;
 pub mod waves;

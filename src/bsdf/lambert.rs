@@ -1,0 +1,42 @@
+//! The diffuse surface (J. H. Lambert, *Photometria* (1760)): f = ρ/π whatever the directions (E48).
+
+use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, cosine_weighted, rgb};
+use crate::number::{Number, Vector};
+use std::f64::consts::FRAC_1_PI;
+
+/// A surface of one radiance in all directions.
+#[derive(Clone, Copy, Debug)]
+pub struct Lambert<N> {
+    /// ρ, the share that returns [1], 0 … 1.
+    pub albedo: Rgb<N>,
+}
+
+impl<N: Number> Bsdf<N> for Lambert<N> {
+    fn character(&self) -> Character {
+        Character {
+            transmits: false,
+            is_delta: false,
+            has_delta: false,
+            is_stochastic: false,
+            largest_weight: 1.0,
+            energy: Energy::Kept,
+        }
+    }
+
+    #[inline(always)]
+    fn eval_pdf(&self, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
+        let inverse_pi = N::of(FRAC_1_PI).only(both_above(wi, wo));
+        (rgb(|c| self.albedo[c] * inverse_pi), wi.z * inverse_pi)
+    }
+
+    #[inline(always)]
+    fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        let wi = cosine_weighted(u);
+        Sample::reflected(wi, self.albedo, wi.z * N::of(FRAC_1_PI)).only(both_above(wi, wo))
+    }
+
+    #[inline(always)]
+    fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
+        Some(rgb(|c| self.albedo[c].only(wo.z.gt(N::of(0.0)))))
+    }
+}

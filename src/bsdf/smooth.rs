@@ -1,0 +1,125 @@
+//! Surfaces without roughness, whose directions have no choice: f is a delta over the cosine (E49, E50).
+
+use super::fresnel::{Conductor, dielectric};
+use super::{Bsdf, Character, Energy, Rgb, Sample, grey, rgb};
+use crate::number::{Mask, Number, Vector};
+
+const CHARACTER: Character = Character {
+    transmits: false,
+    is_delta: true,
+    has_delta: true,
+    is_stochastic: false,
+    largest_weight: 1.0,
+    energy: Energy::Kept,
+};
+
+/// The direction that mirrors `w`.
+#[inline(always)]
+fn mirrored<N: Number>(w: Vector<N>) -> Vector<N> {
+    Vector::new(-w.x, -w.y, w.z)
+}
+
+#[inline(always)]
+fn nothing<N: Number>() -> (Rgb<N>, N) {
+    (grey(N::of(0.0)), N::of(0.0))
+}
+
+/// A mirror of the same reflectance at every angle.
+#[derive(Clone, Copy, Debug)]
+pub struct Mirror<N> {
+    /// The share reflected [1], 0 … 1.
+    pub reflectance: Rgb<N>,
+}
+
+impl<N: Number> Bsdf<N> for Mirror<N> {
+    fn character(&self) -> Character {
+        CHARACTER
+    }
+
+    #[inline(always)]
+    fn eval_pdf(&self, _: Vector<N>, _: Vector<N>) -> (Rgb<N>, N) {
+        nothing()
+    }
+
+    #[inline(always)]
+    fn sample(&self, wo: Vector<N>, _: [N; 3]) -> Sample<N> {
+        let drawn = Sample::reflected(mirrored(wo), self.reflectance, N::of(0.0));
+        Sample { is_delta: N::Mask::of(true), ..drawn }.only(wo.z.gt(N::of(0.0)))
+    }
+
+    #[inline(always)]
+    fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
+        Some(rgb(|c| self.reflectance[c].only(wo.z.gt(N::of(0.0)))))
+    }
+}
+
+/// Polished metal.
+#[derive(Clone, Copy, Debug)]
+pub struct SmoothConductor<N> {
+    /// Its indices.
+    pub metal: Conductor<N>,
+}
+
+impl<N: Number> Bsdf<N> for SmoothConductor<N> {
+    fn character(&self) -> Character {
+        CHARACTER
+    }
+
+    #[inline(always)]
+    fn eval_pdf(&self, _: Vector<N>, _: Vector<N>) -> (Rgb<N>, N) {
+        nothing()
+    }
+
+    #[inline(always)]
+    fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        Mirror { reflectance: self.metal.reflectance(wo.z.abs()) }.sample(wo, u)
+    }
+
+    #[inline(always)]
+    fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
+        Mirror { reflectance: self.metal.reflectance(wo.z.abs()) }.albedo(wo)
+    }
+}
+
+/// Polished glass, seen from either side.
+#[derive(Clone, Copy, Debug)]
+pub struct SmoothDielectric<N> {
+    /// n inside [1].
+    pub index: N,
+}
+
+impl<N: Number> Bsdf<N> for SmoothDielectric<N> {
+    fn character(&self) -> Character {
+        Character { transmits: true, ..CHARACTER }
+    }
+
+    #[inline(always)]
+    fn eval_pdf(&self, _: Vector<N>, _: Vector<N>) -> (Rgb<N>, N) {
+        nothing()
+    }
+
+    #[inline(always)]
+    fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        let (one, zero) = (N::of(1.0), N::of(0.0));
+        let is_inside = wo.z.lt(zero);
+        let eta = N::select(is_inside, one / self.index, self.index);
+        let there = dielectric(wo.z.abs().min(one), eta);
+        let through = Vector::new(-wo.x / eta, -wo.y / eta, N::select(is_inside, there.cos_t, -there.cos_t));
+        // One of the two, chosen with its own probability: the weight is 1.
+        let is_transmitted = u[2].ge(there.reflectance);
+        let compression = N::select(is_transmitted, one / eta.squared(), one);
+        Sample {
+            wi: Vector::select(is_transmitted, through, mirrored(wo)),
+            weight: grey(compression),
+            pdf: zero,
+            is_delta: N::Mask::of(true),
+            is_transmitted,
+            compression,
+        }
+    }
+
+    #[inline(always)]
+    fn albedo(&self, _: Vector<N>) -> Option<Rgb<N>> {
+        Some(grey(N::of(1.0)))
+    }
+}

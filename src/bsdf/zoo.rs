@@ -1,0 +1,154 @@
+//! All the models: one more is a file and a line here.
+
+use super::compensated::Compensated;
+use super::fresnel::Conductor;
+use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes};
+use super::rough_conductor::RoughConductor;
+use super::rough_dielectric::RoughDielectric;
+use super::walk::{Glass, Walk};
+use super::{Bsdf, Guarded, eon, lambert, oren_nayar, smooth};
+use crate::number::Number;
+use num_complex::Complex64;
+
+/// What models are made from; each takes what it needs and holds it within what it can do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Setting {
+    /// Reflectance of diffuse bodies and plain mirrors [1], 0 … 1, in three channels.
+    pub albedo: [f64; 3],
+    /// Roughness along x and y [1]: the root mean square slope times √2 (Beckmann), or its namesake (GGX); 1e−4 … 1.
+    pub alpha: [f64; 2],
+    /// How slopes are distributed.
+    pub slopes: Slopes,
+    /// How masking from two sides goes together.
+    pub joint: Joint,
+    /// Roughness of diffuse bodies [1], 0 … 1.
+    pub roughness: f64,
+    /// Index of what is clear [1], over that outside.
+    pub index: f64,
+    /// Indices n + iκ of the metal [1], over that outside, in three channels.
+    pub metal: [Complex64; 3],
+}
+
+impl Default for Setting {
+    /// White, glass, and the metal that absorbs nothing.
+    fn default() -> Self {
+        Self {
+            albedo: [1.0; 3],
+            alpha: [0.3; 2],
+            slopes: Slopes::Ggx,
+            joint: Joint::Correlated,
+            roughness: 0.5,
+            index: 1.5,
+            metal: [Complex64::I; 3],
+        }
+    }
+}
+
+/// x between the ends; the lower one if it is not a number.
+fn within(x: f64, low: f64, high: f64) -> f64 {
+    if x >= low { x.min(high) } else { low }
+}
+
+impl Setting {
+    /// The nearest setting that models can be made from.
+    pub fn held(self) -> Self {
+        let part = |x: f64| within(x, 0.0, 1e3);
+        Self {
+            albedo: self.albedo.map(|albedo| within(albedo, 0.0, 1.0)),
+            alpha: self.alpha.map(|alpha| within(alpha, 1e-4, 1.0)),
+            roughness: within(self.roughness, 0.0, 1.0),
+            index: within(self.index, 0.1, 10.0),
+            metal: self.metal.map(|index| Complex64::new(part(index.re), part(index.im))),
+            ..self
+        }
+    }
+
+    fn metal<N: Number>(&self) -> Conductor<N> {
+        Conductor { n: self.metal.map(|index| N::of(index.re)), k: self.metal.map(|index| N::of(index.im)) }
+    }
+}
+
+/// A model by name.
+#[derive(Clone, Copy)]
+pub struct Entry<N: Number> {
+    /// Command-line word (`rough-conductor`).
+    pub name: &'static str,
+    /// What it is, in a few words.
+    pub about: &'static str,
+    make: fn(&Setting) -> Box<dyn Bsdf<N>>,
+}
+
+impl<N: Number> Entry<N> {
+    /// The model, behind its gate.
+    pub fn make(&self, setting: &Setting) -> Box<dyn Bsdf<N>> {
+        (self.make)(&setting.held())
+    }
+}
+
+fn boxed<N: Number>(model: impl Bsdf<N> + 'static) -> Box<dyn Bsdf<N>> {
+    Box::new(Guarded(model))
+}
+
+/// A model of facets whose slopes are distributed as the setting says.
+macro_rules! with_facets {
+    ($setting:ident, $facets:ident => $model:expr) => {
+        match $setting.slopes {
+            Slopes::Ggx => {
+                let $facets = Ggx::new($setting.alpha.map(N::of));
+                boxed($model)
+            }
+            Slopes::Beckmann => {
+                let $facets = Beckmann::new($setting.alpha.map(N::of));
+                boxed($model)
+            }
+        }
+    };
+}
+
+/// Every model.
+pub fn zoo<N: Number>() -> Vec<Entry<N>> {
+    let entry = |name, about, make| Entry { name, about, make };
+    vec![
+        entry("lambert", "diffuse", |s| boxed(lambert::Lambert { albedo: s.albedo.map(N::of) })),
+        entry("oren-nayar", "rough and diffuse, as textbooks have it", |s| {
+            let sigma = N::of(s.roughness * std::f64::consts::FRAC_PI_2);
+            boxed(oren_nayar::OrenNayar { albedo: s.albedo.map(N::of), sigma })
+        }),
+        entry("eon", "rough and diffuse, its energy kept", |s| {
+            boxed(eon::Eon { albedo: s.albedo.map(N::of), roughness: N::of(s.roughness) })
+        }),
+        entry("mirror", "a plain mirror", |s| boxed(smooth::Mirror { reflectance: s.albedo.map(N::of) })),
+        entry("conductor", "polished metal", |s| boxed(smooth::SmoothConductor { metal: s.metal() })),
+        entry("dielectric", "polished glass", |s| boxed(smooth::SmoothDielectric { index: N::of(s.index) })),
+        entry(
+            "rough-conductor",
+            "rough metal, one bounce",
+            |s| with_facets!(s, facets => RoughConductor { facets, joint: s.joint, metal: s.metal() }),
+        ),
+        entry(
+            "rough-dielectric",
+            "rough glass, one event",
+            |s| with_facets!(s, facets => RoughDielectric::new(facets, s.joint, N::of(s.index))),
+        ),
+        entry(
+            "conductor-walk",
+            "rough metal, every bounce walked",
+            |s| with_facets!(s, facets => Walk::new(facets, s.metal())),
+        ),
+        entry(
+            "dielectric-walk",
+            "rough glass, every event walked",
+            |s| with_facets!(s, facets => Walk::new(facets, Glass::new(N::of(s.index)))),
+        ),
+        entry(
+            "conductor-compensated",
+            "rough metal, what one bounce loses given back",
+            |s| with_facets!(s, facets => Compensated::metal(facets, s.metal())),
+        ),
+        entry(
+            "dielectric-compensated",
+            "rough glass, what one event loses given back",
+            |s| with_facets!(s, facets => Compensated::glass(facets, N::of(s.index))),
+        ),
+    ]
+}

@@ -1,0 +1,159 @@
+//! One formula, three widths: what a formula needs of a number, so that it can be written once for `f64`, for `f32` and
+//! for eight `f32` at a time.
+//!
+//! A formula over [`Number`] has no branch on data: it computes both ways and [`Number::select`]s. No lane ever sees
+//! another, and nothing here is fused or left to a system's library, so that eight lanes give what eight `f32` give, bit
+//! for bit and on every machine.
+
+mod dice;
+mod elementary;
+mod lanes;
+mod scalar;
+#[cfg(test)]
+mod tests;
+mod vector;
+
+pub use dice::Dice;
+pub use elementary::{Erfcx, atan2, beta, erfcx, exp, ln, ln_1p, polynomial, sin_cos_turns};
+pub use lanes::{Eight, F32x8};
+pub use vector::Vector;
+
+use std::fmt::Debug;
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// A truth value for every lane.
+pub trait Mask: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+    /// The same in every lane.
+    fn of(value: bool) -> Self;
+    /// Whether it is true in any lane.
+    fn any(self) -> bool;
+    /// Of one lane.
+    fn lane(self, at: usize) -> bool;
+}
+
+impl Mask for bool {
+    #[inline(always)]
+    fn of(value: bool) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+    #[inline(always)]
+    fn lane(self, _: usize) -> bool {
+        self
+    }
+}
+
+/// A real number, or several that are computed alike.
+pub trait Number:
+    Copy
+    + Debug
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// What a comparison gives.
+    type Mask: Mask;
+    /// 32 bits a lane.
+    type Bits: Copy + Debug;
+
+    /// How many numbers it holds.
+    const LANES: usize;
+    /// The distance [1] from 1 to the next number.
+    const EPSILON: f64;
+    /// How far series have to be carried.
+    const TERMS: Terms;
+
+    /// `x`, rounded, in every lane.
+    fn of(x: f64) -> Self;
+    /// A number a lane, rounded.
+    fn from_lanes(of: impl FnMut(usize) -> f64) -> Self;
+    /// The number in one lane.
+    fn lane(self, at: usize) -> f64;
+
+    /// √x, correctly rounded.
+    fn sqrt(self) -> Self;
+    /// |x|.
+    fn abs(self) -> Self;
+    /// The smaller; `other` if either is NaN.
+    fn min(self, other: Self) -> Self;
+    /// The larger; `other` if either is NaN.
+    fn max(self, other: Self) -> Self;
+    /// x < `other`: false for NaN.
+    fn lt(self, other: Self) -> Self::Mask;
+    /// x ≤ `other`: false for NaN.
+    fn le(self, other: Self) -> Self::Mask;
+    /// `yes` where the mask is true, `no` elsewhere.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// The nearest whole number, for |x| < 2²².
+    fn round(self) -> Self;
+    /// 2^k for whole k within the range of normal numbers.
+    fn power_of_two(k: Self) -> Self;
+    /// (m, e) with x = m 2^e and √½ ≤ m < √2, for normal x > 0.
+    fn split(self) -> (Self, Self);
+    /// `table[x]` of every lane, for whole x within the table; its ends beyond.
+    fn look_up(self, table: &[f64]) -> Self;
+
+    /// 32 bits that depend on all bits of x.
+    fn bits(self) -> Self::Bits;
+    /// The `count`-th of the numbers in 0 ≤ u < 1, multiples of 2⁻²⁴, that belong to a key.
+    fn dice(key: [Self::Bits; 2], count: u32) -> Self;
+
+    /// x > `other`.
+    #[inline(always)]
+    fn gt(self, other: Self) -> Self::Mask {
+        other.lt(self)
+    }
+    /// x ≥ `other`.
+    #[inline(always)]
+    fn ge(self, other: Self) -> Self::Mask {
+        other.le(self)
+    }
+    /// x².
+    #[inline(always)]
+    fn squared(self) -> Self {
+        self * self
+    }
+    /// x where the mask is true, 0 elsewhere.
+    #[inline(always)]
+    fn only(self, mask: Self::Mask) -> Self {
+        Self::select(mask, self, Self::of(0.0))
+    }
+    /// x between `low` and `high`; `low` if NaN.
+    #[inline(always)]
+    fn clamp(self, low: f64, high: f64) -> Self {
+        self.max(Self::of(low)).min(Self::of(high))
+    }
+}
+
+/// Terms that a width's series need, so that what is left out is below its rounding.
+#[derive(Clone, Copy, Debug)]
+pub struct Terms {
+    /// Of sin x/x and cos x for |x| ≤ π/4.
+    pub sine: usize,
+    /// Of e^x for |x| ≤ ½ ln 2.
+    pub exponential: usize,
+    /// Of artanh x/x for |x| ≤ 3 − 2√2.
+    pub logarithm: usize,
+    /// Of arctan x/x for |x| ≤ tan(π/16).
+    pub arctangent: usize,
+    /// Steps of the midpoint rule for erfcx, and their length [1].
+    pub gaussian: (usize, f64),
+    /// The least exponent [1] of e that gives a normal number.
+    pub least_exponent: f64,
+}
+
+/// Runs `work` with the widest instructions that the machine has: what is inlined into it and works on [`F32x8`] becomes
+/// vector code. The numbers are the same with and without.
+#[inline]
+pub fn vectorised<R>(work: impl FnOnce() -> R) -> R {
+    fearless_simd::dispatch!(fearless_simd::Level::new(), _simd => work())
+}
