@@ -193,7 +193,7 @@ fn patterns(setting: &Setting) -> Plot {
     };
     let chart = Chart::new(
         "",
-        Axis::linear("I across the axis, over Φ/4π", "").range(-2.4, 2.4).tick(1.0),
+        Axis::linear("I across the axis, over Φ/4π", "").range(-4.8, 4.8).tick(1.0),
         Axis::linear("I along the axis, over Φ/4π", "").range(-1.4, 4.4).tick(1.0),
     )
     .line(Hue::Nth(0), "alike everywhere", curve(Pattern::Isotropic))

@@ -1,6 +1,7 @@
 //! E32 where there is no closed form: sums over the sky, and what each way to draw directions costs.
 
-use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
+use crate::diagram::{Diagram, Part};
+use crate::figure::{Hue, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
     Answer, Bench, Check, Exhibit, Heat, Lane, Measured, Quantity, Race, Step, check, choice, exhibit, figure, lane,
@@ -257,11 +258,11 @@ fn points(setting: &Setting) -> Plot {
     let kinds = [(Points::Random, "by chance"), (Points::Stratified, "one in each cell"), (Points::Sobol, "Sobol's, scrambled")];
     let panel = |(kind, name): (Points, &str)| {
         let mut dice: Stream = stream(0, "radiometry/quadrature/points");
-        let seen = kind.draw(n, &mut dice).into_iter().map(|at| Domain::Cosine.at(at)).map(|way| [way[0], way[1]]).collect();
+        let seen = kind.draw(n, &mut dice).into_iter().map(|at| Domain::Cosine.at(at));
         let rim = (0..=120).map(|at| TAU * f64::from(at) / 120.0).map(|t| [t.cos(), t.sin()]).collect();
-        Chart::new(name, Axis::bare(-1.05, 1.05), Axis::bare(-1.05, 1.05))
-            .line(Hue::Reference, "", rim)
-            .with(Mark::Points { label: String::new(), hue: Hue::Ours, shape: Shape::Disc, joined: false, points: seen })
+        Diagram::new(name, [-1.05; 2], [1.05; 2])
+            .with(Part::curve(rim).hue(Hue::Reference))
+            .with_all(seen.map(|way| Part::point([way[0], way[1]]).hue(Hue::Ours)))
             .into()
     };
     Plot::grid(format!("{n} directions over a hemisphere, from above"), 3, kinds.map(panel).into())

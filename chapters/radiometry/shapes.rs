@@ -514,7 +514,7 @@ fn edges(_: &Setting) -> Plot {
             .with(Part::line([0.0; 2], a.normalize().truncate().to_array()).dash(Dash::Dashed).hue(Hue::Reference));
     }
     let found = polygon::irradiance(&flat, [0.0, 0.0, 1.0]).unwrap_or(f64::NAN);
-    Plot::grid(format!("Lambert's edges, and the area that they enclose in Nusselt's disc: {found:.3} of π"), 2, vec![
+    Plot::grid(format!("Lambert's edges, and the area that they enclose in Nusselt's disc: E/L = {found:.3} sr"), 2, vec![
         oblique.into(),
         disc.into(),
     ])

@@ -4,7 +4,8 @@ use super::sums::{
     AXES, KINK, LEBEDEVS, NEAR, PRODUCTS, SMOOTH, STEP as SHADE, by_chance, by_lebedev, by_product, chance,
 };
 use super::symbols::{ALPHA, AZIMUTH, FLUX, PLACE, RADIUS, S_R, SOLID_ANGLE, THETA};
-use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
+use crate::diagram::{Diagram, Part, Spot};
+use crate::figure::{Dash, Hue, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::symbols::S;
 use crate::vocabulary::{
@@ -245,20 +246,19 @@ fn together(_: &mut Bench, sine: fn(f64) -> f64) -> Measured {
 fn sphere(setting: &Setting) -> Plot {
     let alpha = setting.number("alpha");
     let view = View::new(0.5, 0.9);
-    let mut chart = Chart::new("", Axis::bare(-1.15, 1.15), Axis::bare(-1.15, 1.15));
-    let curve = |points: Vec<DVec3>| view.front(points);
+    let curve = |points: Vec<DVec3>, hue: Hue| view.front(points).into_iter().map(move |run| Part::curve(run).hue(hue));
     let arc = |count: i32, place: &dyn Fn(f64) -> DVec3| -> Vec<DVec3> {
         (0..=count).map(|at| place(f64::from(at) / f64::from(count))).collect()
     };
+    let mut diagram = Diagram::new("", [-1.7, -1.1], [1.7, 1.1]);
     for step in 1..12 {
         let theta = PI * f64::from(step) / 12.0;
-        chart = chart.line(Hue::Reference, "", curve(arc(180, &|t| outward(theta, TAU * t))));
+        diagram = diagram.with_all(curve(arc(180, &|t| outward(theta, TAU * t)), Hue::Reference));
     }
     for step in 0..24 {
         let phi = TAU * f64::from(step) / 24.0;
-        chart = chart.line(Hue::Reference, "", curve(arc(90, &|t| outward(PI * t, phi))));
+        diagram = diagram.with_all(curve(arc(90, &|t| outward(PI * t, phi)), Hue::Reference));
     }
-    let rim = curve(arc(360, &|t| outward(alpha, TAU * t)));
     let outline = (0..=120).map(|at| TAU * f64::from(at) / 120.0).map(|t| [t.cos(), t.sin()]).collect();
     let [theta, phi] = [PI / 12.0 * 5.0, TAU / 24.0];
     let (next, on) = (theta + PI / 12.0, phi + TAU / 24.0);
@@ -268,19 +268,15 @@ fn sphere(setting: &Setting) -> Plot {
         arc(20, &|t| outward(next + t * (theta - next), on)),
         arc(20, &|t| outward(theta, on + t * (phi - on))),
     ];
-    let chart = chart
-        .line(Hue::Reference, "", outline)
-        .line(Hue::Ours, "the cone's rim", rim)
-        .line(Hue::P, "a patch sin θ dφ dθ", curve(patch.concat()))
-        .with(Mark::Points {
-            label: "the axis".into(),
-            hue: Hue::S,
-            shape: Shape::Disc,
-            joined: false,
-            points: view.front(vec![DVec3::Z]),
-        });
+    let diagram = diagram
+        .with(Part::curve(outline).hue(Hue::Reference))
+        .with_all(curve(arc(360, &|t| outward(alpha, TAU * t)), Hue::Ours))
+        .with_all(curve(patch.concat(), Hue::P))
+        .with_all(view.front(vec![DVec3::Z]).into_iter().flatten().map(|at| Part::point(at).hue(Hue::S)))
+        .explain(Hue::Ours, Dash::Solid, "the cone's rim")
+        .explain(Hue::P, Dash::Solid, "a patch sin θ dφ dθ");
     let share = 100.0 * cone_of(alpha) / (4.0 * PI);
-    Plot::of(format!("α = {:.0}°: {share:.1} % of the sphere", alpha.to_degrees()), chart)
+    Plot::of(format!("α = {:.0}°: {share:.1} % of the sphere", alpha.to_degrees()), diagram)
 }
 
 /// The unit vector at θ and φ.
@@ -303,12 +299,10 @@ impl View {
         Self { right, up: eye.cross(right), eye }
     }
 
-    /// Places of the unit sphere as seen; those behind it are not.
-    fn front(&self, places: Vec<DVec3>) -> Vec<[f64; 2]> {
-        let seen = |place: DVec3| match place.dot(self.eye) >= -1e-9 {
-            true => [place.dot(self.right), place.dot(self.up)],
-            false => [f64::NAN; 2],
-        };
-        places.into_iter().map(seen).collect()
+    /// The runs of places of the unit sphere that are seen; those behind it are not.
+    fn front(&self, places: Vec<DVec3>) -> Vec<Vec<Spot>> {
+        let is_seen = |place: &DVec3| place.dot(self.eye) >= -1e-9;
+        let runs = places.chunk_by(|one, next| is_seen(one) == is_seen(next)).filter(|run| is_seen(&run[0]));
+        runs.map(|run| run.iter().map(|place| [place.dot(self.right), place.dot(self.up)]).collect()).collect()
     }
 }
