@@ -24,14 +24,15 @@ impl Disc {
     /// cancel, as a sum over strips.
     ///
     /// # Errors
-    /// If radius or height are not positive, or offset or tilt are outside their range.
+    /// If radius or height are not positive or less than 10⁻¹⁵⁰ of the largest length, or offset or tilt are outside their range.
     pub fn irradiance(&self) -> Result<f64, Refusal> {
         let radius = Refusal::unless_positive("R", self.radius)?;
         let height = Refusal::unless_positive("h", self.height)?;
         let offset = Refusal::unless("a", self.offset, true, "finite")?;
         let tilt = Refusal::unless("tau", self.tilt, self.tilt.abs() <= PI, "-pi to pi")?;
         let unit = radius.max(height).max(offset.abs());
-        let (radius, height) = (radius / unit, height / unit);
+        let radius = Refusal::unless_tiny("R", radius, unit)?;
+        let height = Refusal::unless_tiny("h", height, unit)?;
         // Turned over, what leans back leans forward.
         let offset = offset.copysign(offset * tilt) / unit;
         let offset = if tilt == 0.0 { offset.abs() } else { offset };

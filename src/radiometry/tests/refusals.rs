@@ -29,6 +29,11 @@ fn sizes_and_places() {
         refused("w", form_factor::perpendicular_rectangles(bad, 1.0, 1.0));
         refused("r2", form_factor::coaxial_discs(1.0, bad, 1.0));
     }
+    for tiny in [1e-151, 5e-324] {
+        refused("R", Disc { radius: tiny, ..disc }.irradiance());
+        refused("h", Disc { height: tiny, ..disc }.irradiance());
+        refused("b", rectangle::corner(1.0, tiny, 1.0));
+    }
     for bad in [f64::NAN, f64::INFINITY] {
         refused("a", Disc { offset: bad, ..disc }.irradiance());
         refused("theta", point(1.0, 1.0, bad));
@@ -58,7 +63,8 @@ fn polygons() {
     refused("vertices", changed(1, [f64::INFINITY, 0.0, 1.0]));
     refused("vertices", changed(2, [1.0, 1.0, 1.0 + 1e-7]));
     assert!(changed(2, [1.0, 1.0, 1.0 + 1e-9]).is_ok());
-    // A line, and a point.
+    // A length of another world; a line, and a point.
+    refused("vertices", changed(1, [1e150, 0.0, 1.0]));
     refused("vertices", polygon::irradiance(&[[0.1, 0.2, 1.0], [0.2, 0.4, 1.0], [0.4, 0.8, 1.0]], UP));
     refused("vertices", polygon::irradiance(&[[1.0, 0.5, 1.0]; 3], UP));
     // An hourglass whose halves do not undo each other.

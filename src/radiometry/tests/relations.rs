@@ -106,7 +106,7 @@ proptest! {
 
     #[test]
     fn a_sphere_is_the_disc_where_its_tangents_end(distance in 1.001..100.0, omega in 0.0..PI) {
-        let (sin, cos) = (1.0 / distance, ((distance - 1.0) * (distance + 1.0)).sqrt() / distance);
+        let (sin, cos) = (1.0 / distance, f64::sqrt((distance - 1.0) * (distance + 1.0)) / distance);
         let sphere = Sphere { radius: 1.0, distance, omega }.irradiance().unwrap();
         let disc = Disc { radius: sin, height: cos, offset: 0.0, tilt: omega }.irradiance().unwrap();
         // Near its setting both follow the angle's rounding.
@@ -157,6 +157,13 @@ fn edge_on_there_is_nothing() {
             assert_eq!(polygon::irradiance(&shifted(x), normal), Ok(0.0));
         }
     }
+    // In a plane across no axis, where rounding does not leave 0 by itself.
+    let (u, v): (Vector, Vector) = ([0.1, 0.7, 0.3], [0.5, -0.2, 0.9]);
+    let twice = |u: Vector| u.map(|x| 2.0 * x);
+    for corners in [vec![u, twice(u), v], vec![u, twice(u), twice(v), v], vec![u, v, twice(v).map(|x| -x)]] {
+        assert_eq!(polygon::irradiance(&corners, UP), Ok(0.0));
+    }
+    assert_eq!(polygon::irradiance(&[[0.0; 3], [0.1, 0.7, 0.3], [0.2, -0.4, 0.9]], UP), Ok(0.0));
     // Yet from as close as one likes it fills the sky.
     let over = square.map(|[a, b, _]| [a - 2.0, b, 1e-300]);
     assert!((polygon::irradiance(&over, UP).unwrap() - PI).abs() <= 4.0 * f64::EPSILON);
