@@ -3,7 +3,7 @@
 use super::models::{ALBEDO, ALPHA, INDEX, METAL, MODEL, ROUGHNESS, SLOPES, THETA, chosen, model, way};
 use super::symbols::{E, F_R, L_IN, L_R, OMEGA_I, OMEGA_O, RHO, THETA_I, THETA_O, W_I, W_O};
 use crate::diagram::{Behind, Diagram, Part};
-use crate::figure::{Axis, Chart, Dash, Hue, Plot};
+use crate::figure::{Dash, Hue, Plot};
 use crate::parameter::Setting;
 use crate::vocabulary::{
     Answer, Bench, Check, Exhibit, Measured, Quantity, Step, check, choice, derivation, exhibit, figure, question,
@@ -212,18 +212,19 @@ fn directions(setting: &Setting) -> Plot {
 fn lobes(setting: &Setting) -> Plot {
     let surface = chosen(setting);
     let below = surface.character().transmits;
-    let mut chart = Chart::new("", Axis::bare(-1.1, 1.1), Axis::bare(if below { -1.1 } else { -0.1 }, 1.1));
+    let mut diagram = Diagram::new("", [-1.7, if below { -1.15 } else { -0.15 }], [1.7, 1.15]);
     let rim = |from: f64, to: f64| -> Vec<[f64; 2]> {
         (0..=90).map(|at| from + (to - from) * f64::from(at) / 90.0).map(|t| [t.sin(), t.cos()]).collect()
     };
-    chart = chart.line(Hue::Reference, "", rim(-FRAC_PI_2, if below { FRAC_PI_2 * 3.0 } else { FRAC_PI_2 }));
-    chart = chart.line(Hue::Reference, "", vec![[-1.05, 0.0], [1.05, 0.0]]);
+    let rim = rim(-FRAC_PI_2, if below { FRAC_PI_2 * 3.0 } else { FRAC_PI_2 });
+    diagram = diagram
+        .with(Part::curve(rim).hue(Hue::Reference))
+        .with(Part::line([-1.3, 0.0], [1.3, 0.0]).hue(Hue::Reference));
     for (at, degrees) in [0.0, 30.0, 60.0, 80.0].into_iter().enumerate() {
-        let theta = f64::to_radians(degrees);
+        let (theta, hue) = (f64::to_radians(degrees), Hue::Nth(at as u8));
         let wi = way(theta, PI);
-        let steps = 2880;
-        let values: Vec<(f64, f64)> = (0..=steps)
-            .map(|step| TAU * f64::from(step) / f64::from(steps))
+        let values: Vec<(f64, f64)> = (0..=STEPS)
+            .map(|step| TAU * f64::from(step) / f64::from(STEPS))
             .map(|angle| {
                 let wo = Vector::new(angle.sin(), 0.0, angle.cos());
                 (angle, surface.eval(wi, wo)[1] * wo.z.abs())
@@ -234,12 +235,17 @@ fn lobes(setting: &Setting) -> Plot {
             continue;
         }
         let points = values.iter().map(|(angle, f)| [f / most * angle.sin(), f / most * angle.cos()]).collect();
-        let name = format!("θ_i = {degrees}°, up to {}", short(most));
-        let from = [[0.0; 2], [-1.08 * theta.sin(), 1.08 * theta.cos()]];
-        chart = chart.line(Hue::Nth(at as u8), name, points).dashed(Hue::Nth(at as u8), "", from.to_vec());
+        let from = [-1.1 * theta.sin(), 1.1 * theta.cos()];
+        diagram = diagram
+            .with(Part::curve(points).hue(hue))
+            .with(Part::ray(from, from.map(|part| part * 0.75)).hue(hue))
+            .explain(hue, Dash::Solid, format!("θ_i = {degrees}°, up to {}", short(most)));
     }
-    Plot::of(format!("f_r cos θ_o of {} (1/sr, green)", setting.word("model")), chart)
+    Plot::of(format!("f_r cos θ_o of {} (1/sr, green), each over its largest", setting.word("model")), diagram)
 }
+
+/// Directions of a polar curve.
+const STEPS: i32 = 1440;
 
 fn short(x: f64) -> String {
     if (0.01..1000.0).contains(&x) { format!("{x:.2}") } else { format!("{x:.1e}") }

@@ -20,18 +20,19 @@ pub struct Disc {
 }
 
 impl Disc {
-    /// E/L [sr] of what is above the horizon: in closed form if that is all of it, else as the one integral that is left, whose
-    /// antiderivative would cancel near the horizon.
+    /// E/L [sr] of what is above the horizon: in closed form, but near the horizon, where that would
+    /// cancel, as a sum over strips.
     ///
     /// # Errors
-    /// If radius or height are not positive, or offset or tilt are outside their range.
+    /// If radius or height are not positive or less than 10⁻¹⁵⁰ of the largest length, or offset or tilt are outside their range.
     pub fn irradiance(&self) -> Result<f64, Refusal> {
         let radius = Refusal::unless_positive("R", self.radius)?;
         let height = Refusal::unless_positive("h", self.height)?;
         let offset = Refusal::unless("a", self.offset, true, "finite")?;
         let tilt = Refusal::unless("tau", self.tilt, self.tilt.abs() <= PI, "-pi to pi")?;
         let unit = radius.max(height).max(offset.abs());
-        let (radius, height) = (radius / unit, height / unit);
+        let radius = Refusal::unless_tiny("R", radius, unit)?;
+        let height = Refusal::unless_tiny("h", height, unit)?;
         // Turned over, what leans back leans forward.
         let offset = offset.copysign(offset * tilt) / unit;
         let offset = if tilt == 0.0 { offset.abs() } else { offset };
@@ -86,7 +87,33 @@ impl Seen {
         cos * facing + sin * aside
     }
 
+    /// Lambert's contour integral along the arc above the horizon and the chord that closes it, where it does not cancel.
     fn cut(&self, low: &Rim, high: &Rim) -> f64 {
+        let Self { radius, height, offset, sin, cos } = *self;
+        // tan of half the arc's angle, and half the chord.
+        let half = (high.up / -low.up).sqrt();
+        let chord = (high.up * -low.up).sqrt() / sin;
+        let (p, q) = (low.distance, high.distance);
+        let r = p / q;
+        let e = 4.0 * offset * radius / (q * (p + q));
+        let full = (r * half).atan();
+        let slope = half / (1.0 + r * half * half);
+        let bent = if e == 0.0 { slope } else { (e * slope).atan() / e };
+        let swing = 4.0 / (q * q * (1.0 + r)) * (bent - e / (2.0 * r) * full);
+        let power = self.power();
+        // Under the disc both parts of ½Φ − ½ power ∫dφ/r² are positive; beside it those of the integral as it stands.
+        let facing = match power < 0.0 {
+            true => [half.atan(), -power / (p * q) * full],
+            false => [2.0 * radius / (p * q) * full * radius, radius * offset * swing],
+        };
+        let terms = [cos * facing[0], cos * facing[1], -sin * height * radius * swing, (chord * sin / height).atan()];
+        let total: f64 = terms.iter().sum();
+        let size: f64 = terms.iter().map(|term| term.abs()).sum();
+        if size > MOST * total.abs() { self.strips(low, high) } else { total }
+    }
+
+    /// The same as a sum over strips across the lamp.
+    fn strips(&self, low: &Rim, high: &Rim) -> f64 {
         let (sine, power) = (2.0 * self.radius * self.height, self.power());
         let across = Strips {
             opening: sine.atan2(power),
@@ -155,6 +182,9 @@ impl Strips {
         (self.low * angle.sin()).sqrt() * (self.high * other.sin()).sqrt()
     }
 }
+
+/// How much larger than their sum the terms of a contour may be [1].
+const MOST: f64 = 4.0;
 
 /// Of Gauss's rule in a panel [1]: the nearest pole, Y = ±i, is no nearer than half the panel's length from its end.
 const NODES: usize = 16;

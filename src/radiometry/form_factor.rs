@@ -40,9 +40,10 @@ pub fn perpendicular_rectangles(w: f64, h: f64, l: f64) -> Result<f64, Refusal> 
     let [w, h, l] = lengths([("w", w), ("h", h), ("l", l)])?;
     let (w, h) = (w / l, h / l);
     let slant = w.hypot(h);
-    // x arctan(1/x) of w, h and −√(w² + h²) as three terms that are positive: arctan 1/√(w² + h²) is taken out of all.
-    let beyond = |side: f64, other: f64| side * (other * (other / (slant + side))).atan2(1.0 + side * slant);
-    let angles = beyond(w, h) + beyond(h, w) + 2.0 * w * (h / (w + h + slant)) * (1.0 / slant).atan();
+    // The diagonal's term against that of the longer side, which it may nearly equal.
+    let (long, short) = (w.max(h), w.min(h));
+    let rise = short * (short / (slant + long));
+    let angles = long * rise.atan2(1.0 + long * slant) - rise * (1.0 / slant).atan() + short * (1.0 / short).atan();
     // Near −1 its complement is no longer exact, and the logarithm is that of the quotient itself.
     let log = |less: f64, whole: f64| if less < 0.5 { (-less).ln_1p() } else { whole.ln() };
     let side = |w: f64, h: f64| {

@@ -16,12 +16,13 @@ pub struct Corner {
 /// Of the rectangle 0 … `a` by 0 … `b` in the plane z = `h`.
 ///
 /// # Errors
-/// If any of the lengths is not positive and finite.
+/// If any of the lengths is not positive and finite, or less than 10⁻¹⁵⁰ of the largest.
 pub fn corner(a: f64, b: f64, h: f64) -> Result<Corner, Refusal> {
     let [a, b, h] = [("a", a), ("b", b), ("h", h)].map(|(place, length)| Refusal::unless_positive(place, length));
     let (a, b, h) = (a?, b?, h?);
     let unit = a.max(b).max(h);
-    let [a, b, h] = [a / unit, b / unit, h / unit];
+    let [a, b, h] = [("a", a), ("b", b), ("h", h)].map(|(place, length)| Refusal::unless_tiny(place, length, unit));
+    let (a, b, h) = (a?, b?, h?);
     let (along, across) = (a.hypot(h), b.hypot(h));
     // along − h, without the difference.
     let rise = a * a / (along + h);

@@ -37,4 +37,11 @@ impl Refusal {
     pub(super) fn unless_positive(place: &'static str, value: f64) -> Result<f64, Self> {
         Self::unless(place, value, value > 0.0, "positive, finite")
     }
+
+    /// A positive length in a `unit`, the largest length about, if it is not so much smaller that its products leave the range
+    /// of `f64`.
+    pub(super) fn unless_tiny(place: &'static str, length: f64, unit: f64) -> Result<f64, Self> {
+        Self::unless(place, length, length / unit >= 1e-150, "at least 1e-150 of the largest length")
+            .map(|length| length / unit)
+    }
 }

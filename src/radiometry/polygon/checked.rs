@@ -38,9 +38,24 @@ pub(super) fn checked(corners: &[Vector], normal: Vector) -> Result<Option<Polyg
     let normal = normal.map(|x| x / power_of_two(&normal));
     let normal = WideVector::from(normal);
     let normal = normal.times(Wide::from(1.0) / normal.norm());
-    let seen = f64::from(area.dot(corners[0].into())) != 0.0;
+    let seen = !is_edge_on(&corners, area);
     Ok(seen.then_some(Polygon { corners, normal }))
 }
+
+/// Whether the receiver is in the polygon's plane, as far as 106 bits tell.
+fn is_edge_on(corners: &[Vector], area: WideVector) -> bool {
+    let distance: [Wide; 3] = std::array::from_fn(|axis| area.0[axis] * Wide::from(corners[0][axis]));
+    let size: f64 = distance.iter().map(|&part| f64::from(part).abs()).sum();
+    let [x, y, z] = distance;
+    f64::from(x + y + z).abs() <= LOST * size || corners.contains(&[0.0; 3])
+}
+
+/// How many times the least length, a corner's distance or the polygon's extent, the largest may be [1]: squares stay within
+/// the range of `f64`.
+pub const RATIO: f64 = 1e100;
+
+/// What rounding leaves of a sum with twice the digits that is 0 [1].
+const LOST: f64 = 1e-30;
 
 /// The power of two at or below the largest size, within the range of those whose quotients are exact.
 fn power_of_two(numbers: &[f64]) -> f64 {
@@ -56,8 +71,12 @@ fn plane(corners: &[Vector]) -> Result<WideVector, Refusal> {
     let area =
         from_first.windows(2).map(|pair| pair[0].cross(pair[1])).reduce(WideVector::plus).expect("three corners");
     let size = f64::from(area.norm());
-    // A line's corners leave no more than the rounding of 106 bits.
-    if size <= 1e-30 * extent * extent {
+    let distances = corners.iter().map(|&corner| corner.into_iter().fold(0.0, |most: f64, x| most.max(x.abs())));
+    if distances.filter(|&distance| distance > 0.0).fold(extent, f64::min) < 1.0 / RATIO {
+        let why = format!("a length is more than {RATIO:e} times another; valid: up to that");
+        return Err(Refusal::new("vertices", why));
+    }
+    if size <= LOST * extent * extent {
         return Err(Refusal::new("vertices", "all corners are on one line; valid: a polygon with an area"));
     }
     for (at, side) in from_first.iter().enumerate() {

@@ -90,23 +90,28 @@ impl Clipped {
             size += f64::from(chords).abs() + f64::from(bent).abs();
         }
         let total = 0.5 * f64::from(sum);
-        if total.abs() < KEPT * size { self.low() } else { total }
+        if total.abs() > KEPT * size {
+            return total;
+        }
+        let (low, low_size) = self.low();
+        // Whichever has lost less in rounding.
+        if f64::EPSILON * low_size < f64::EPSILON * f64::EPSILON * size { low } else { total }
     }
 
-    /// The same where all edges are low.
-    fn low(&self) -> f64 {
+    /// The same where all edges are low, and the sum of its terms' sizes.
+    fn low(&self) -> (f64, f64) {
         let strip = |(here, there): (&Corner, &Corner)| {
             let across = f64::from(here.at.cross(there.at).dot(self.normal));
             let along = f64::from(here.at.dot(there.at) - here.height * there.height);
             let turn = across.atan2(along);
             if turn == 0.0 { 0.0 } else { -0.5 * turn * mean_square(here.tangent(), there.tangent(), turn) }
         };
-        self.pairs().map(strip).sum()
+        self.pairs().map(strip).fold((0.0, 0.0), |(sum, size), strip| (sum + strip, size + strip.abs()))
     }
 }
 
 /// What of a sum with twice the digits must be left for it to have all digits of `f64` [1].
-const KEPT: f64 = 1e-12;
+const KEPT: f64 = 1e-13;
 
 /// (γ/sin γ − 1) n·(u × v).
 fn bent(here: &Corner, there: &Corner, normal: WideVector) -> Wide {

@@ -6,7 +6,7 @@ mod clipped;
 pub mod vector;
 mod wide;
 
-pub use checked::FLATNESS;
+pub use checked::{FLATNESS, RATIO};
 
 use super::Refusal;
 use checked::checked;
@@ -19,7 +19,7 @@ use vector::{Vector, cross, dot};
 ///
 /// # Errors
 /// If there are fewer than three corners, they are off their plane by more than [`FLATNESS`] or all on one line, edges
-/// cross, the normal is null, or any number is not finite.
+/// cross, lengths differ by more than [`RATIO`], the normal is null, or any number is not finite.
 pub fn irradiance(corners: &[Vector], normal: Vector) -> Result<f64, Refusal> {
     Ok(checked(corners, normal)?.map_or(0.0, |polygon| Clipped::new(&polygon).irradiance().abs()))
 }
