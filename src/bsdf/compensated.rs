@@ -85,7 +85,7 @@ impl<N: Number, S: Bsdf<N>> Compensated<N, S> {
     #[inline(always)]
     fn loss(&self, w: Vector<N>) -> (N, N) {
         let is_inside = w.z.lt(N::of(0.0));
-        let part = |lobe: &Lobe<N>| (lobe.losses.at(w), N::of(lobe.losses.mean()));
+        let part = |lobe: &Lobe<N>| (lobe.losses.at(w).max(N::of(0.0)), N::of(lobe.losses.mean()));
         self.of_side(is_inside, part, |mask, yes, no| (N::select(mask, yes.0, no.0), N::select(mask, yes.1, no.1)))
     }
 

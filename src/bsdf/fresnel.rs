@@ -52,7 +52,10 @@ impl<N: Number> Conductor<N> {
     pub fn reflectance(&self, cos_i: N) -> Rgb<N> {
         let one = N::of(1.0);
         let (cos2, sin2) = (cos_i.squared(), (one - cos_i) * (one + cos_i));
-        rgb(|c| absorbing(cos_i, cos2, sin2, self.n[c], self.k[c]))
+        rgb(
+            #[inline(always)]
+            |c| absorbing(cos_i, cos2, sin2, self.n[c], self.k[c]),
+        )
     }
 
     /// 2∫R μ dμ [1]: the reflectance of light from everywhere.

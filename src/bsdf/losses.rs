@@ -1,5 +1,5 @@
 //! What one bounce loses, as a table over directions: 1 − ∫f cos θ_i dω_i of facets that absorb nothing, which a second
-//! lobe gives back.
+//! lobe gives back; and what a coat lets through.
 //!
 //! The coordinate decides how few nodes will do. With y the cosine of the stretched direction and r = √((1 − y)/y),
 //! x = 1/(1 + r) resolves both ends: at grazing losses go with √y, along the normal with √(1 − y). Across the azimuth it is
@@ -60,6 +60,24 @@ impl Losses {
         }
     }
 
+    /// 1 − E/R of a clear coat: of what it returns, over what it would if polished.
+    pub fn coat(slopes: Slopes, alpha: [f64; 2], index: f64) -> Self {
+        fn tabulate<D: Distribution<F32x8>>(alpha: [f64; 2], index: f64) -> Losses {
+            let metal = Conductor { n: [F32x8::of(index); 3], k: [F32x8::of(0.0); 3] };
+            let model = RoughConductor { facets: D::new(alpha.map(F32x8::of)), joint: Joint::Correlated, metal };
+            let least = F32x8::of(f64::from(f32::MIN_POSITIVE));
+            Losses::tabulate(alpha, 1.0, |wo, [u, v]| {
+                let [polished, ..] = metal.reflectance(wo.z);
+                let [returned, ..] = model.sample(wo, [u, v, F32x8::of(0.0)]).weight;
+                (returned + least) / (polished + least)
+            })
+        }
+        match slopes {
+            Slopes::Ggx => tabulate::<Ggx<F32x8>>(alpha, index),
+            Slopes::Beckmann => tabulate::<Beckmann<F32x8>>(alpha, index),
+        }
+    }
+
     /// 1 less the mean `energy` [1] that a facet sends on, seen from the given side, +1 or −1.
     fn tabulate(alpha: [f64; 2], side: f64, energy: impl Fn(Vector<F32x8>, [F32x8; 2]) -> F32x8) -> Self {
         let azimuths = if alpha[0] == alpha[1] { 1 } else { AZIMUTHS };
@@ -80,7 +98,7 @@ impl Losses {
                 #[inline(always)]
                 || lattice.iter().fold(F32x8::of(0.0), |sum, u| sum + energy(wo, *u)),
             );
-            (1.0 - (0..8).map(|lane| sum.lane(lane)).sum::<f64>() / FACETS as f64).max(0.0)
+            1.0 - (0..8).map(|lane| sum.lane(lane)).sum::<f64>() / FACETS as f64
         };
         let table: Arc<[f64]> = (0..azimuths * NODES).map(loss).collect();
         let largest = table.iter().copied().fold(0.0, f64::max);
@@ -99,7 +117,7 @@ impl Losses {
             let along = |x: f64| direction([alpha; 2], x.max(1e-9), 1.0);
             let step = |k: usize| {
                 let [from, at, to] = [0.0, 0.5, 1.0].map(|part| along((k as f64 + part) / STEPS as f64));
-                (to[2] - from[2]) * (to[2] + from[2]) * self.at(Vector::new(at[0] * cos, at[0] * sin, at[2]))
+                (to[2] - from[2]) * (to[2] + from[2]) * self.at(Vector::new(at[0] * cos, at[0] * sin, at[2])).max(0.0)
             };
             (0..STEPS).map(step).sum::<f64>()
         };
@@ -134,7 +152,7 @@ impl Losses {
             }
             sum
         };
-        let loss = if self.azimuths == 1 {
+        if self.azimuths == 1 {
             row(zero)
         } else {
             let some = N::of(f64::from(f32::MIN_POSITIVE));
@@ -142,8 +160,7 @@ impl Losses {
             let below = (at - N::of(0.5)).round().max(zero).min(N::of((AZIMUTHS - 2) as f64));
             let part = at - below;
             row(below) * (one - part) + row(below + one) * part
-        };
-        loss.max(zero)
+        }
     }
 }
 

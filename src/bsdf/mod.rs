@@ -11,6 +11,7 @@
 //! | smooth: mirror, metal, glass | [`smooth`] |
 //! | slopes of a rough surface, what of them is visible | [`microfacet`] |
 //! | rough metal, rough glass, one event | [`rough_conductor`], [`rough_dielectric`] |
+//! | a diffuse body under a coat | [`plastic`] |
 //! | the same with every bounce, as a walk | [`walk`] |
 //! | one bounce, and a second lobe for what it loses | [`compensated`], with the tables of [`losses`] |
 //! | what the first bounce returns | [`albedo`], with [`rules`] |
@@ -25,6 +26,7 @@ pub mod lambert;
 pub mod losses;
 pub mod microfacet;
 pub mod oren_nayar;
+pub mod plastic;
 pub mod rough_conductor;
 pub mod rough_dielectric;
 pub mod rules;

@@ -3,6 +3,7 @@
 use super::compensated::Compensated;
 use super::fresnel::Conductor;
 use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes};
+use super::plastic::Plastic;
 use super::rough_conductor::RoughConductor;
 use super::rough_dielectric::RoughDielectric;
 use super::walk::{Glass, Walk};
@@ -129,6 +130,12 @@ pub fn zoo<N: Number>() -> Vec<Entry<N>> {
             "rough-dielectric",
             "rough glass, one event",
             |s| with_facets!(s, facets => RoughDielectric::new(facets, s.joint, N::of(s.index))),
+        ),
+        entry("plastic", "a diffuse body under a polished coat", |s| boxed(Plastic::smooth(s.albedo, s.index))),
+        entry(
+            "rough-plastic",
+            "a diffuse body under a rough coat",
+            |s| with_facets!(s, facets => Plastic::rough(facets, s.albedo, s.index)),
         ),
         entry(
             "conductor-walk",

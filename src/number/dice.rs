@@ -6,7 +6,7 @@ use super::Number;
 /// as a hash can make them; it is for walks of tens of throws, not for cryptography.
 #[derive(Clone, Copy, Debug)]
 pub struct Dice<N: Number> {
-    key: [N::Bits; 2],
+    state: N::Bits,
     count: u32,
 }
 
@@ -14,21 +14,27 @@ impl<N: Number> Dice<N> {
     /// The stream that belongs to two numbers.
     #[inline(always)]
     pub fn new(one: N, other: N) -> Self {
-        Self { key: [one.bits(), other.bits()], count: 0 }
+        Self { state: N::stirred(one.bits(), other.bits()), count: 0 }
     }
 
     /// The next number.
     #[inline(always)]
     pub fn throw(&mut self) -> N {
         self.count += 1;
-        N::dice(self.key, self.count)
+        N::dice(self.state, self.count)
     }
 }
 
-/// A number of a key's stream, a multiple of 2⁻²⁴.
+/// Two keys in one.
 #[inline(always)]
-pub(super) fn thrown([one, other]: [u32; 2], count: u32) -> f32 {
-    let bits = mixed(mixed(one ^ count.wrapping_mul(0x9e37_79b9)).wrapping_add(other));
+pub(super) fn stirred(one: u32, other: u32) -> u32 {
+    mixed(one ^ other.rotate_left(16).wrapping_mul(0x9e37_79b1))
+}
+
+/// A number of a stream, a multiple of 2⁻²⁴.
+#[inline(always)]
+pub(super) fn thrown(state: u32, count: u32) -> f32 {
+    let bits = mixed(state.wrapping_add(count.wrapping_mul(0x9e37_79b9)));
     // As a signed number, for which every machine has an instruction.
     (bits >> 8) as i32 as f32 * (1.0 / 16_777_216.0)
 }

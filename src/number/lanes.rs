@@ -190,7 +190,11 @@ impl Number for F32x8 {
         self.map(Number::bits)
     }
     #[inline(always)]
-    fn dice([one, other]: [Eight<u32>; 2], count: u32) -> Self {
-        one.zip(other, |one, other| Number::dice([one, other], count))
+    fn stirred(one: Eight<u32>, other: Eight<u32>) -> Eight<u32> {
+        one.zip(other, <f32 as Number>::stirred)
+    }
+    #[inline(always)]
+    fn dice(key: Eight<u32>, count: u32) -> Self {
+        key.map(|key| Number::dice(key, count))
     }
 }

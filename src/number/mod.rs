@@ -104,8 +104,10 @@ pub trait Number:
 
     /// 32 bits that depend on all bits of x.
     fn bits(self) -> Self::Bits;
+    /// Two keys stirred into one.
+    fn stirred(one: Self::Bits, other: Self::Bits) -> Self::Bits;
     /// The `count`-th of the numbers in 0 ≤ u < 1, multiples of 2⁻²⁴, that belong to a key.
-    fn dice(key: [Self::Bits; 2], count: u32) -> Self;
+    fn dice(key: Self::Bits, count: u32) -> Self;
 
     /// x > `other`.
     #[inline(always)]

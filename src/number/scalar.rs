@@ -1,6 +1,6 @@
 //! One number at a time.
 
-use super::dice::thrown;
+use super::dice::{stirred, thrown};
 use super::{Number, Terms};
 
 /// What both widths write alike: `$whole` are the integers of as many bits, without and with a sign, and `$bits` folds
@@ -88,7 +88,11 @@ macro_rules! scalar {
                 fold(self.to_bits())
             }
             #[inline(always)]
-            fn dice(key: [u32; 2], count: u32) -> Self {
+            fn stirred(one: u32, other: u32) -> u32 {
+                stirred(one, other)
+            }
+            #[inline(always)]
+            fn dice(key: u32, count: u32) -> Self {
                 thrown(key, count) as $float
             }
         }
