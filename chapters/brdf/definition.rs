@@ -18,7 +18,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use yardstick::directions::{Domain, product};
 use yardstick::order;
 use yardstick::quadrature::gauss_legendre;
-use yardstick::random::{Stream, uniform};
+use yardstick::random::Stream;
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "definition",

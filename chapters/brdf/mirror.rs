@@ -216,6 +216,6 @@ fn swatches(_: &Setting) -> Plot {
         let pixels = (0..SIDE * SIDE).map(|at| if at / SIDE < SIDE * 3 / 4 { face_on } else { grazing }).collect();
         Panel::Picture(Picture { title: name.to_owned(), width: SIDE, pixels })
     };
-    let names = ["gold", "silver", "copper", "aluminium", "chromium", "iron"];
+    let names = ["gold", "silver", "copper", "aluminium", "chromium"];
     Plot::grid("Polished metals", 6, names.into_iter().filter(|name| media::named(name).is_some()).map(swatch).collect())
 }

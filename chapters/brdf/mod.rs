@@ -24,3 +24,18 @@ pub const CHAPTER: Chapter = Chapter {
 /// What its steps show, apart from the evidence.
 pub const FIGURES: Gallery =
     gallery("brdf", &[definition::EXHIBIT, lambert::EXHIBIT, mirror::EXHIBIT, facets::EXHIBIT]);
+#[cfg(test)]
+mod scratch {
+    #[test]
+    fn all() {
+        for step in super::CHAPTER.steps.iter().filter(|step| std::env::var("STEP").is_ok_and(|only| only == step.id) || std::env::var("STEP").is_err()) {
+            for item in step.items() {
+                let setting = crate::parameter::Setting::defaults(step.parameters());
+                let h = crate::judge::holds(item, &setting, item.id());
+                if matches!(item, crate::vocabulary::Item::Race(_)) { continue; }
+                let f = crate::judge::can_fail(item, &setting, item.id());
+                println!("{}/{}: {h:?} {f:?}", step.id, item.id());
+            }
+        }
+    }
+}

@@ -18,6 +18,8 @@ pub(super) const NAMES: &[&str] = &[
     "dielectric",
     "rough-conductor",
     "rough-dielectric",
+    "plastic",
+    "rough-plastic",
     "conductor-walk",
     "dielectric-walk",
     "conductor-compensated",
@@ -35,7 +37,7 @@ pub(super) const ALBEDO: Parameter =
     Parameter::new("albedo", "ρ", "share that a diffuse body or a plain mirror returns", Kind::number(0.0, 1.0, "1"))
         .default("0.8");
 pub(super) const METAL: Parameter =
-    Parameter::new("metal", "", "which metal", Kind::Choice(&["gold", "silver", "copper", "aluminium", "chromium", "iron"]))
+    Parameter::new("metal", "", "which metal", Kind::Choice(&["gold", "silver", "copper", "aluminium", "chromium"]))
         .default("gold");
 pub(super) const INDEX: Parameter =
     Parameter::new("n", "n", "index of what is clear", Kind::number(1.0 / 4.0, 4.0, "1")).default("1.5");

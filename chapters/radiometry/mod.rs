@@ -54,18 +54,3 @@ pub const FIGURES: Gallery = gallery(
         quadrature::EXHIBIT,
     ],
 );
-#[cfg(test)]
-mod scratch {
-    #[test]
-    fn all() {
-        for step in super::CHAPTER.steps {
-            for item in step.items() {
-                let setting = crate::parameter::Setting::defaults(step.parameters());
-                let h = crate::judge::holds(item, &setting, item.id());
-                if matches!(item, crate::vocabulary::Item::Race(_)) { continue; }
-                let f = crate::judge::can_fail(item, &setting, item.id());
-                println!("{}/{}: {h:?} {f:?}", step.id, item.id());
-            }
-        }
-    }
-}
