@@ -99,8 +99,7 @@ impl Relief {
 
     /// The two triangles of the cell from (x, y) to (x + 1, y + 1): below the diagonal between these, and above it.
     fn facets(&self, [x, y]: [isize; 2]) -> [Facet; 2] {
-        let [near, right, up, far] =
-            [[x, y], [x + 1, y], [x, y + 1], [x + 1, y + 1]].map(|point| self.height(point));
+        let [near, right, up, far] = [[x, y], [x + 1, y], [x, y + 1], [x + 1, y + 1]].map(|point| self.height(point));
         [
             Facet { height: near, slope: [right - near, far - right] },
             Facet { height: near, slope: [far - up, up - near] },
