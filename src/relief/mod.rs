@@ -16,7 +16,7 @@ pub use trace::{Fate, MOST_STEPS, Path};
 
 use facet::Facet;
 use pyramid::Pyramid;
-use refusal::unless;
+use refusal::only_if;
 
 use crate::waves::plane::Invalid;
 
@@ -35,10 +35,10 @@ impl Relief {
     /// Of `side`² finite heights, row by row.
     pub fn new(side: usize, heights: Vec<f64>) -> Result<Self, Invalid> {
         let side = refusal::side(side)?;
-        let count = heights.len();
-        unless(count != side * side, "heights", count as f64, "as many as the side's square")?;
-        let bad = heights.iter().find(|height| !(height.abs() <= Self::HIGHEST));
-        bad.map_or(Ok(()), |&bad| Err(Invalid { place: "heights", value: bad, valid: "within ±1e9 cells" }))?;
+        only_if(heights.len() == side * side, "heights", heights.len() as f64, "as many as the side's square")?;
+        for &height in &heights {
+            only_if(height.abs() <= Self::HIGHEST, "heights", height, "within ±1e9 cells")?;
+        }
         Ok(Self { side, pyramid: Pyramid::over(side, &heights), heights })
     }
 
