@@ -32,18 +32,18 @@ impl Relief {
     /// The least and the most cells a side may have; a power of two.
     pub const SIDES: (usize, usize) = (2, 8192);
 
-    /// Of `side`² finite heights, row by row.
+    /// Of `side`² heights, row by row, within ±10¹² cells.
     pub fn new(side: usize, heights: Vec<f64>) -> Result<Self, Invalid> {
         let side = refusal::side(side)?;
         only_if(heights.len() == side * side, "heights", heights.len() as f64, "as many as the side's square")?;
         for &height in &heights {
-            only_if(height.abs() <= Self::HIGHEST, "heights", height, "within ±1e9 cells")?;
+            only_if(height.abs() <= Self::HIGHEST, "heights", height, "within ±1e12 cells")?;
         }
         Ok(Self { side, pyramid: Pyramid::over(side, &heights), heights })
     }
 
     /// Beyond this height [cells] a ray's place would lose the digits that tell neighbours apart.
-    const HIGHEST: f64 = 1e9;
+    const HIGHEST: f64 = 1e12;
 
     /// Without roughness: a plane mirror.
     pub fn flat(side: usize) -> Result<Self, Invalid> {
