@@ -16,7 +16,7 @@ pub use trace::{Fate, MOST_STEPS, Path};
 
 use facet::Facet;
 use pyramid::Pyramid;
-use refusal::unless;
+use refusal::only_if;
 
 use crate::waves::plane::Invalid;
 
@@ -32,18 +32,18 @@ impl Relief {
     /// The least and the most cells a side may have; a power of two.
     pub const SIDES: (usize, usize) = (2, 8192);
 
-    /// Of `side`² finite heights, row by row.
+    /// Of `side`² heights, row by row, within ±10¹² cells.
     pub fn new(side: usize, heights: Vec<f64>) -> Result<Self, Invalid> {
         let side = refusal::side(side)?;
-        let count = heights.len();
-        unless(count != side * side, "heights", count as f64, "as many as the side's square")?;
-        let bad = heights.iter().find(|height| !(height.abs() <= Self::HIGHEST));
-        bad.map_or(Ok(()), |&bad| Err(Invalid { place: "heights", value: bad, valid: "within ±1e9 cells" }))?;
+        only_if(heights.len() == side * side, "heights", heights.len() as f64, "as many as the side's square")?;
+        for &height in &heights {
+            only_if(height.abs() <= Self::HIGHEST, "heights", height, "within ±1e12 cells")?;
+        }
         Ok(Self { side, pyramid: Pyramid::over(side, &heights), heights })
     }
 
     /// Beyond this height [cells] a ray's place would lose the digits that tell neighbours apart.
-    const HIGHEST: f64 = 1e9;
+    const HIGHEST: f64 = 1e12;
 
     /// Without roughness: a plane mirror.
     pub fn flat(side: usize) -> Result<Self, Invalid> {
@@ -99,8 +99,7 @@ impl Relief {
 
     /// The two triangles of the cell from (x, y) to (x + 1, y + 1): below the diagonal between these, and above it.
     fn facets(&self, [x, y]: [isize; 2]) -> [Facet; 2] {
-        let [near, right, up, far] =
-            [[x, y], [x + 1, y], [x, y + 1], [x + 1, y + 1]].map(|point| self.height(point));
+        let [near, right, up, far] = [[x, y], [x + 1, y], [x, y + 1], [x + 1, y + 1]].map(|point| self.height(point));
         [
             Facet { height: near, slope: [right - near, far - right] },
             Facet { height: near, slope: [far - up, up - near] },

@@ -1,6 +1,6 @@
 //! Heights by chance, with a wanted distribution of slopes.
 
-use super::{Relief, refusal, unless};
+use super::{Relief, only_if, refusal};
 use crate::waves::plane::Invalid;
 use num_complex::Complex64;
 use rustfft::FftPlanner;
@@ -34,7 +34,7 @@ impl Relief {
         mut even: impl FnMut() -> f64,
     ) -> Result<Self, Invalid> {
         let smooth = Self::gaussian(side, correlation, alpha, &mut even)?;
-        unless(!(slower >= correlation), "slower", slower, "at least the correlation")?;
+        only_if(slower >= correlation, "slower", slower, "at least the correlation")?;
         let mixture = field(side, length(side, "slower", slower)?, even);
         let exponential = exponential(mixture.iter().map(|pair| pair.norm_sqr()).collect());
         Self::new(side, smooth.heights.iter().zip(exponential).map(|(height, e)| height / e.sqrt()).collect())
@@ -42,12 +42,12 @@ impl Relief {
 }
 
 fn steepness(alpha: f64) -> Result<f64, Invalid> {
-    unless(!(1e-4..=10.0).contains(&alpha), "alpha", alpha, "1e-4 to 10").map(|()| alpha)
+    only_if((1e-4..=10.0).contains(&alpha), "alpha", alpha, "1e-4 to 10")
 }
 
 fn length(side: usize, place: &'static str, length: f64) -> Result<f64, Invalid> {
-    let wrong = !(length >= 1.0 && length <= side as f64 / 4.0);
-    unless(wrong, place, length, "from 1 cell to a quarter of the side").map(|()| length)
+    let holds = (1.0..=side as f64 / 4.0).contains(&length);
+    only_if(holds, place, length, "from 1 cell to a quarter of the side")
 }
 
 /// `heights`, by a factor, with the mean square slope α².

@@ -2,9 +2,9 @@
 
 use super::{Facet, Relief};
 
-/// A ray that has not met a facet after passing this many squares counts as trapped: it runs along the horizon, where
-/// nothing stops it, or within some 10⁻⁵ of it.
-pub const MOST_STEPS: u32 = 1 << 20;
+/// A ray that has not met a facet after passing this many squares counts as trapped. Those from cos θ ≥ 10⁻⁵ need fewer
+/// on a Gaussian relief; nearer to the horizon a ray may run past peaks for ever.
+pub const MOST_STEPS: u32 = 1 << 16;
 
 /// What became of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

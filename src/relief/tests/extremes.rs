@@ -18,6 +18,16 @@ proptest! {
     }
 
     #[test]
+    fn no_relief_is_too_much(
+        heights in prop::collection::vec(prop_oneof![-1.0..1.0_f64, -1e12..=1e12_f64, Just(0.0), Just(1e-300)], 16),
+        theta in 0.0..1.57_f64, phi in 0.0..TAU, u in 0.0..1.0_f64, v in 0.0..1.0_f64,
+    ) {
+        let path = Relief::new(4, heights).expect("valid").trace(towards(theta, phi), [u, v], |cos| cos, 1000);
+        prop_assert!((dot(path.direction, path.direction) - 1.0).abs() < 1e-9, "{path:?}");
+        prop_assert!((dot(path.first, path.first) - 1.0).abs() < 1e-12 && (0.0..=1.0).contains(&path.power), "{path:?}");
+    }
+
+    #[test]
     fn no_direction_is_too_much(
         height in prop_oneof![Just(0.0), Just(1e-300), Just(1e-12), 0.0..1.0_f64, Just(1.0)],
         phi in prop_oneof![0.0..TAU, (0..8_i32).prop_map(|eighth| f64::from(eighth) * FRAC_PI_4)],
@@ -63,6 +73,19 @@ fn what_cannot_leave_is_counted() {
         }
         assert!(held.iter().any(|path| path.fate == Fate::Trapped));
     }
+}
+
+#[test]
+fn a_ray_that_runs_along_the_horizon_is_counted_too() {
+    // One peak, and a ray that falls by 10⁻¹² a cell beside it: a march of 10¹² cells.
+    let mut heights = vec![0.0; 16];
+    heights[0] = 1.0;
+    let relief = Relief::new(4, heights).expect("valid");
+    let path = relief.trace([-1.0, 0.0, 1e-12], [0.1, 0.625], |_| 0.0, 10);
+    assert_eq!((path.fate, path.bounces, path.power), (Fate::Trapped, 0, 1.0));
+    // In the peak's own row it meets it on the way.
+    let path = relief.trace([-1.0, 0.0, 1e-12], [0.1, 0.0], |_| 0.5, 10);
+    assert_eq!((path.fate, path.bounces, path.power), (Fate::Left, 1, 0.5));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use super::{dot, even, gaussian, towards};
 use std::f64::consts::TAU;
 use yardstick::statistics::{Moments, normal_two_sided};
 
-const RAYS: usize = 40_000;
+const RAYS: usize = 20_000;
 
 fn paths(relief: &Relief, wi: [f64; 3], rays: usize) -> Vec<Path> {
     let mut even = even(1, &format!("relief/rays/{wi:?}"));
@@ -20,7 +20,7 @@ fn single(paths: &[Path]) -> f64 {
 
 #[test]
 fn a_gaussian_relief_agrees_with_smith_where_correlation_lets_it() {
-    for alpha in [0.1, 0.3, 0.5, 0.8] {
+    for alpha in [0.1, 0.5, 0.8] {
         let relief = gaussian(alpha);
         for degrees in [0.0, 60.0, 85.0] {
             let theta = f64::to_radians(degrees);
@@ -32,7 +32,6 @@ fn a_gaussian_relief_agrees_with_smith_where_correlation_lets_it() {
             let (slope, share) = Smith::Beckmann.seen(alpha, theta);
             let sigma = (share * (1.0 - share).max(0.0) / RAYS as f64).sqrt();
             let found = single(&paths);
-            println!("{alpha} {degrees}: {found:.4} {share:.4} sigma {sigma:.4}");
             // Neighbours rise together: what leaves one facet meets fewer others than independent heights would put in
             // its way.
             assert!(found - share < 0.025 && found - share > -3.0 * sigma - 1e-3, "{alpha} {degrees}: {found} {share}");
@@ -40,7 +39,6 @@ fn a_gaussian_relief_agrees_with_smith_where_correlation_lets_it() {
                 .iter()
                 .map(|path| (path.first[0] * 0.7_f64.cos() + path.first[1] * 0.7_f64.sin()) / path.first[2])
                 .collect();
-            println!("   tilt {} ± {} smith {slope}", tilt.mean(), tilt.standard_error());
             let noise = 4.0 * tilt.standard_error();
             assert!((tilt.mean() - slope).abs() < 0.05 * slope + noise, "{alpha} {degrees}: {} {slope}", tilt.mean());
         }
@@ -54,7 +52,6 @@ fn slopes_alone_do_not_make_a_brdf() {
     let theta = f64::to_radians(60.0);
     let found = single(&paths(&relief, towards(theta, 0.7), RAYS));
     let (_, share) = Smith::Ggx.seen(0.5, theta);
-    println!("ggx {found} {share}");
     assert!(found - share > 0.03, "{found} {share}");
 }
 
@@ -91,7 +88,6 @@ fn light_goes_back_as_it_came() {
     for (one, other) in [(Ring(0.0, 0.3), Ring(0.5, 1.0)), (Ring(0.2, 0.6), Ring(0.8, 1.0))] {
         let ((there, noise), (back, more)) = (one.to(&other, &relief, 1), other.to(&one, &relief, 2));
         let p = normal_two_sided((there - back) / (noise + more).sqrt());
-        println!("{there} {back} p {p}");
         assert!(p > 1e-3, "{there} {back}");
         // The slip: shares compared as they are.
         let (there, back) = (there / one.size(), back / other.size());
