@@ -247,6 +247,6 @@ fn lobes(setting: &Setting) -> Plot {
 /// Directions of a polar curve.
 const STEPS: i32 = 1440;
 
-fn short(x: f64) -> String {
+pub(super) fn short(x: f64) -> String {
     if (0.01..1000.0).contains(&x) { format!("{x:.2}") } else { format!("{x:.1e}") }
 }
