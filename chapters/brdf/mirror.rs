@@ -1,6 +1,6 @@
 //! E49, E50: mirrors, and the delta that they are.
 
-use super::models::{CHANNELS, METAL, THETA, metal, model, way};
+use super::models::{CHANNELS, METAL, METALS, THETA, metal, model, way};
 use super::symbols::{DELTA, F_R, L_IN, L_R, PATCH, THETA_I};
 use crate::figure::{Axis, Chart, Hue, Panel, Picture, Plot};
 use crate::parameter::Setting;
@@ -13,7 +13,6 @@ use equation::expr::cos;
 use equation::{Equation, Expr};
 use light::bsdf::microfacet::Slopes;
 use light::bsdf::{self, Bsdf};
-use light::media;
 use light::number::Vector;
 use light::optics::Incidence;
 use light::optics::fresnel::powers;
@@ -83,7 +82,7 @@ pub(super) const STEP: Step = step(
         quantity("blue", "R", "of 467 nm", blue),
     ]
 })
-.checks(&[&ONE, &LIMIT, &METALS]);
+.checks(&[&ONE, &LIMIT, &POLISHED]);
 
 fn patch(last: Expr) -> Chain {
     Chain::assume(Equation::new(L_R, F_R * L_IN * cos(THETA_I) * PATCH), "E47 of a narrow patch")
@@ -150,7 +149,7 @@ fn smoother(_: &mut Bench, factor: fn(f64) -> f64) -> Measured {
     Measured::new(order::slope(&points).unwrap_or(f64::NAN), "α from 0.075 to 0.0023, at θ = 40°", points.len())
 }
 
-const METALS: Check<fn(&dyn Bsdf<f64>, Vector<f64>) -> [f64; 3]> =
+const POLISHED: Check<fn(&dyn Bsdf<f64>, Vector<f64>) -> [f64; 3]> =
     check("metals", "polished metal reflects as Fresnel's equations for its index say, in all three channels")
         .rows(&["E50", "C17"])
         .against("R_n of chapter fresnel, which adds complex amplitudes")
@@ -216,6 +215,5 @@ fn swatches(_: &Setting) -> Plot {
         let pixels = (0..SIDE * SIDE).map(|at| if at / SIDE < SIDE * 3 / 4 { face_on } else { grazing }).collect();
         Panel::Picture(Picture { title: name.to_owned(), width: SIDE, pixels })
     };
-    let names = ["gold", "silver", "copper", "aluminium", "chromium"];
-    Plot::grid("Polished metals", 6, names.into_iter().filter(|name| media::named(name).is_some()).map(swatch).collect())
+    Plot::grid("Polished metals", 6, METALS.iter().map(|name| swatch(name)).collect())
 }

@@ -3,6 +3,7 @@
 mod definition;
 mod energy;
 mod facets;
+mod functions;
 mod glass;
 mod lambert;
 mod mirror;
@@ -31,7 +32,7 @@ pub const CHAPTER: Chapter = Chapter {
         glass::STEP,
     ],
     figures: FIGURES,
-    functions: &[],
+    functions: functions::FUNCTIONS,
 };
 
 /// What its steps show, apart from the evidence.
@@ -55,10 +56,11 @@ mod scratch {
         for step in super::CHAPTER.steps.iter().filter(|step| std::env::var("STEP").is_ok_and(|only| only == step.id) || std::env::var("STEP").is_err()) {
             for item in step.items() {
                 let setting = crate::parameter::Setting::defaults(step.parameters());
+                let begun = std::time::Instant::now();
                 let h = crate::judge::holds(item, &setting, item.id());
                 if matches!(item, crate::vocabulary::Item::Race(_)) { continue; }
                 let f = crate::judge::can_fail(item, &setting, item.id());
-                println!("{}/{}: {h:?} {f:?}", step.id, item.id());
+                println!("{}/{}: {h:?} {f:?} {:.1} s", step.id, item.id(), begun.elapsed().as_secs_f64());
             }
         }
     }

@@ -31,14 +31,18 @@ pub(super) const SLOPES: Parameter =
     Parameter::new("slopes", "", "how its facets' slopes are spread", Kind::Choice(&["ggx", "beckmann"])).default("ggx");
 pub(super) const ALPHA: Parameter =
     Parameter::new("alpha", "α", "roughness of facets", Kind::number(LEAST_ALPHA, 1.0, "1")).default("0.3");
+pub(super) const ALPHA_Y: Parameter =
+    Parameter::new("alpha_y", "α_y", "roughness along y, if it is another", Kind::number(LEAST_ALPHA, 1.0, "1"))
+        .instead_of(&[]);
 pub(super) const ROUGHNESS: Parameter =
     Parameter::new("roughness", "r", "roughness of a diffuse body", Kind::number(0.0, 1.0, "1")).default("0.5");
 pub(super) const ALBEDO: Parameter =
     Parameter::new("albedo", "ρ", "share that a diffuse body or a plain mirror returns", Kind::number(0.0, 1.0, "1"))
         .default("0.8");
+/// The metals by name, of media that are known over the visible; white is ε = −1.
+pub(super) const METALS: &[&str] = &["gold", "silver", "copper", "aluminium", "chromium", "white"];
 pub(super) const METAL: Parameter =
-    Parameter::new("metal", "", "which metal", Kind::Choice(&["gold", "silver", "copper", "aluminium", "chromium"]))
-        .default("gold");
+    Parameter::new("metal", "", "which metal; white absorbs nothing", Kind::Choice(METALS)).default("gold");
 pub(super) const INDEX: Parameter =
     Parameter::new("n", "n", "index of what is clear", Kind::number(1.0 / 4.0, 4.0, "1")).default("1.5");
 pub(super) const THETA: Parameter =
@@ -49,6 +53,9 @@ pub(super) const CHANNELS: [f64; 3] = [630e-9, 532e-9, 467e-9];
 
 /// The indices of a metal at [`CHANNELS`].
 pub(super) fn metal(name: &str) -> [Complex64; 3] {
+    if name == "white" {
+        return [Complex64::I; 3];
+    }
     let known = media::named(name).expect("a metal of the list");
     CHANNELS.map(|wavelength| known.index(wavelength).expect("known over the visible"))
 }
@@ -58,9 +65,10 @@ pub(super) fn made_from(setting: &Setting) -> bsdf::Setting {
     let has = |name: &str| setting.entries().any(|(parameter, _, _)| parameter.name == name);
     let number = |name: &'static str, or: f64| if has(name) { setting.number(name) } else { or };
     let plain = bsdf::Setting::default();
+    let across = number("alpha_y", number("alpha", plain.alpha[1]));
     bsdf::Setting {
         albedo: [number("albedo", plain.albedo[0]); 3],
-        alpha: [number("alpha", plain.alpha[0]); 2],
+        alpha: [number("alpha", plain.alpha[0]), across],
         roughness: number("roughness", plain.roughness),
         index: number("n", plain.index),
         metal: if has("metal") { metal(setting.word("metal")) } else { plain.metal },
