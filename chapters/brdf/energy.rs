@@ -135,7 +135,7 @@ const LOST: Check<Albedo> = check("lost", "what one bounce returns is the mean w
 /// What a model returns of a white room [1], by Sobol's points through its own draws.
 fn white(name: &str, of: &bsdf::Setting, wo: Vector<f64>) -> f64 {
     let surface = model(name, of);
-    let points = Points::Sobol.draw(1 << 15, &mut stream(0, "brdf/energy/white"));
+    let points = Points::Sobol.draw(1 << 14, &mut stream(0, "brdf/energy/white"));
     let mut third = stream(1, "brdf/energy/white");
     let one = |[u, v]: [f64; 2]| {
         let drawn = surface.sample(wo, [u, v, uniform(&mut third, 0.0, 1.0)]);
@@ -145,12 +145,12 @@ fn white(name: &str, of: &bsdf::Setting, wo: Vector<f64>) -> f64 {
 }
 
 const WHITE: Check<fn(&str) -> &str> = check("white", "in a white room compensated white metal and glass of any roughness cannot be seen")
-    .against("1, against the mean of 32 768 weights, of Sobol's points, for views outside and inside")
-    .within(4e-3, "1", "tables good to 10⁻³, and what the third number's chance leaves of weights that scatter by a third: 0.3/√32768, twice")
+    .against("1, against the mean of 16 384 weights, of Sobol's points, for views outside and inside")
+    .within(4e-3, "1", "tables good to 10⁻³, and what the third number's chance leaves of weights that scatter by a third: 0.3/√16384, once and a half")
     .of(
         |_: &mut Bench, which: fn(&str) -> &str| {
-            let metals = [0.01, 0.1, 0.3, 0.6, 1.0].into_iter().flat_map(|alpha| [0.95, 0.4, 0.05].map(|cos| ("conductor-compensated", alpha, cos)));
-            let glasses = [0.1, 0.5, 1.0].into_iter().flat_map(|alpha| [0.9, 0.3, -0.3, -0.9].map(|cos| ("dielectric-compensated", alpha, cos)));
+            let metals = [0.1, 0.5, 1.0].into_iter().flat_map(|alpha| [0.9, 0.2].map(|cos| ("conductor-compensated", alpha, cos)));
+            let glasses = [0.3, 1.0].into_iter().flat_map(|alpha| [0.9, -0.3].map(|cos| ("dielectric-compensated", alpha, cos)));
             Measured::worst(metals.chain(glasses).map(|(name, alpha, cos)| {
                 let of = bsdf::Setting { alpha: [alpha; 2], ..bsdf::Setting::default() };
                 let wo = way(f64::acos(cos), 0.6);
@@ -180,18 +180,18 @@ const WALK: Check<fn(&str) -> &str> = check("walk", "the walk loses nothing, on 
     .slip("one bounce", |name| if name.starts_with("cond") { "rough-conductor" } else { "rough-dielectric" });
 
 const COLOUR: Check<fn(&str) -> &str> = check("colour", "the compensation is within a few per cent of the walk's colour, never at a loss")
-    .against("the walk's mean over 40 000, for gold in three channels")
+    .against("the walk's mean over 20 000, for gold in three channels")
     .within(0.04, "1", "up to 0.03 was found at α = 1: the second lobe takes ⟨F⟩ for the facets' own F; and 0.005 of noise")
     .of(
         |_: &mut Bench, which: fn(&str) -> &str| {
-            let cases = [0.3, 0.6, 1.0].into_iter().flat_map(|alpha| [0.95, 0.4].map(|cos| (alpha, cos)));
+            let cases = [(0.5, 0.8), (1.0, 0.95), (1.0, 0.4)].into_iter();
             Measured::worst(cases.flat_map(|(alpha, cos)| {
                 let gold = metal("gold");
                 let wo = way(f64::acos(cos), 0.6);
                 (0..3).map(move |channel| {
                     let of = bsdf::Setting { alpha: [alpha; 2], metal: [gold[channel]; 3], ..bsdf::Setting::default() };
                     let place = format!("α = {alpha}, cos θ = {cos}, channel {channel}");
-                    let mean = |name: &str| mean_weight(model(name, &of).as_ref(), wo, 40_000, &place).mean();
+                    let mean = |name: &str| mean_weight(model(name, &of).as_ref(), wo, 20_000, &place).mean();
                     (mean(which("conductor-compensated")) - mean("conductor-walk"), place)
                 })
             }))

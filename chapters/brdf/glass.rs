@@ -148,15 +148,15 @@ const SNELL: Check<fn(f64) -> f64> =
 
 const BETA: Check<fn(Joint) -> Joint> =
     check("beta", "of a walk on glass the first event sends on what Euler's Beta says of both maskings, and nothing else does")
-        .against("the share of walks that meet one facet, by how many standard errors of 60 000 it is off")
-        .within(4.5, "σ", "4.5 standard errors, of either side: once in 10⁵ by chance, for each of six views")
+        .against("the share of walks that meet one facet, by how many standard errors of 20 000 it is off")
+        .within(4.5, "σ", "4.5 standard errors, of either side: once in 10⁵ by chance, for each of four views")
         .of(
             |bench: &mut Bench, joint: fn(Joint) -> Joint| {
                 use light::bsdf::microfacet::{Distribution, Ggx};
                 use light::bsdf::walk::{Glass, Walk};
-                let cases = [(0.5, 0.1), (1.0, 0.5), (0.3, 0.3), (1.0, -0.9), (0.5, -0.5), (1.0, 0.1)];
+                let cases = [(0.5, 0.1), (1.0, 0.5), (1.0, -0.9), (0.5, -0.5)];
                 Measured::worst(cases.map(|(alpha, cos)| {
-                    let (count, wo) = (60_000_u64, way(f64::acos(cos), 0.4));
+                    let (count, wo) = (20_000_u64, way(f64::acos(cos), 0.4));
                     let walk = Walk::new(Ggx::new([alpha; 2]), Glass::new(1.5));
                     let dice = &mut bench.stream;
                     let mut throw = || [(); 3].map(|()| uniform(dice, 0.0, 1.0));
