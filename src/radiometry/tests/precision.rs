@@ -201,6 +201,9 @@ fn no_unit_of_length_leaves_the_range() {
         close(sphere(unit).irradiance().unwrap(), sphere(1.0).irradiance().unwrap());
         let seen = |unit: f64| polygon::irradiance(&square(unit), [0.4 * unit, 0.0, unit]).unwrap();
         close(seen(unit), seen(1.0));
+        let [a, b, c, _] = square(unit);
+        close(solid_angle::triangle(a, b, c).abs(), std::f64::consts::PI / 3.0);
+        close(polygon::edges(&square(unit))[0][2].abs(), polygon::edges(&square(1.0))[0][2].abs());
         let corner = |unit: f64| rectangle::corner(unit, 2.0 * unit, 0.7 * unit).unwrap();
         close(corner(unit).parallel, corner(1.0).parallel);
         close(corner(unit).perpendicular, corner(1.0).perpendicular);
