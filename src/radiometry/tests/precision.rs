@@ -161,6 +161,23 @@ fn spheres_that_all_but_touch_and_set() {
     }
 }
 
+#[test]
+fn form_factors_of_slivers() {
+    for [a, b, c] in
+        [[1e-6, 1e6, 1.0], [1e6, 1e-6, 1.0], [1e-6, 1e-6, 1e6], [1e6, 1e6, 1e-6], [1e-6, 1.0, 1e6], [1.0, 1e6, 1e-6]]
+    {
+        let parallel = form_factor::parallel_rectangles(a, b, c).unwrap();
+        let upright = form_factor::perpendicular_rectangles(a, b, c).unwrap();
+        let discs = form_factor::coaxial_discs(a, b, c).unwrap();
+        let errors = [
+            exact::parallel_rectangles(a, b, c).error_of(parallel),
+            exact::perpendicular_rectangles(a, b, c).error_of(upright),
+            exact::coaxial_discs(a, b, c).error_of(discs),
+        ];
+        assert!(errors.iter().all(|&error| error <= LIMIT), "{a} {b} {c}: {errors:?}");
+    }
+}
+
 /// Teeth of a comb that hang into view: a polygon that the horizon cuts into three, each as high as `seen`.
 pub(super) fn comb(seen: f64) -> Vec<[f64; 3]> {
     let outline = [
