@@ -48,9 +48,9 @@ fn is_edge_on(corners: &[Vector], area: WideVector) -> bool {
     f64::from(x + y + z).abs() <= LOST * size || corners.contains(&[0.0; 3])
 }
 
-/// How many times the least length, a corner's distance or the polygon's extent, the largest may be [1]: squares stay within
-/// the range of `f64`.
-pub const RATIO: f64 = 1e100;
+/// How many times the least length, a corner's distance or the polygon's extent, the largest may be [1]: twice the digits bear
+/// no more.
+pub const RATIO: f64 = 1e20;
 
 /// What rounding leaves of a sum with twice the digits that is 0 [1].
 const LOST: f64 = 1e-30;
