@@ -1,7 +1,7 @@
 //! Which polygons have an answer.
 
 use super::super::Refusal;
-use super::vector::{Vector, dot, minus};
+use super::vector::{Vector, cross, dot, in_unit, minus};
 use super::wide::WideVector;
 use crate::wide::Wide;
 
@@ -31,12 +31,10 @@ pub(super) fn checked(corners: &[Vector], normal: Vector) -> Result<Option<Polyg
     if normal == [0.0; 3] {
         return Err(Refusal::new("normal", "[0, 0, 0] has no direction; valid: any other"));
     }
-    let unit = power_of_two(corners.as_flattened());
-    let corners: Vec<Vector> = corners.iter().map(|corner| corner.map(|x| x / unit)).collect();
+    let corners = in_unit(corners);
     let area = plane(&corners)?;
     simple(&corners, area.narrow())?;
-    let normal = normal.map(|x| x / power_of_two(&normal));
-    let normal = WideVector::from(normal);
+    let normal = WideVector::from(in_unit(&[normal])[0]);
     let normal = normal.times(Wide::from(1.0) / normal.norm());
     let seen = !is_edge_on(&corners, area);
     Ok(seen.then_some(Polygon { corners, normal }))
@@ -50,18 +48,12 @@ fn is_edge_on(corners: &[Vector], area: WideVector) -> bool {
     f64::from(x + y + z).abs() <= LOST * size || corners.contains(&[0.0; 3])
 }
 
-/// How many times the least length, a corner's distance or the polygon's extent, the largest may be [1]: squares stay within
-/// the range of `f64`.
-pub const RATIO: f64 = 1e100;
+/// How many times the least length, a corner's distance or the polygon's extent, the largest may be [1]: twice the digits bear
+/// no more.
+pub const RATIO: f64 = 1e20;
 
 /// What rounding leaves of a sum with twice the digits that is 0 [1].
 const LOST: f64 = 1e-30;
-
-/// The power of two at or below the largest size, within the range of those whose quotients are exact.
-fn power_of_two(numbers: &[f64]) -> f64 {
-    let largest = numbers.iter().fold(f64::MIN_POSITIVE, |largest, number| largest.max(number.abs()));
-    f64::from_bits(largest.to_bits() >> 52 << 52)
-}
 
 /// Twice the polygon's area along the normal of its plane, if it has one.
 fn plane(corners: &[Vector]) -> Result<WideVector, Refusal> {
@@ -96,7 +88,7 @@ fn simple(corners: &[Vector], area: Vector) -> Result<(), Refusal> {
     // On which side of the edge a → b the corner c is, 0 within rounding of its line.
     let side = |(a, b): (Vector, Vector), c: Vector| {
         let (along, aside) = (minus(b, a), minus(c, a));
-        let turn = dot(area, super::vector::cross(along, aside));
+        let turn = dot(area, cross(along, aside));
         let size = (dot(area, area) * dot(along, along) * dot(aside, aside)).sqrt();
         if turn.abs() <= 1e-14 * size { 0.0 } else { turn.signum() }
     };

@@ -11,7 +11,7 @@ pub use checked::{FLATNESS, RATIO};
 use super::Refusal;
 use checked::checked;
 use clipped::Clipped;
-use vector::{Vector, cross, dot};
+use vector::{Vector, cross, dot, in_unit};
 
 /// E/L [sr] on the receiver at the origin from what of a simple polygon, convex or not, is above its horizon. Corners may
 /// run either way round, for both sides shine; the normal may have any length. From a place in the polygon's plane, be it
@@ -34,5 +34,6 @@ pub fn edges(corners: &[Vector]) -> Vec<Vector> {
         let half = 0.5 * size.atan2(dot(from, to));
         if size == 0.0 { [0.0; 3] } else { across.map(|component| half * component / size) }
     };
+    let corners = in_unit(corners);
     corners.iter().zip(corners.iter().cycle().skip(1)).map(edge).collect()
 }

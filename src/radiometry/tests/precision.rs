@@ -161,6 +161,23 @@ fn spheres_that_all_but_touch_and_set() {
     }
 }
 
+#[test]
+fn form_factors_of_slivers() {
+    for [a, b, c] in
+        [[1e-6, 1e6, 1.0], [1e6, 1e-6, 1.0], [1e-6, 1e-6, 1e6], [1e6, 1e6, 1e-6], [1e-6, 1.0, 1e6], [1.0, 1e6, 1e-6]]
+    {
+        let parallel = form_factor::parallel_rectangles(a, b, c).unwrap();
+        let upright = form_factor::perpendicular_rectangles(a, b, c).unwrap();
+        let discs = form_factor::coaxial_discs(a, b, c).unwrap();
+        let errors = [
+            exact::parallel_rectangles(a, b, c).error_of(parallel),
+            exact::perpendicular_rectangles(a, b, c).error_of(upright),
+            exact::coaxial_discs(a, b, c).error_of(discs),
+        ];
+        assert!(errors.iter().all(|&error| error <= LIMIT), "{a} {b} {c}: {errors:?}");
+    }
+}
+
 /// Teeth of a comb that hang into view: a polygon that the horizon cuts into three, each as high as `seen`.
 pub(super) fn comb(seen: f64) -> Vec<[f64; 3]> {
     let outline = [
@@ -201,6 +218,9 @@ fn no_unit_of_length_leaves_the_range() {
         close(sphere(unit).irradiance().unwrap(), sphere(1.0).irradiance().unwrap());
         let seen = |unit: f64| polygon::irradiance(&square(unit), [0.4 * unit, 0.0, unit]).unwrap();
         close(seen(unit), seen(1.0));
+        let [a, b, c, _] = square(unit);
+        close(solid_angle::triangle(a, b, c).abs(), std::f64::consts::PI / 3.0);
+        close(polygon::edges(&square(unit))[0][2].abs(), polygon::edges(&square(1.0))[0][2].abs());
         let corner = |unit: f64| rectangle::corner(unit, 2.0 * unit, 0.7 * unit).unwrap();
         close(corner(unit).parallel, corner(1.0).parallel);
         close(corner(unit).perpendicular, corner(1.0).perpendicular);

@@ -65,6 +65,7 @@ fn polygons() {
     assert!(changed(2, [1.0, 1.0, 1.0 + 1e-9]).is_ok());
     // A length of another world; a line, and a point.
     refused("vertices", changed(1, [1e150, 0.0, 1.0]));
+    refused("vertices", polygon::irradiance(&[[3e144, 0.0, -1e84], [0.0, 0.0, 8e108], [0.0, -9e167, 0.0]], UP));
     refused("vertices", polygon::irradiance(&[[0.1, 0.2, 1.0], [0.2, 0.4, 1.0], [0.4, 0.8, 1.0]], UP));
     refused("vertices", polygon::irradiance(&[[1.0, 0.5, 1.0]; 3], UP));
     // An hourglass whose halves do not undo each other.
