@@ -78,7 +78,7 @@ fn field(side: usize, correlation: f64, mut even: impl FnMut() -> f64) -> Vec<Co
 }
 
 /// Two independent normal numbers (G. E. P. Box & M. E. Muller, *Ann. Math. Statist.* 29 (1958) 610).
-fn normal_pair(even: &mut impl FnMut() -> f64) -> Complex64 {
+pub fn normal_pair(even: &mut impl FnMut() -> f64) -> Complex64 {
     // 1 − u is never 0.
     let radius = (-2.0 * (1.0 - even()).ln()).sqrt();
     Complex64::from_polar(radius, TAU * even())

@@ -1,8 +1,11 @@
 //! Whether a relief has the slopes and the correlation it was asked for.
 
+use super::super::synthesis::normal_pair;
 use super::smith::Smith;
 use super::{Relief, even, gaussian};
+use num_complex::Complex64;
 use proptest::prelude::*;
+use yardstick::statistics::{kolmogorov, normal_two_sided};
 
 /// How far from its distribution a sample of (1024/8)² = 16 384 patches may be at the worst: 0.64/√N, where Kolmogorov's
 /// test of so many independent slopes would have p = 0.8; a patch holds a few slopes, not one.
@@ -27,6 +30,19 @@ fn a_mixture_of_gaussians_has_the_slopes_of_ggx() {
     let distance = relief.distance(|slope| Smith::Ggx.below(slope / alpha));
     assert!(distance < NEAR, "{distance}");
     assert!(relief.distance(|slope| Smith::Beckmann.below(slope / alpha)) > 0.05);
+}
+
+#[test]
+fn the_noise_is_normal() {
+    let mut even = even(1, "relief/noise");
+    let pairs: Vec<_> = (0..20_000).map(|_| normal_pair(&mut even)).collect();
+    // The distribution function at z is half of what lies beyond |z| on both sides, from the end that z is nearer to.
+    let below = |z: f64| if z < 0.0 { 0.5 * normal_two_sided(z) } else { 1.0 - 0.5 * normal_two_sided(z) };
+    for turn in [Complex64::ONE, Complex64::I, Complex64::from_polar(1.0, 0.7)] {
+        let parts: Vec<f64> = pairs.iter().map(|pair| (pair * turn).re).collect();
+        let p = kolmogorov(&parts, below);
+        assert!(p > 1e-3, "{p}");
+    }
 }
 
 #[test]
