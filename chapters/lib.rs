@@ -20,8 +20,14 @@ pub mod vocabulary;
 pub use vocabulary::{Chapter, Step};
 
 /// The chapters in teaching order: the only list of them.
-pub const CURRICULUM: &[&Chapter] =
-    &[&maxwell::CHAPTER, &plane_wave::CHAPTER, &poynting::CHAPTER, &radiometry::CHAPTER, &fresnel::CHAPTER, &brdf::CHAPTER];
+pub const CURRICULUM: &[&Chapter] = &[
+    &maxwell::CHAPTER,
+    &plane_wave::CHAPTER,
+    &poynting::CHAPTER,
+    &radiometry::CHAPTER,
+    &fresnel::CHAPTER,
+    &brdf::CHAPTER,
+];
 
 /// Every step with its chapter, in teaching order.
 pub fn steps() -> impl Iterator<Item = (&'static Chapter, &'static Step)> + Clone {

@@ -25,7 +25,11 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     &[MODEL, SLOPES, ALPHA, METAL, INDEX, ROUGHNESS, ALBEDO, THETA],
     &[
         figure("directions", "Light comes from ω_i and goes to ω_o; both point away from the surface.", directions),
-        figure("lobes", "How a surface spreads what comes in at four angles: f_r cos θ_o in the plane of incidence.", lobes),
+        figure(
+            "lobes",
+            "How a surface spreads what comes in at four angles: f_r cos θ_o in the plane of incidence.",
+            lobes,
+        ),
     ],
 );
 
@@ -98,12 +102,19 @@ fn any(dice: &mut Stream) -> Vector<f64> {
     Vector::new(x, y, z)
 }
 
-const RECIPROCITY: Check<fn(f64) -> f64> = check("reciprocity", "every model is the same both ways, but for n² across a surface of glass")
-    .rows(&["E45"])
-    .against("f_r(ω_o → ω_i), with the radiance of the denser side over n²")
-    .within(1e-6, "1", "the half vector of a refraction cancels: 10⁻¹⁶ over the contrast of the directions, some 10⁻³ at worst, twice")
-    .of(both_ways, |index| index * index)
-    .slip("radiance taken to be the same on both sides of the glass", |_| 1.0);
+const RECIPROCITY: Check<fn(f64) -> f64> = check(
+    "reciprocity",
+    "every model is the same both ways, but for n² across a surface of glass",
+)
+.rows(&["E45"])
+.against("f_r(ω_o → ω_i), with the radiance of the denser side over n²")
+.within(
+    1e-6,
+    "1",
+    "the half vector of a refraction cancels: 10⁻¹⁶ over the contrast of the directions, some 10⁻³ at worst, twice",
+)
+.of(both_ways, |index| index * index)
+.slip("radiance taken to be the same on both sides of the glass", |_| 1.0);
 
 fn both_ways(bench: &mut Bench, squared: fn(f64) -> f64) -> Measured {
     let mut cases = Vec::new();
@@ -128,12 +139,13 @@ fn both_ways(bench: &mut Bench, squared: fn(f64) -> f64) -> Measured {
     Measured::worst(cases)
 }
 
-const ENERGY: Check<fn(f64) -> f64> = check("energy", "no model that promises it returns more than it gets, wherever the light comes from")
-    .rows(&["E45"])
-    .against("1, against the integral of f_r cos θ over the hemisphere (and below it) by a product rule")
-    .within(1e-3, "1", "80 × 160 directions on lobes of α = 0.3, which end with a bend at the horizon")
-    .of(returned, |cos| cos)
-    .slip("cos θ forgotten", |_| 1.0);
+const ENERGY: Check<fn(f64) -> f64> =
+    check("energy", "no model that promises it returns more than it gets, wherever the light comes from")
+        .rows(&["E45"])
+        .against("1, against the integral of f_r cos θ over the hemisphere (and below it) by a product rule")
+        .within(1e-3, "1", "80 × 160 directions on lobes of α = 0.3, which end with a bend at the horizon")
+        .of(returned, |cos| cos)
+        .slip("cos θ forgotten", |_| 1.0);
 
 /// By how much a model returns more than all.
 fn returned(_: &mut Bench, weight: fn(f64) -> f64) -> Measured {
@@ -147,7 +159,8 @@ fn returned(_: &mut Bench, weight: fn(f64) -> f64) -> Measured {
         }
         for theta in [0.0, 0.7, 1.3] {
             let wo = way(theta, 0.4);
-            let sum: f64 = rule.iter().map(|(at, dω)| gathered(surface.as_ref(), Vector::of(*at), wo, weight) * dω).sum();
+            let sum: f64 =
+                rule.iter().map(|(at, dω)| gathered(surface.as_ref(), Vector::of(*at), wo, weight) * dω).sum();
             cases.push(((sum - 1.0).max(0.0), format!("{}, θ = {theta}", entry.name)));
         }
     }
@@ -161,13 +174,15 @@ fn gathered(surface: &dyn Bsdf<f64>, at: Vector<f64>, wo: Vector<f64>, weight: f
     weight(at.z) * (surface.eval(at, wo)[0] + surface.eval(below, wo)[0] * index * index)
 }
 
-const BUNDLES: Check<fn(f64, f64) -> f64> =
-    check("bundles", "the radiance that ever narrower bundles cause, over what they add to the irradiance, is the model's f_r")
-        .rows(&["E46", "E47"])
-        .against("f_r of rough gold in the middle of the bundle, against sums over the bundle by product rules")
-        .order(2.0, 0.05, "what is odd about the middle cancels over the bundle, and the square of its width is left")
-        .of(narrowing, |irradiance, _| irradiance)
-        .slip("over the radiance times the solid angle, cos θ forgotten", |_, radiance| radiance);
+const BUNDLES: Check<fn(f64, f64) -> f64> = check(
+    "bundles",
+    "the radiance that ever narrower bundles cause, over what they add to the irradiance, is the model's f_r",
+)
+.rows(&["E46", "E47"])
+.against("f_r of rough gold in the middle of the bundle, against sums over the bundle by product rules")
+.order(2.0, 0.05, "what is odd about the middle cancels over the bundle, and the square of its width is left")
+.of(narrowing, |irradiance, _| irradiance)
+.slip("over the radiance times the solid angle, cos θ forgotten", |_, radiance| radiance);
 
 fn narrowing(_: &mut Bench, over: fn(f64, f64) -> f64) -> Measured {
     let of = bsdf::Setting { metal: super::models::metal("gold"), ..bsdf::Setting::default() };

@@ -6,8 +6,8 @@ use crate::diagram::{Behind, Diagram, Part};
 use crate::figure::{Axis, Chart, Dash, Hue, Plot};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, choice, derivation, exhibit, figure, question,
-    statement, step, stress,
+    Answer, Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, choice, derivation, exhibit, figure,
+    question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{cos, integral_between, partial, pi, ratio, sin, tan};
@@ -24,7 +24,11 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     &[SLOPES, ALPHA, THETA],
     &[
         figure("half", "Only facets whose normal is the half vector send light from ω_i to ω_o.", half_vector),
-        figure("shapes", "How slopes lie: Gauss's and the one with long tails; and what of a facet is seen from aside.", shapes),
+        figure(
+            "shapes",
+            "How slopes lie: Gauss's and the one with long tails; and what of a facet is seen from aside.",
+            shapes,
+        ),
     ],
 );
 
@@ -177,29 +181,43 @@ fn over_facets(slopes: Slopes, alpha: f64, f: impl Fn(Vector<f64>) -> f64) -> f6
 
 const AREA: Check<fn(Vector<f64>) -> f64> = check("area", "the facets, each as its shadow, cover the surface once")
     .against("1, against ∫ D cos θ_m dω_m")
-    .within(1e-10, "1", "200 × 400 points of an integrand that is analytic in ψ; Gauss's slopes are cut at 6.5 α, e^−42")
+    .within(
+        1e-10,
+        "1",
+        "200 × 400 points of an integrand that is analytic in ψ; Gauss's slopes are cut at 6.5 α, e^−42",
+    )
     .of(shadow, |m| m.z)
     .slip("D taken as a density of directions: cos θ_m forgotten", |_| 1.0);
 
 fn shadow(_: &mut Bench, weight: fn(Vector<f64>) -> f64) -> Measured {
     let cases = KINDS.into_iter().flat_map(|slopes| [0.05, 0.3, 1.0].map(|alpha| (slopes, alpha)));
-    Measured::worst(cases.map(|(slopes, alpha)| {
-        (over_facets(slopes, alpha, weight) - 1.0, format!("{}, α = {alpha}", name(slopes)))
-    }))
+    Measured::worst(
+        cases.map(|(slopes, alpha)| {
+            (over_facets(slopes, alpha, weight) - 1.0, format!("{}, α = {alpha}", name(slopes)))
+        }),
+    )
 }
 
-const SEEN: Check<fn(Slopes, f64, Vector<f64>) -> f64> =
-    check("seen", "the facets that face the view, each as it is seen, are as large as cos θ (1 + Λ) says")
-        .against("cos θ (1 + Λ), against ∫ D max(0, ω·m) dω_m: what masking has to take away to leave cos θ")
-        .within(1e-4, "1", "the integrand has a bend where facets turn away: of 200 points (1/200)² is left, and more where it is steep")
-        .of(facing, |slopes, alpha, w| {
-            let [_, hidden, _] = measured(slopes, alpha, w);
-            w.z * (1.0 + hidden)
-        })
-        .slip("cos θ itself: masking forgotten", |_, _, w| w.z);
+const SEEN: Check<fn(Slopes, f64, Vector<f64>) -> f64> = check(
+    "seen",
+    "the facets that face the view, each as it is seen, are as large as cos θ (1 + Λ) says",
+)
+.against("cos θ (1 + Λ), against ∫ D max(0, ω·m) dω_m: what masking has to take away to leave cos θ")
+.within(
+    1e-4,
+    "1",
+    "the integrand has a bend where facets turn away: of 200 points (1/200)² is left, and more where it is steep",
+)
+.of(facing, |slopes, alpha, w| {
+    let [_, hidden, _] = measured(slopes, alpha, w);
+    w.z * (1.0 + hidden)
+})
+.slip("cos θ itself: masking forgotten", |_, _, w| w.z);
 
 fn facing(_: &mut Bench, area: fn(Slopes, f64, Vector<f64>) -> f64) -> Measured {
-    let cases = KINDS.into_iter().flat_map(|slopes| [(0.3, 0.5), (0.3, 1.3), (1.0, 0.9), (0.6, 1.5)].map(|(a, t)| (slopes, a, t)));
+    let cases = KINDS
+        .into_iter()
+        .flat_map(|slopes| [(0.3, 0.5), (0.3, 1.3), (1.0, 0.9), (0.6, 1.5)].map(|(a, t)| (slopes, a, t)));
     Measured::worst(cases.map(|(slopes, alpha, theta)| {
         let w = way(theta, 0.0);
         let found = over_facets(slopes, alpha, |m| w.dot(m).max(0.0));
@@ -207,12 +225,14 @@ fn facing(_: &mut Bench, area: fn(Slopes, f64, Vector<f64>) -> f64) -> Measured 
     }))
 }
 
-const SIDES: Check<fn(&Ggx<f64>, Vector<f64>) -> f64> =
-    check("below", "seen from below the surface, facets that look down are hidden by as much as those above: h is even in z")
-        .against("(1 + Λ(−ω)) |cos θ| = |cos θ| Λ(ω): what is seen of the facets from below, by the closed form above")
-        .within(1e-12, "1", "the difference loses (1 + Λ)/Λ, at most a thousand here")
-        .of(from_below, projected)
-        .slip("the same area from above and below", |facets, w| projected(facets, -w));
+const SIDES: Check<fn(&Ggx<f64>, Vector<f64>) -> f64> = check(
+    "below",
+    "seen from below the surface, facets that look down are hidden by as much as those above: h is even in z",
+)
+.against("(1 + Λ(−ω)) |cos θ| = |cos θ| Λ(ω): what is seen of the facets from below, by the closed form above")
+.within(1e-12, "1", "the difference loses (1 + Λ)/Λ, at most a thousand here")
+.of(from_below, projected)
+.slip("the same area from above and below", |facets, w| projected(facets, -w));
 
 fn from_below(_: &mut Bench, below: fn(&Ggx<f64>, Vector<f64>) -> f64) -> Measured {
     Measured::worst([0.2, 0.9, 1.4].map(|theta| {
@@ -226,7 +246,9 @@ fn from_below(_: &mut Bench, below: fn(&Ggx<f64>, Vector<f64>) -> f64) -> Measur
 fn forms() -> Vec<Extreme> {
     let alphas = [1e-4, 1e-2, 0.3, 1.0];
     let angles = [1e-9, 1e-4, 0.7, 1.57, FRAC_PI_2 - 1e-6];
-    let cases = KINDS.into_iter().flat_map(|slopes| alphas.into_iter().flat_map(move |alpha| angles.map(|theta| (slopes, alpha, theta))));
+    let cases = KINDS
+        .into_iter()
+        .flat_map(|slopes| alphas.into_iter().flat_map(move |alpha| angles.map(|theta| (slopes, alpha, theta))));
     cases
         .flat_map(|(slopes, alpha, theta)| {
             let w = way(theta, 0.0);
@@ -300,7 +322,10 @@ fn shapes(setting: &Setting) -> Plot {
     let of = made_from(setting);
     let alpha = of.alpha[0];
     let curve = |slopes: Slopes, which: usize| -> Vec<[f64; 2]> {
-        (0..=179).map(|at| f64::from(at) / 2.0).map(|x| [x, measured(slopes, alpha, way(x.to_radians(), 0.0))[which]]).collect()
+        (0..=179)
+            .map(|at| f64::from(at) / 2.0)
+            .map(|x| [x, measured(slopes, alpha, way(x.to_radians(), 0.0))[which]])
+            .collect()
     };
     let axis = || Axis::linear("angle to the normal θ", "°").range(0.0, 90.0).tick(30.0);
     let d = Chart::new("facets", axis(), Axis::log("D", "1/sr").range(1e-6 / alpha, 1.0 / (alpha * alpha)))

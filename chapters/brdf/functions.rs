@@ -12,7 +12,8 @@ use std::f64::consts::FRAC_PI_2;
 pub(super) const FUNCTIONS: &[Function] = &[MICROFACET, ALBEDO_OF, BRDF];
 
 /// How facets' slopes are spread, called the model here.
-const KIND: Parameter = Parameter::new("model", "", "how the facets' slopes are spread", Kind::Choice(&["ggx", "beckmann"]));
+const KIND: Parameter =
+    Parameter::new("model", "", "how the facets' slopes are spread", Kind::Choice(&["ggx", "beckmann"]));
 
 fn slopes(word: &str) -> Slopes {
     if word == "beckmann" { Slopes::Beckmann } else { Slopes::Ggx }
@@ -88,7 +89,10 @@ const BRDF: Function = Function {
         Parameter { only_with: Some(("model", FACETED)), ..ALPHA_Y },
         Parameter { only_with: Some(("model", FACETED)), ..SLOPES },
         Parameter { only_with: Some(("model", &["oren-nayar", "eon"])), ..ROUGHNESS },
-        Parameter { only_with: Some(("model", &["lambert", "oren-nayar", "eon", "mirror", "plastic", "rough-plastic"])), ..ALBEDO },
+        Parameter {
+            only_with: Some(("model", &["lambert", "oren-nayar", "eon", "mirror", "plastic", "rough-plastic"])),
+            ..ALBEDO
+        },
         Parameter {
             only_with: Some(("model", &["conductor", "rough-conductor", "conductor-walk", "conductor-compensated"])),
             ..METAL.default("white")
@@ -96,7 +100,14 @@ const BRDF: Function = Function {
         Parameter {
             only_with: Some((
                 "model",
-                &["dielectric", "rough-dielectric", "dielectric-walk", "dielectric-compensated", "plastic", "rough-plastic"],
+                &[
+                    "dielectric",
+                    "rough-dielectric",
+                    "dielectric-walk",
+                    "dielectric-compensated",
+                    "plastic",
+                    "rough-plastic",
+                ],
             )),
             ..INDEX
         },

@@ -7,15 +7,15 @@ use crate::diagram::{Diagram, Part};
 use crate::figure::{Axis, Chart, Dash, Hue, Plot};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Extreme, Measured, Misled, Quantity, Step, check, derivation, exhibit, figure, question,
-    step, stress,
+    Answer, Bench, Check, Exhibit, Extreme, Measured, Misled, Quantity, Step, check, derivation, exhibit, figure,
+    question, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{cos, sin};
 use equation::{Dimension, Expr, Symbol};
+use light::bsdf;
 use light::bsdf::fresnel::dielectric;
 use light::bsdf::microfacet::Joint;
-use light::bsdf;
 use light::number::Vector;
 use light::optics::fresnel::powers;
 use light::optics::incidence::refracted;
@@ -29,8 +29,16 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     "glass",
     &[INDEX, SLOPES, ALPHA, THETA],
     &[
-        figure("lobes", "Light on rough glass from outside and from inside: what comes back and what goes through.", lobes),
-        figure("shares", "What one event at a surface of glass sends on, by three kinds of masking, beside the walk.", shares),
+        figure(
+            "lobes",
+            "Light on rough glass from outside and from inside: what comes back and what goes through.",
+            lobes,
+        ),
+        figure(
+            "shares",
+            "What one event at a surface of glass sends on, by three kinds of masking, beside the walk.",
+            shares,
+        ),
     ],
 );
 
@@ -112,65 +120,69 @@ fn twin(last: Expr) -> Chain {
         .then(last, ["Snell's law", "sine of a difference"])
 }
 
-const SNELL: Check<fn(f64) -> f64> =
-    check("snell", "polished glass refracts as Snell's law has it, from outside and from inside, and reflects the rest")
-        .against("the refracted direction of chapter fresnel, and total reflection where there is none")
-        .within(64.0, "ulp · (1 + cond)", "near the critical angle cos θ_t moves as 1/cos θ_t; a dozen roundings")
-        .of(
-            |bench: &mut Bench, index: fn(f64) -> f64| {
-                let n = 1.5;
-                let of = bsdf::Setting { index: index(n), ..bsdf::Setting::default() };
-                let glass = model("dielectric", &of);
-                let mut cases = Vec::new();
-                for _ in 0..200 {
-                    let (theta, phi) = (uniform(&mut bench.stream, 0.0, 1.57), uniform(&mut bench.stream, 0.0, TAU));
-                    let side = if uniform(&mut bench.stream, 0.0, 1.0) < 0.5 { 1.0 } else { -1.0 };
-                    let wo = way(theta, phi).scaled(side);
-                    let (n_i, n_t) = if side > 0.0 { (1.0, n) } else { (n, 1.0) };
-                    let drawn = glass.sample(wo, [0.5, 0.5, 1.0 - 1e-16]);
-                    let place = format!("cos θ = {:.4}", wo.z);
-                    match refracted([-wo.x, -wo.y, -wo.z], [0.0, 0.0, 1.0], n_i, n_t) {
-                        Some([x, y, z]) => {
-                            let off = (drawn.wi.x - x).abs().max((drawn.wi.y - y).abs()).max((drawn.wi.z - z).abs());
-                            cases.push((off / (f64::EPSILON * (1.0 + 1.0 / z.abs())), place));
-                        }
-                        None => {
-                            let mirrored = (drawn.wi.z - wo.z).abs().max((drawn.wi.x + wo.x).abs());
-                            cases.push((mirrored / f64::EPSILON, place));
-                        }
-                    }
+const SNELL: Check<fn(f64) -> f64> = check(
+    "snell",
+    "polished glass refracts as Snell's law has it, from outside and from inside, and reflects the rest",
+)
+.against("the refracted direction of chapter fresnel, and total reflection where there is none")
+.within(64.0, "ulp · (1 + cond)", "near the critical angle cos θ_t moves as 1/cos θ_t; a dozen roundings")
+.of(
+    |bench: &mut Bench, index: fn(f64) -> f64| {
+        let n = 1.5;
+        let of = bsdf::Setting { index: index(n), ..bsdf::Setting::default() };
+        let glass = model("dielectric", &of);
+        let mut cases = Vec::new();
+        for _ in 0..200 {
+            let (theta, phi) = (uniform(&mut bench.stream, 0.0, 1.57), uniform(&mut bench.stream, 0.0, TAU));
+            let side = if uniform(&mut bench.stream, 0.0, 1.0) < 0.5 { 1.0 } else { -1.0 };
+            let wo = way(theta, phi).scaled(side);
+            let (n_i, n_t) = if side > 0.0 { (1.0, n) } else { (n, 1.0) };
+            let drawn = glass.sample(wo, [0.5, 0.5, 1.0 - 1e-16]);
+            let place = format!("cos θ = {:.4}", wo.z);
+            match refracted([-wo.x, -wo.y, -wo.z], [0.0, 0.0, 1.0], n_i, n_t) {
+                Some([x, y, z]) => {
+                    let off = (drawn.wi.x - x).abs().max((drawn.wi.y - y).abs()).max((drawn.wi.z - z).abs());
+                    cases.push((off / (f64::EPSILON * (1.0 + 1.0 / z.abs())), place));
                 }
-                Measured::worst(cases)
-            },
-            |n| n,
-        )
-        .slip("the index the wrong way round", |n| 1.0 / n);
+                None => {
+                    let mirrored = (drawn.wi.z - wo.z).abs().max((drawn.wi.x + wo.x).abs());
+                    cases.push((mirrored / f64::EPSILON, place));
+                }
+            }
+        }
+        Measured::worst(cases)
+    },
+    |n| n,
+)
+.slip("the index the wrong way round", |n| 1.0 / n);
 
-const BETA: Check<fn(Joint) -> Joint> =
-    check("beta", "of a walk on glass the first event sends on what Euler's Beta says of both maskings, and nothing else does")
-        .against("the share of walks that meet one facet, by how many standard errors of 20 000 it is off")
-        .within(4.5, "σ", "4.5 standard errors, of either side: once in 10⁵ by chance, for each of four views")
-        .of(
-            |bench: &mut Bench, joint: fn(Joint) -> Joint| {
-                use light::bsdf::microfacet::{Distribution, Ggx};
-                use light::bsdf::walk::{Glass, Walk};
-                let cases = [(0.5, 0.1), (1.0, 0.5), (1.0, -0.9), (0.5, -0.5)];
-                Measured::worst(cases.map(|(alpha, cos)| {
-                    let (count, wo) = (20_000_u64, way(f64::acos(cos), 0.4));
-                    let walk = Walk::new(Ggx::new([alpha; 2]), Glass::new(1.5));
-                    let dice = &mut bench.stream;
-                    let mut throw = || [(); 3].map(|()| uniform(dice, 0.0, 1.0));
-                    let ones = (0..count).filter(|_| walk.bounces(wo, throw()) == 1.0).count() as f64 / count as f64;
-                    let of = bsdf::Setting { alpha: [alpha; 2], joint: joint(Joint::Correlated), ..bsdf::Setting::default() };
-                    let place = format!("α = {alpha}, cos θ = {cos}");
-                    let event = super::sampling::energy(model("rough-dielectric", &of).as_ref(), wo, count, &place);
-                    let sigma = (ones * (1.0 - ones) / count as f64).sqrt().hypot(event.standard_error());
-                    ((event.mean() - ones) / sigma, place)
-                }))
-            },
-            |joint| joint,
-        )
-        .slip("masking of either side by itself", |_| Joint::Separable);
+const BETA: Check<fn(Joint) -> Joint> = check(
+    "beta",
+    "of a walk on glass the first event sends on what Euler's Beta says of both maskings, and nothing else does",
+)
+.against("the share of walks that meet one facet, by how many standard errors of 20 000 it is off")
+.within(4.5, "σ", "4.5 standard errors, of either side: once in 10⁵ by chance, for each of four views")
+.of(
+    |bench: &mut Bench, joint: fn(Joint) -> Joint| {
+        use light::bsdf::microfacet::{Distribution, Ggx};
+        use light::bsdf::walk::{Glass, Walk};
+        let cases = [(0.5, 0.1), (1.0, 0.5), (1.0, -0.9), (0.5, -0.5)];
+        Measured::worst(cases.map(|(alpha, cos)| {
+            let (count, wo) = (20_000_u64, way(f64::acos(cos), 0.4));
+            let walk = Walk::new(Ggx::new([alpha; 2]), Glass::new(1.5));
+            let dice = &mut bench.stream;
+            let mut throw = || [(); 3].map(|()| uniform(dice, 0.0, 1.0));
+            let ones = (0..count).filter(|_| walk.bounces(wo, throw()) == 1.0).count() as f64 / count as f64;
+            let of = bsdf::Setting { alpha: [alpha; 2], joint: joint(Joint::Correlated), ..bsdf::Setting::default() };
+            let place = format!("α = {alpha}, cos θ = {cos}");
+            let event = super::sampling::energy(model("rough-dielectric", &of).as_ref(), wo, count, &place);
+            let sigma = (ones * (1.0 - ones) / count as f64).sqrt().hypot(event.standard_error());
+            ((event.mean() - ones) / sigma, place)
+        }))
+    },
+    |joint| joint,
+)
+.slip("masking of either side by itself", |_| Joint::Separable);
 
 const POLISHED: Check<fn(f64, f64) -> f64> =
     check("polished", "the surfaces' own Fresnel term is that of chapter fresnel, from both sides")
@@ -183,7 +195,10 @@ const POLISHED: Check<fn(f64, f64) -> f64> =
                     let exact = powers(Incidence::from_cos(cos), 1.0, eta.into()).r_n();
                     let critical = (eta * eta - (1.0 - cos * cos)).abs();
                     let condition = 4.0 / critical.max(1e-12) + 4.0 / (eta - 1.0).abs().max(1e-9);
-                    ((program(cos, eta) / exact - 1.0) / (f64::EPSILON * (1.0 + condition)), format!("cos θ = {cos:.4}, η = {eta:.4}"))
+                    (
+                        (program(cos, eta) / exact - 1.0) / (f64::EPSILON * (1.0 + condition)),
+                        format!("cos θ = {cos:.4}, η = {eta:.4}"),
+                    )
                 }))
             },
             |cos, eta| dielectric(cos, eta).reflectance,
@@ -253,7 +268,15 @@ fn shares(setting: &Setting) -> Plot {
     let angles = || (0..=16).map(|step| (5.0 * f64::from(step) + 2.5).min(87.0));
     let event = |joint: Joint| -> Vec<[f64; 2]> {
         let surface = model("rough-dielectric", &bsdf::Setting { joint, ..of });
-        angles().map(|x| [x, super::sampling::energy(surface.as_ref(), way(x.to_radians(), 0.4), 8000, "brdf/glass/shares").mean()]).collect()
+        angles()
+            .map(|x| {
+                [
+                    x,
+                    super::sampling::energy(surface.as_ref(), way(x.to_radians(), 0.4), 8000, "brdf/glass/shares")
+                        .mean(),
+                ]
+            })
+            .collect()
     };
     let walk = Walk::new(Ggx::new(of.alpha), Glass::new(of.index));
     let mut dice = stream(0, "brdf/glass/shares");

@@ -73,13 +73,23 @@ pub(super) const STEP: Step = step(
     let grazing = way(1.55, 0.0);
     vec![
         quantity("k", "k", "Lambert's f_r", model("lambert", &of).eval(way(0.3, 0.0), way(0.9, 1.0))[0], "1/sr"),
-        quantity("eon", "f_r", "of the rough one, straight back at θ = 60°", {
-            model("eon", &of).eval(way(1.047, 0.0), way(1.047, 0.0))[0]
-        }, "1/sr"),
-        quantity("gain", "E_{ON}", "what the textbook's rough model returns at θ = 89°, of white", {
-            let white = bsdf::Setting { albedo: [1.0; 3], ..of };
-            returned(model("oren-nayar", &white).as_ref(), grazing)
-        }, "1"),
+        quantity(
+            "eon",
+            "f_r",
+            "of the rough one, straight back at θ = 60°",
+            { model("eon", &of).eval(way(1.047, 0.0), way(1.047, 0.0))[0] },
+            "1/sr",
+        ),
+        quantity(
+            "gain",
+            "E_{ON}",
+            "what the textbook's rough model returns at θ = 89°, of white",
+            {
+                let white = bsdf::Setting { albedo: [1.0; 3], ..of };
+                returned(model("oren-nayar", &white).as_ref(), grazing)
+            },
+            "1",
+        ),
     ]
 })
 .checks(&[&SHARE, &FURNACE, &TEXTBOOK]);
@@ -97,33 +107,38 @@ fn returned(surface: &dyn Bsdf<f64>, wo: Vector<f64>) -> f64 {
     integral(&product(Domain::Hemisphere, 96), |at| at[2] * surface.eval(Vector::of(at), wo)[0])
 }
 
-const SHARE: Check<fn(f64) -> f64> = check("share", "with k = ρ/π a surface returns ρ of the light, whatever its directions")
-    .against("ρ, against ∫ k cos θ dω by a product rule")
-    .within(1e-13, "1", "18432 terms of a rule that is exact for it")
-    .of(shares, |rho| {
-        let of = bsdf::Setting { albedo: [rho; 3], ..bsdf::Setting::default() };
-        model("lambert", &of).eval(way(0.3, 0.0), way(0.9, 1.0))[0]
-    })
-    .slip("ρ/2π", |rho| rho / (2.0 * PI));
+const SHARE: Check<fn(f64) -> f64> =
+    check("share", "with k = ρ/π a surface returns ρ of the light, whatever its directions")
+        .against("ρ, against ∫ k cos θ dω by a product rule")
+        .within(1e-13, "1", "18432 terms of a rule that is exact for it")
+        .of(shares, |rho| {
+            let of = bsdf::Setting { albedo: [rho; 3], ..bsdf::Setting::default() };
+            model("lambert", &of).eval(way(0.3, 0.0), way(0.9, 1.0))[0]
+        })
+        .slip("ρ/2π", |rho| rho / (2.0 * PI));
 
 fn shares(_: &mut Bench, k: fn(f64) -> f64) -> Measured {
     let rule = product(Domain::Hemisphere, 96);
-    Measured::worst([1.0, 0.5, 0.18, 1e-3].map(|rho: f64| (integral(&rule, |at| k(rho) * at[2]) / rho - 1.0, format!("ρ = {rho}"))))
+    Measured::worst(
+        [1.0, 0.5, 0.18, 1e-3].map(|rho: f64| (integral(&rule, |at| k(rho) * at[2]) / rho - 1.0, format!("ρ = {rho}"))),
+    )
 }
 
 /// The rough diffuse model that returns everything: roughness [1] and direction to what is returned [1].
-const FURNACE: Check<fn(f64, Vector<f64>) -> f64> =
-    check("furnace", "white bodies of any roughness return all light, as their authors designed them to")
-        .against("1, against ∫ f_r cos θ dω of energy-preserving Oren–Nayar, in azimuths and angles that bend where it bends")
-        .within(1e-9, "1", "64 points on each of the pieces between bends, on which the model is analytic but for a root")
-        .of(furnace, |roughness, wo| {
-            let of = bsdf::Setting { roughness, albedo: [1.0; 3], ..bsdf::Setting::default() };
-            pieces(model("eon", &of).as_ref(), wo)
-        })
-        .slip("the textbook's model", |roughness, wo| {
-            let of = bsdf::Setting { roughness, albedo: [1.0; 3], ..bsdf::Setting::default() };
-            pieces(model("oren-nayar", &of).as_ref(), wo)
-        });
+const FURNACE: Check<fn(f64, Vector<f64>) -> f64> = check(
+    "furnace",
+    "white bodies of any roughness return all light, as their authors designed them to",
+)
+.against("1, against ∫ f_r cos θ dω of energy-preserving Oren–Nayar, in azimuths and angles that bend where it bends")
+.within(1e-9, "1", "64 points on each of the pieces between bends, on which the model is analytic but for a root")
+.of(furnace, |roughness, wo| {
+    let of = bsdf::Setting { roughness, albedo: [1.0; 3], ..bsdf::Setting::default() };
+    pieces(model("eon", &of).as_ref(), wo)
+})
+.slip("the textbook's model", |roughness, wo| {
+    let of = bsdf::Setting { roughness, albedo: [1.0; 3], ..bsdf::Setting::default() };
+    pieces(model("oren-nayar", &of).as_ref(), wo)
+});
 
 fn furnace(_: &mut Bench, returned: fn(f64, Vector<f64>) -> f64) -> Measured {
     let roughness = [0.0, 0.1, 0.5, 1.0];
@@ -151,17 +166,20 @@ fn pieces(surface: &dyn Bsdf<f64>, wo: Vector<f64>) -> f64 {
     2.0 * turns.into_iter().flat_map(|turn| angles.map(|angle| part(angle, turn))).sum::<f64>()
 }
 
-const TEXTBOOK: Check<fn(f64) -> f64> = check("textbook", "the textbook's rough surface gains energy at grazing: its albedo exceeds 1")
-    .against("1.005 at σ = 0.3 and cos θ = 0.01, from A(1 + …) integrated by hand over the azimuth: the published A and B")
-    .within(1e-4, "1", "the reference's closed form below, and 10⁻⁹ of quadrature")
-    .of(gained, |roughness| {
-        let of = bsdf::Setting { roughness, albedo: [1.0; 3], ..bsdf::Setting::default() };
-        pieces(model("oren-nayar", &of).as_ref(), way(GRAZING.acos(), 0.0))
-    })
-    .slip("the model that keeps its energy", |roughness| {
-        let of = bsdf::Setting { roughness, albedo: [1.0; 3], ..bsdf::Setting::default() };
-        pieces(model("eon", &of).as_ref(), way(GRAZING.acos(), 0.0))
-    });
+const TEXTBOOK: Check<fn(f64) -> f64> = check(
+    "textbook",
+    "the textbook's rough surface gains energy at grazing: its albedo exceeds 1",
+)
+.against("1.005 at σ = 0.3 and cos θ = 0.01, from A(1 + …) integrated by hand over the azimuth: the published A and B")
+.within(1e-4, "1", "the reference's closed form below, and 10⁻⁹ of quadrature")
+.of(gained, |roughness| {
+    let of = bsdf::Setting { roughness, albedo: [1.0; 3], ..bsdf::Setting::default() };
+    pieces(model("oren-nayar", &of).as_ref(), way(GRAZING.acos(), 0.0))
+})
+.slip("the model that keeps its energy", |roughness| {
+    let of = bsdf::Setting { roughness, albedo: [1.0; 3], ..bsdf::Setting::default() };
+    pieces(model("eon", &of).as_ref(), way(GRAZING.acos(), 0.0))
+});
 
 /// cos θ_o of the view.
 const GRAZING: f64 = 0.01;
@@ -228,7 +246,10 @@ fn gains(setting: &Setting) -> Plot {
     let curve = |name: &str, roughness: f64| -> Vec<[f64; 2]> {
         let of = bsdf::Setting { roughness, albedo: [1.0; 3], ..bsdf::Setting::default() };
         let surface = model(name, &of);
-        (0..=44).map(|at| 2.0 * f64::from(at) + 1.0).map(|x| [x, pieces(surface.as_ref(), way(x.to_radians(), 0.0))]).collect()
+        (0..=44)
+            .map(|at| 2.0 * f64::from(at) + 1.0)
+            .map(|x| [x, pieces(surface.as_ref(), way(x.to_radians(), 0.0))])
+            .collect()
     };
     let chart = Chart::new(
         "",

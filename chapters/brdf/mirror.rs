@@ -25,8 +25,16 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     "mirror",
     &[METAL, THETA],
     &[
-        figure("narrowing", "Ever smoother metal: the lobe grows and narrows, and what it sends in all stays.", narrowing),
-        figure("swatches", "Metals under white light, from their indices at three wavelengths; below, seen at 85°.", swatches),
+        figure(
+            "narrowing",
+            "Ever smoother metal: the lobe grows and narrows, and what it sends in all stays.",
+            narrowing,
+        ),
+        figure(
+            "swatches",
+            "Metals under white light, from their indices at three wavelengths; below, seen at 85°.",
+            swatches,
+        ),
     ],
 );
 
@@ -108,17 +116,22 @@ fn drawn(bench: &mut Bench, mirrored: fn(Vector<f64>) -> Vector<f64>) -> Measure
         let (found, there) = (mirrored(wo), way(theta, phi + PI));
         let off = ((found.x - there.x).abs()).max((found.y - there.y).abs()).max((found.z - wo.z).abs());
         let weight = mirror.sample(wo, [0.3, 0.7, 0.1]).weight[0];
-        [(off / f64::EPSILON, format!("direction at θ = {theta:.3}")), ((weight - 1.0) / f64::EPSILON, format!("weight at θ = {theta:.3}"))]
+        [
+            (off / f64::EPSILON, format!("direction at θ = {theta:.3}")),
+            ((weight - 1.0) / f64::EPSILON, format!("weight at θ = {theta:.3}")),
+        ]
     }))
 }
 
-const LIMIT: Check<fn(f64) -> f64> =
-    check("limit", "ever smoother facets of Gaussian slopes send back ever more nearly the radiance of the mirror's direction")
-        .rows(&["E49", "E50"])
-        .against("a sky 1 + x/2 in the mirror's direction, against ∫ f_r L cos θ dω over the lobe by a product rule")
-        .order(2.0, 0.1, "the lobe is even about the mirror's direction to first order in α")
-        .of(smoother, |_| 1.0)
-        .slip("the cosine of E50 forgotten", |cos| cos);
+const LIMIT: Check<fn(f64) -> f64> = check(
+    "limit",
+    "ever smoother facets of Gaussian slopes send back ever more nearly the radiance of the mirror's direction",
+)
+.rows(&["E49", "E50"])
+.against("a sky 1 + x/2 in the mirror's direction, against ∫ f_r L cos θ dω over the lobe by a product rule")
+.order(2.0, 0.1, "the lobe is even about the mirror's direction to first order in α")
+.of(smoother, |_| 1.0)
+.slip("the cosine of E50 forgotten", |cos| cos);
 
 fn smoother(_: &mut Bench, factor: fn(f64) -> f64) -> Measured {
     let (theta, wo) = (0.7, way(0.7, 0.0));
@@ -178,7 +191,11 @@ fn reflecting(_: &mut Bench, share: fn(&dyn Bsdf<f64>, Vector<f64>) -> [f64; 3])
 
 fn narrowing(setting: &Setting) -> Plot {
     let theta = setting.number("theta").clamp(0.05, 1.4);
-    let of = |alpha: f64| bsdf::Setting { alpha: [alpha; 2], metal: metal(setting.word("metal")), ..bsdf::Setting::default() };
+    let of = |alpha: f64| bsdf::Setting {
+        alpha: [alpha; 2],
+        metal: metal(setting.word("metal")),
+        ..bsdf::Setting::default()
+    };
     let wi = way(theta, PI);
     let axes = Chart::new(
         "",
@@ -196,7 +213,10 @@ fn narrowing(setting: &Setting) -> Plot {
             .collect();
         chart.line(Hue::Nth(at), format!("α = {alpha}"), points)
     });
-    Plot::of(format!("Light at {:.0}° on ever smoother {}", theta.to_degrees(), setting.word("metal")), chart.at_x(theta.to_degrees(), ""))
+    Plot::of(
+        format!("Light at {:.0}° on ever smoother {}", theta.to_degrees(), setting.word("metal")),
+        chart.at_x(theta.to_degrees(), ""),
+    )
 }
 
 /// Linear sRGB of light that has these shares at the primaries of BT.2020 (ITU-R BT.2087).

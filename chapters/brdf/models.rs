@@ -26,9 +26,11 @@ pub(super) const NAMES: &[&str] = &[
     "dielectric-compensated",
 ];
 
-pub(super) const MODEL: Parameter = Parameter::new("model", "", "which surface", Kind::Choice(NAMES)).default("rough-conductor");
+pub(super) const MODEL: Parameter =
+    Parameter::new("model", "", "which surface", Kind::Choice(NAMES)).default("rough-conductor");
 pub(super) const SLOPES: Parameter =
-    Parameter::new("slopes", "", "how its facets' slopes are spread", Kind::Choice(&["ggx", "beckmann"])).default("ggx");
+    Parameter::new("slopes", "", "how its facets' slopes are spread", Kind::Choice(&["ggx", "beckmann"]))
+        .default("ggx");
 pub(super) const ALPHA: Parameter =
     Parameter::new("alpha", "α", "roughness of facets", Kind::number(LEAST_ALPHA, 1.0, "1")).default("0.3");
 pub(super) const ALPHA_Y: Parameter =

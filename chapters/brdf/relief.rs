@@ -4,8 +4,8 @@ use super::models::{ALPHA, THETA, way};
 use crate::figure::{Axis, Chart, Hue, Map, Plot, Ramp};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Heat, Measured, Quantity, Race, Step, check, choice, exhibit, figure, lane, question,
-    race, step,
+    Answer, Bench, Check, Exhibit, Heat, Measured, Quantity, Race, Step, check, choice, exhibit, figure, lane,
+    question, race, step,
 };
 use light::bsdf::Bsdf;
 use light::bsdf::albedo::albedo;
@@ -23,7 +23,11 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     "relief",
     &[ALPHA, THETA],
     &[
-        figure("heights", "A corner of a rough surface as it is simulated: heights drawn by chance, with Gaussian slopes.", heights),
+        figure(
+            "heights",
+            "A corner of a rough surface as it is simulated: heights drawn by chance, with Gaussian slopes.",
+            heights,
+        ),
         figure(
             "lobes",
             "Where light goes that comes in at θ_i, over the angle in the plane of incidence: the surface itself, its facets' \
@@ -112,11 +116,12 @@ fn smith(alpha: f64, theta: f64) -> f64 {
     albedo(Slopes::Beckmann, alpha, theta.cos())
 }
 
-const SLOPES: Check<fn(f64, f64) -> f64> = check("slopes", "the facets of the relief have the slopes of Beckmann's distribution")
-    .against("1 − e^(−s²/α²), against the slopes of half a million triangles (Kolmogorov's distance)")
-    .within(5e-3, "1", "some 128² patches that know nothing of each other: 0.6/128 of distance, rarely more")
-    .of(distances, |s, alpha| -f64::exp_m1(-(s / alpha).powi(2)))
-    .slip("the slopes of GGX, of the same α", |s, alpha| s * s / (alpha * alpha + s * s));
+const SLOPES: Check<fn(f64, f64) -> f64> =
+    check("slopes", "the facets of the relief have the slopes of Beckmann's distribution")
+        .against("1 − e^(−s²/α²), against the slopes of half a million triangles (Kolmogorov's distance)")
+        .within(5e-3, "1", "some 128² patches that know nothing of each other: 0.6/128 of distance, rarely more")
+        .of(distances, |s, alpha| -f64::exp_m1(-(s / alpha).powi(2)))
+        .slip("the slopes of GGX, of the same α", |s, alpha| s * s / (alpha * alpha + s * s));
 
 fn distances(_: &mut Bench, cdf: fn(f64, f64) -> f64) -> Measured {
     Measured::worst([0.1, 0.5].map(|alpha| (rough(alpha).distance(|s| cdf(s, alpha)), format!("α = {alpha}"))))
@@ -130,20 +135,22 @@ fn views() -> impl Iterator<Item = (f64, f64)> {
 /// Rays of one view.
 const RAYS: usize = 20_000;
 
-const SINGLE: Check<fn(f64, f64) -> f64> =
-    check("one_bounce", "what leaves a relief after one bounce is what facets return at one bounce, nearly")
-        .against("Smith's height-correlated masking, by quadrature over Beckmann's slopes, against rays traced among heights")
-        .within(0.025, "1", "heights that stand together hide less than independent ones: up to 0.020 was found at α = 0.8")
-        .of(
-            |bench: &mut Bench, program: fn(f64, f64) -> f64| {
-                Measured::worst(views().map(|(alpha, theta)| {
-                    let traced = one_bounce(&rough(alpha), theta, RAYS, &mut bench.stream);
-                    (traced - program(alpha, theta), format!("α = {alpha}, θ = {theta:.2}: traced {traced:.4}"))
-                }))
-            },
-            smith as fn(f64, f64) -> f64,
-        )
-        .slip("no facet stands in another's light", |_, _| 1.0);
+const SINGLE: Check<fn(f64, f64) -> f64> = check(
+    "one_bounce",
+    "what leaves a relief after one bounce is what facets return at one bounce, nearly",
+)
+.against("Smith's height-correlated masking, by quadrature over Beckmann's slopes, against rays traced among heights")
+.within(0.025, "1", "heights that stand together hide less than independent ones: up to 0.020 was found at α = 0.8")
+.of(
+    |bench: &mut Bench, program: fn(f64, f64) -> f64| {
+        Measured::worst(views().map(|(alpha, theta)| {
+            let traced = one_bounce(&rough(alpha), theta, RAYS, &mut bench.stream);
+            (traced - program(alpha, theta), format!("α = {alpha}, θ = {theta:.2}: traced {traced:.4}"))
+        }))
+    },
+    smith as fn(f64, f64) -> f64,
+)
+.slip("no facet stands in another's light", |_, _| 1.0);
 
 const ABOVE: Check<fn(f64, f64) -> f64> = check("above", "and never less than that: the relief is on the bright side")
     .against("the same; by how many standard errors of the tracing it falls below")
@@ -174,23 +181,25 @@ fn walked(alpha: f64, theta: f64, count: u64, dice: &mut Stream) -> f64 {
     ones as f64 / count as f64
 }
 
-const WALKED: Check<fn(f64, f64) -> f64> =
-    check("walked", "a walk over facets of independent heights leaves after one bounce exactly as often as Smith's masking says")
-        .against("the quadrature, by how many standard errors of 10⁵ walks it is off")
-        .within(4.0, "σ", "four standard errors: once in 16 000 by chance, for each of nine views")
-        .of(
-            |_: &mut Bench, program: fn(f64, f64) -> f64| {
-                Measured::worst(views().map(|(alpha, theta)| {
-                    let count = 100_000;
-                    let due = program(alpha, theta);
-                    let found = orders(Slopes::Beckmann, alpha, theta.cos(), count)[0];
-                    let sigma = (found * (1.0 - found) / count as f64).sqrt().max(1e-5);
-                    ((found - due) / sigma, format!("α = {alpha}, θ = {theta:.2}: walked {found:.4}"))
-                }))
-            },
-            smith as fn(f64, f64) -> f64,
-        )
-        .slip("each side's masking taken by itself", separable);
+const WALKED: Check<fn(f64, f64) -> f64> = check(
+    "walked",
+    "a walk over facets of independent heights leaves after one bounce exactly as often as Smith's masking says",
+)
+.against("the quadrature, by how many standard errors of 10⁵ walks it is off")
+.within(4.0, "σ", "four standard errors: once in 16 000 by chance, for each of nine views")
+.of(
+    |_: &mut Bench, program: fn(f64, f64) -> f64| {
+        Measured::worst(views().map(|(alpha, theta)| {
+            let count = 100_000;
+            let due = program(alpha, theta);
+            let found = orders(Slopes::Beckmann, alpha, theta.cos(), count)[0];
+            let sigma = (found * (1.0 - found) / count as f64).sqrt().max(1e-5);
+            ((found - due) / sigma, format!("α = {alpha}, θ = {theta:.2}: walked {found:.4}"))
+        }))
+    },
+    smith as fn(f64, f64) -> f64,
+)
+.slip("each side's masking taken by itself", separable);
 
 /// The same with separable masking.
 fn separable(alpha: f64, theta: f64) -> f64 {
@@ -209,10 +218,7 @@ const BOUNCES: Race = race(
     "the walk converges on Smith's energy as chance allows, without end; the relief stops at what its heights share",
 )
 .work("rays or walks")
-.error(
-    "error of the share of one bounce",
-    "rms over 16 seeds of |P_1 − E| at α = 0.5 and 60°, E by quadrature",
-)
+.error("error of the share of one bounce", "rms over 16 seeds of |P_1 − E| at α = 0.5 and 60°, E by quadrature")
 .lanes(&[
     lane("walk", "the walk", &[256, 1024, 4096, 16384], |bench, work| {
         let seed = uniform(&mut bench.stream, 0.0, 1.0);
@@ -244,8 +250,7 @@ const BOUNCES: Race = race(
 fn heights(setting: &Setting) -> Plot {
     let relief = rough(setting.number("alpha"));
     const SHOWN: usize = 96;
-    let values: Vec<f64> =
-        (0..SHOWN * SHOWN).map(|at| relief.heights()[at / SHOWN * SIDE + at % SHOWN]).collect();
+    let values: Vec<f64> = (0..SHOWN * SHOWN).map(|at| relief.heights()[at / SHOWN * SIDE + at % SHOWN]).collect();
     let most = values.iter().fold(0.0_f64, |most, z| most.max(z.abs()));
     let axis = |name: &str| Axis::linear(name, "cells").range(0.0, SHOWN as f64).tick(24.0);
     let map = Map {
@@ -291,10 +296,12 @@ fn lobes(setting: &Setting) -> Plot {
     let traced = angles(traced.map(|path| (Vector::of(path.direction), 1.0)), count as f64);
     let mut throw = || [(); 3].map(|()| uniform(&mut dice, 0.0, 1.0));
     let walk = walk(alpha);
-    let walked = angles((0..count).map(|_| walk.sample(wi, throw())).map(|drawn| (drawn.wi, drawn.weight[0])), count as f64);
+    let walked =
+        angles((0..count).map(|_| walk.sample(wi, throw())).map(|drawn| (drawn.wi, drawn.weight[0])), count as f64);
     let model =
         RoughConductor { facets: Beckmann::new([alpha; 2]), joint: Joint::Correlated, metal: Conductor::perfect() };
-    let modelled = angles((0..count).map(|_| model.sample(wi, throw())).map(|drawn| (drawn.wi, drawn.weight[0])), count as f64);
+    let modelled =
+        angles((0..count).map(|_| model.sample(wi, throw())).map(|drawn| (drawn.wi, drawn.weight[0])), count as f64);
     let chart = Chart::new(
         "",
         Axis::linear("angle of what leaves, in the plane of incidence", "°").range(-90.0, 90.0).tick(30.0),
@@ -319,7 +326,8 @@ fn single(setting: &Setting) -> Plot {
     };
     let gaussian = traced(&rough(alpha), &mut dice);
     let mut throw = stream(0, "brdf/relief/ggx");
-    let tailed = Relief::ggx(SIDE, [TOGETHER, 4.0 * TOGETHER], alpha, || uniform(&mut throw, 0.0, 1.0)).expect("within its range");
+    let tailed = Relief::ggx(SIDE, [TOGETHER, 4.0 * TOGETHER], alpha, || uniform(&mut throw, 0.0, 1.0))
+        .expect("within its range");
     let tailed = traced(&tailed, &mut dice);
     let points = |hue, label: &str, points| crate::figure::Mark::Points {
         label: label.into(),

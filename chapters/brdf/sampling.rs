@@ -5,8 +5,8 @@ use crate::diagram::{Diagram, Part};
 use crate::figure::{Axis, Hue, Map, Plot, Ramp};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Heat, Measured, Misled, Quantity, Race, Step, check, exhibit, figure, lane, question,
-    race, step,
+    Answer, Bench, Check, Exhibit, Heat, Measured, Misled, Quantity, Race, Step, check, exhibit, figure, lane,
+    question, race, step,
 };
 use light::bsdf::audit::{drawn, lobe_density, spread_density};
 use light::bsdf::microfacet::Slopes;
@@ -21,7 +21,11 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     "sampling",
     &[MODEL, SLOPES, ALPHA, METAL, INDEX, THETA],
     &[
-        figure("points", "Directions that the model draws, over the hemisphere from above, beside its density.", points),
+        figure(
+            "points",
+            "Directions that the model draws, over the hemisphere from above, beside its density.",
+            points,
+        ),
         figure(
             "square",
             "The same by the numbers from which facets are drawn: even over the square, however narrow the lobe.",
@@ -263,14 +267,18 @@ fn directions(setting: &Setting, count: usize) -> (Box<dyn Bsdf<f64>>, Vector<f6
     let (surface, wo) = (chosen(setting), way(setting.number("theta").min(1.55), PI));
     let mut dice = stream(0, "brdf/sampling/points");
     let mut throw = || [(); 3].map(|()| uniform(&mut dice, 0.0, 1.0));
-    let found = (0..count).map(|_| surface.sample(wo, throw())).filter(|drawn| drawn.weight[0] > 0.0).map(|drawn| drawn.wi);
+    let found =
+        (0..count).map(|_| surface.sample(wo, throw())).filter(|drawn| drawn.weight[0] > 0.0).map(|drawn| drawn.wi);
     let found = found.collect();
     (surface, wo, found)
 }
 
 fn points(setting: &Setting) -> Plot {
     let (surface, wo, found) = directions(setting, 1500);
-    let rim = || Part::curve((0..=120).map(|at| TAU * f64::from(at) / 120.0).map(|t| [t.cos(), t.sin()]).collect()).hue(Hue::Reference);
+    let rim = || {
+        Part::curve((0..=120).map(|at| TAU * f64::from(at) / 120.0).map(|t| [t.cos(), t.sin()]).collect())
+            .hue(Hue::Reference)
+    };
     let seen = found.iter().filter(|wi| wi.z > 0.0).map(|wi| Part::point([wi.x, wi.y]).hue(Hue::Ours));
     let drawn = Diagram::new("drawn", [-1.1; 2], [1.1; 2])
         .with(rim())
@@ -310,7 +318,11 @@ fn square(setting: &Setting) -> Plot {
     fn placed<D: Distribution<f64>>(alpha: [f64; 2], wo: Vector<f64>) -> Vec<[f64; 2]> {
         let (facets, mut dice) = (D::new(alpha), stream(0, "brdf/sampling/square"));
         let mut throw = || [(); 2].map(|()| uniform(&mut dice, 0.0, 1.0));
-        (0..1500).map(|_| facets.visible(wo, throw())).map(|m| facets.place(wo, m)).map(|[u, v]| [u, v.rem_euclid(1.0)]).collect()
+        (0..1500)
+            .map(|_| facets.visible(wo, throw()))
+            .map(|m| facets.place(wo, m))
+            .map(|[u, v]| [u, v.rem_euclid(1.0)])
+            .collect()
     }
     let places = match of.slopes {
         Slopes::Ggx => placed::<Ggx<f64>>(of.alpha, wo),
@@ -320,7 +332,14 @@ fn square(setting: &Setting) -> Plot {
     let diagram = Diagram::new("", [-0.1; 2], [1.1; 2])
         .with(Part::curve(frame).hue(Hue::Reference))
         .with_all(places.into_iter().map(|at| Part::point(at).hue(Hue::Ours)));
-    Plot::of(format!("Facets seen at {:.0}°, α = {}, in the numbers (u_1, u_2)", setting.number("theta").to_degrees(), of.alpha[0]), diagram)
+    Plot::of(
+        format!(
+            "Facets seen at {:.0}°, α = {}, in the numbers (u_1, u_2)",
+            setting.number("theta").to_degrees(),
+            of.alpha[0]
+        ),
+        diagram,
+    )
 }
 
 /// The mean of what is drawn and its scatter, for other steps.

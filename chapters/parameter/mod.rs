@@ -97,7 +97,17 @@ impl Alias {
 impl Parameter {
     /// One without a default, which has to be given.
     pub const fn new(name: &'static str, symbol: &'static str, says: &'static str, kind: Kind) -> Self {
-        Self { name, aliases: &[], symbol, says, kind, default: None, instead_of: None, only_with: None, validate: None }
+        Self {
+            name,
+            aliases: &[],
+            symbol,
+            says,
+            kind,
+            default: None,
+            instead_of: None,
+            only_with: None,
+            validate: None,
+        }
     }
 
     /// With a default, written as on the command line.

@@ -407,13 +407,17 @@ impl Setting {
 
     fn at(&self, name: &str) -> usize {
         let called = || (0..self.slots.len()).filter(|at| self.parameters[*at].name == name);
-        called().find(|at| self.applies(*at)).or_else(|| called().next()).unwrap_or_else(|| panic!("no parameter `{name}` is declared"))
+        called()
+            .find(|at| self.applies(*at))
+            .or_else(|| called().next())
+            .unwrap_or_else(|| panic!("no parameter `{name}` is declared"))
     }
 }
 
 /// What is given, that which others belong to first.
 fn choices_first<'a, T>(parameters: &[Parameter], given: &'a [(String, T)]) -> impl Iterator<Item = &'a (String, T)> {
-    let is_choice = |name: &str| parameters.iter().filter_map(|other| other.only_with).any(|(choice, _)| choice == name);
+    let is_choice =
+        |name: &str| parameters.iter().filter_map(|other| other.only_with).any(|(choice, _)| choice == name);
     let (choices, rest): (Vec<_>, Vec<_>) = given.iter().partition(|(name, _)| is_choice(name));
     choices.into_iter().chain(rest)
 }

@@ -226,7 +226,8 @@ fn what_belongs_to_a_word_stands_and_falls_with_it() {
         ],
         outputs: &[],
         compute: |setting| {
-            let [a, b] = ["a", "b"].map(|name| (name, if setting.word("kind") == "point" { 0.0 } else { setting.number(name) }));
+            let [a, b] =
+                ["a", "b"].map(|name| (name, if setting.word("kind") == "point" { 0.0 } else { setting.number(name) }));
             Ok(vec![a, b])
         },
     };
@@ -267,7 +268,9 @@ fn every_parameter_of_the_lecture_is_sound() {
     for (place, parameters) in steps.chain(functions.map(|function| (function.name, function.inputs))) {
         // One name may stand for two that are never there together.
         let together = |one: &Parameter, other: &Parameter| match (one.only_with, other.only_with) {
-            (Some((choice, words)), Some((also, others))) => choice != also || words.iter().any(|word| others.contains(word)),
+            (Some((choice, words)), Some((also, others))) => {
+                choice != also || words.iter().any(|word| others.contains(word))
+            }
             _ => true,
         };
         for (at, one) in parameters.iter().enumerate() {
@@ -280,7 +283,8 @@ fn every_parameter_of_the_lecture_is_sound() {
             own.dedup();
             assert_eq!(own.len(), one.names().count(), "{place}/{}: named twice", one.name);
             if let Some((choice, words)) = one.only_with {
-                let known = parameters.iter().find(|parameter| parameter.name == choice).map(|parameter| parameter.kind);
+                let known =
+                    parameters.iter().find(|parameter| parameter.name == choice).map(|parameter| parameter.kind);
                 let Some(Kind::Choice(known)) = known else { panic!("{place}/{}: no choice {choice}", one.name) };
                 assert!(words.iter().all(|word| known.contains(word)), "{place}/{}", one.name);
             }

@@ -44,7 +44,10 @@ pub(super) const STEP: Step = step(
     Answer::Choice {
         options: &[
             choice("all of it", "Much of the light misses the ring altogether, and what enters it leaves it again."),
-            choice("as much as the ring is wide in the lamp's view", "So much enters; but it leaves again, on the far side."),
+            choice(
+                "as much as the ring is wide in the lamp's view",
+                "So much enters; but it leaves again, on the far side.",
+            ),
             choice("nothing", ""),
         ],
         right: |_| if net(&torus(DVec3::ZERO, 2.0, 0.5, 64), Pattern::Isotropic).abs() < 1e-9 { 2 } else { 0 },
@@ -101,16 +104,19 @@ fn net(patches: &[Patch], pattern: Pattern) -> f64 {
     patches.iter().map(|patch| flow(pattern, patch.at).dot(patch.area)).sum()
 }
 
-const SHAPES: Check<Passing> = check("shapes", "spheres about and beside the lamp, ellipsoids and rings all take the same")
-    .against("the flux that the lamp was given; none of it where the lamp is outside")
-    .within(
-        1e-10,
-        "1",
-        "of 160 rings what is left of the nearest wall, a fifth of the radius away, is e^(−2·160·0.2) ~ 10⁻²⁸; then the \
+const SHAPES: Check<Passing> = check(
+    "shapes",
+    "spheres about and beside the lamp, ellipsoids and rings all take the same",
+)
+.against("the flux that the lamp was given; none of it where the lamp is outside")
+.within(
+    1e-10,
+    "1",
+    "of 160 rings what is left of the nearest wall, a fifth of the radius away, is e^(−2·160·0.2) ~ 10⁻²⁸; then the \
          rounding of 10⁵ terms that reach 25 times the mean",
-    )
-    .of(shapes, |flow, area| flow.dot(area))
-    .slip("the flow's magnitude on every patch, the tilt forgotten", |flow, area| flow.length() * area.length());
+)
+.of(shapes, |flow, area| flow.dot(area))
+.slip("the flow's magnitude on every patch, the tilt forgotten", |flow, area| flow.length() * area.length());
 
 fn shapes(_: &mut Bench, passing: Passing) -> Measured {
     let n = 160;
@@ -119,7 +125,11 @@ fn shapes(_: &mut Bench, passing: Passing) -> Measured {
         ("sphere about the lamp, r = 1 km", 1.0, sphere(DVec3::ZERO, 1000.0, n)),
         ("sphere, the lamp half way out", 1.0, sphere(DVec3::new(0.3, 0.0, 0.4), 1.0, n)),
         ("sphere, the lamp at 0.8 of the way", 1.0, sphere(DVec3::new(0.0, 0.48, -0.64), 1.0, n)),
-        ("ellipsoid 1 : 2 : 3, the lamp aside", 1.0, ellipsoid(DVec3::new(0.2, 0.4, 0.9), DVec3::new(1.0, 2.0, 3.0), n)),
+        (
+            "ellipsoid 1 : 2 : 3, the lamp aside",
+            1.0,
+            ellipsoid(DVec3::new(0.2, 0.4, 0.9), DVec3::new(1.0, 2.0, 3.0), n),
+        ),
         ("ring, the lamp in its tube", 1.0, torus(DVec3::new(-2.1, 0.0, 0.1), 2.0, 0.5, n)),
         ("ring, the lamp in its hole", 0.0, torus(DVec3::new(0.1, 0.2, 0.0), 2.0, 0.5, n)),
         ("sphere, the lamp outside", 0.0, sphere(DVec3::new(1.0, 1.0, 1.0), 1.0, n)),
@@ -158,16 +168,23 @@ fn windows() -> Vec<Extreme> {
 fn cone(setting: &Setting) -> Plot {
     let alpha = setting.number("alpha").clamp(0.03, 1.2);
     let circle = |centre: [f64; 2], radius: f64| -> Vec<[f64; 2]> {
-        (0..=96).map(|at| TAU * f64::from(at) / 96.0).map(|t| [centre[0] + radius * t.cos(), centre[1] + radius * t.sin()]).collect()
+        (0..=96)
+            .map(|at| TAU * f64::from(at) / 96.0)
+            .map(|t| [centre[0] + radius * t.cos(), centre[1] + radius * t.sin()])
+            .collect()
     };
     // The part of a curve inside the cone.
     let lit = |points: &[[f64; 2]]| -> Vec<[f64; 2]> {
         points.iter().copied().map(|p| if p[1].atan2(p[0]).abs() <= alpha { p } else { [f64::NAN; 2] }).collect()
     };
     let fine = |centre: [f64; 2], radius: f64| -> Vec<[f64; 2]> {
-        (0..=2000).map(|at| TAU * f64::from(at) / 2000.0).map(|t| [centre[0] + radius * t.cos(), centre[1] + radius * t.sin()]).collect()
+        (0..=2000)
+            .map(|at| TAU * f64::from(at) / 2000.0)
+            .map(|t| [centre[0] + radius * t.cos(), centre[1] + radius * t.sin()])
+            .collect()
     };
-    let surfaces = [([0.0, 0.0], 0.55, "1"), ([0.35, 0.15], 1.05, "2"), ([2.05, 0.0], 0.35, "ring"), ([-2.05, 0.0], 0.35, "")];
+    let surfaces =
+        [([0.0, 0.0], 0.55, "1"), ([0.35, 0.15], 1.05, "2"), ([2.05, 0.0], 0.35, "ring"), ([-2.05, 0.0], 0.35, "")];
     let mut diagram = Diagram::new("", [-2.6, -1.5], [2.6, 1.5]);
     for (centre, radius, name) in surfaces {
         diagram = diagram.with(Part::curve(circle(centre, radius)).hue(Hue::Reference).label(name));
@@ -180,8 +197,10 @@ fn cone(setting: &Setting) -> Plot {
     let edge = |sign: f64| Part::ray([0.0; 2], [far * alpha.cos(), sign * far * alpha.sin()]).hue(Hue::P);
     Plot::of(
         "One cone through many surfaces",
-        diagram.with(edge(1.0)).with(edge(-1.0)).with(Part::point([0.0; 2]).label("lamp")).with(
-            Part::arc([0.0; 2], 0.3, 0.0, alpha).label("α"),
-        ),
+        diagram
+            .with(edge(1.0))
+            .with(edge(-1.0))
+            .with(Part::point([0.0; 2]).label("lamp"))
+            .with(Part::arc([0.0; 2], 0.3, 0.0, alpha).label("α")),
     )
 }

@@ -25,7 +25,13 @@ pub(super) fn discs() -> Vec<Extreme> {
     let facing = facing.map(|disc| {
         let Disc { radius, height, offset, tilt } = disc;
         let textbook = textbook::disc(radius, height, offset);
-        case(format!("R = 1, h = {height:e}, a = {offset}"), "E/L", exact::disc(radius, height, offset, tilt), textbook, of_disc(disc))
+        case(
+            format!("R = 1, h = {height:e}, a = {offset}"),
+            "E/L",
+            exact::disc(radius, height, offset, tilt),
+            textbook,
+            of_disc(disc),
+        )
     });
     let cut = [1e-3, 0.5, 1e3].into_iter().flat_map(|height: f64| {
         // The far rim is a hair above the horizon; and the near one a hair below.
@@ -37,7 +43,13 @@ pub(super) fn discs() -> Vec<Extreme> {
     let cut = cut.map(|disc| {
         let Disc { radius, height, offset, tilt } = disc;
         let reference = exact::disc(radius, height, offset, tilt);
-        case(format!("R = 1, h = {height:e}, a = 0.5, τ = {tilt:?}"), "E/L", reference, clipped_plainly(disc), of_disc(disc))
+        case(
+            format!("R = 1, h = {height:e}, a = 0.5, τ = {tilt:?}"),
+            "E/L",
+            reference,
+            clipped_plainly(disc),
+            of_disc(disc),
+        )
     });
     facing.chain(cut).filter(tells).collect()
 }
@@ -100,10 +112,14 @@ pub(super) fn polygons() -> Vec<Extreme> {
     let normal = [0.0, 0.0, 1.0];
     let places = [(1e6, 1.0), (1e3, 0.3), (30.0, 0.03), (3.0, 0.2), (1.0, 1.2), (1e4, 1e-4)];
     let cases = places.into_iter().flat_map(|(distance, height)| {
-        [0.0, 1.0, FRAC_PI_2 - 1e-6].map(|turn| (format!("{distance:e} sides away, {height} rad up, turned by {turn:.3}"), square(distance, height, turn)))
+        [0.0, 1.0, FRAC_PI_2 - 1e-6].map(|turn| {
+            (format!("{distance:e} sides away, {height} rad up, turned by {turn:.3}"), square(distance, height, turn))
+        })
     });
     // A ceiling so near that it fills the sky.
-    let ceiling = [1e-3, 1e-6].map(|h| (format!("a ceiling {h:e} over the receiver"), [[-1.0, -1.0, h], [1.0, -1.0, h], [1.0, 1.0, h], [-1.0, 1.0, h]]));
+    let ceiling = [1e-3, 1e-6].map(|h| {
+        (format!("a ceiling {h:e} over the receiver"), [[-1.0, -1.0, h], [1.0, -1.0, h], [1.0, 1.0, h], [-1.0, 1.0, h]])
+    });
     cases
         .chain(ceiling)
         .filter(|(_, corners)| corners.iter().all(|corner| corner[2] > 0.0))
@@ -116,14 +132,21 @@ pub(super) fn polygons() -> Vec<Extreme> {
 
 /// Rectangles with a corner over the receiver, and form factors.
 pub(super) fn factors() -> Vec<Extreme> {
-    let sizes = [[1.0, 1.0, 1e-6], [1.0, 2.0, 1e-3], [1.0, 1.0, 1.0], [1.0, 0.5, 1e3], [1.0, 1.0, 1e6], [1e-3, 1.0, 1e3]];
+    let sizes =
+        [[1.0, 1.0, 1e-6], [1.0, 2.0, 1e-3], [1.0, 1.0, 1.0], [1.0, 0.5, 1e3], [1.0, 1.0, 1e6], [1e-3, 1.0, 1e3]];
     let each = |[a, b, c]: [f64; 3]| {
         let unless = |found: Result<f64, light::radiometry::Refusal>| found.unwrap_or(f64::NAN);
         let input = format!("{a}, {b}, {c:e}");
         let upright = rectangle::corner(a, b, c).map_or(f64::NAN, |of| of.perpendicular);
         let [_, perpendicular, _] = exact::corner(a, b, c);
         [
-            case(format!("corner a, b, h = {input}"), "E_⊥/L", perpendicular, textbook::perpendicular_corner(a, b, c), upright),
+            case(
+                format!("corner a, b, h = {input}"),
+                "E_⊥/L",
+                perpendicular,
+                textbook::perpendicular_corner(a, b, c),
+                upright,
+            ),
             case(
                 format!("facing a, b, c = {input}"),
                 "F",
@@ -170,7 +193,8 @@ pub(super) fn digits_kept(_: &Setting) -> Plot {
         (exact::polygon(&corners, [0.0, 0.0, 1.0]), textbook::polygon(&corners, [0.0, 0.0, 1.0]), found)
     };
     let panel = |title: &str, of: &dyn Fn(f64) -> (Exact, f64, f64), first: bool| {
-        let found: Vec<(f64, Exact, f64, f64)> = distances().map(|x| (x, of(x))).map(|(x, (e, t, o))| (x, e, t, o)).collect();
+        let found: Vec<(f64, Exact, f64, f64)> =
+            distances().map(|x| (x, of(x))).map(|(x, (e, t, o))| (x, e, t, o)).collect();
         let kept = |value: f64, exact: &Exact| digits(precise::relative_error(value, &exact.value));
         let name = |name: &str| if first { name.to_owned() } else { String::new() };
         let points = |hue, shape, label: &str, value: &dyn Fn(&(f64, Exact, f64, f64)) -> f64| Mark::Points {
@@ -181,15 +205,23 @@ pub(super) fn digits_kept(_: &Setting) -> Plot {
             points: found.iter().map(|at| [at.0, kept(value(at), &at.1)]).collect(),
         };
         let owed = found.iter().map(|at| [at.0, digits(f64::EPSILON * (1.0 + at.1.condition))]).collect();
-        Chart::new(title, Axis::log("distance over the size", ""), Axis::linear("digits kept", "").range(0.0, 16.5).tick(4.0))
-            .dashed(Hue::Reference, name("what the condition number leaves"), owed)
-            .with(points(Hue::Textbook, Shape::Cross, "as textbooks print it", &|at| at.2))
-            .with(points(Hue::Ours, Shape::Disc, "the program", &|at| at.3))
-            .into()
+        Chart::new(
+            title,
+            Axis::log("distance over the size", ""),
+            Axis::linear("digits kept", "").range(0.0, 16.5).tick(4.0),
+        )
+        .dashed(Hue::Reference, name("what the condition number leaves"), owed)
+        .with(points(Hue::Textbook, Shape::Cross, "as textbooks print it", &|at| at.2))
+        .with(points(Hue::Ours, Shape::Disc, "the program", &|at| at.3))
+        .into()
     };
-    Plot::grid("Digits kept, from very near to very far", 2, vec![
-        panel("a disc, two radii aside", &disc, true),
-        panel("a sphere, a quarter of it above the horizon", &sphere, false),
-        panel("a square, turned aside", &polygon, false),
-    ])
+    Plot::grid(
+        "Digits kept, from very near to very far",
+        2,
+        vec![
+            panel("a disc, two radii aside", &disc, true),
+            panel("a sphere, a quarter of it above the horizon", &sphere, false),
+            panel("a square, turned aside", &polygon, false),
+        ],
+    )
 }

@@ -17,7 +17,8 @@ use yardstick::quadrature::gauss_legendre;
 
 /// Flow of energy.
 const FLOW: Parameter =
-    Parameter::new("flow", "⟨|S|⟩", "mean flow that meets the surface", Kind::number(0.0, 1e12, "W/m²")).default("1000");
+    Parameter::new("flow", "⟨|S|⟩", "mean flow that meets the surface", Kind::number(0.0, 1e12, "W/m²"))
+        .default("1000");
 /// Tilt of the surface.
 const TILT: Parameter =
     Parameter::new("alpha", "α", "angle between the flow and the normal", Kind::number(0.0, FRAC_PI_2, "rad"))
@@ -86,19 +87,22 @@ pub(super) const STEP: Step = step(
 /// How much of a flow passes a surface of this unit normal [W/m²].
 type Passing = fn(DVec3, DVec3) -> f64;
 
-const WINDOW: Check<Passing> = check("window", "what passes a window, however it is turned, is what goes into its cone")
-    .against(
-        "I Ω, the lamp's intensity times the solid angle of two triangles (Van Oosterom and Strackee 1983), against \
+const WINDOW: Check<Passing> = check(
+    "window",
+    "what passes a window, however it is turned, is what goes into its cone",
+)
+.against(
+    "I Ω, the lamp's intensity times the solid angle of two triangles (Van Oosterom and Strackee 1983), against \
          ∫⟨|S|⟩ cos α dA by Gauss's rule",
-    )
-    .within(
-        1e-10,
-        "1",
-        "the window is at least as far as it is wide: 24 points a side leave (1/(1+√2))⁴⁸ ~ 10⁻¹⁸ of an analytic \
+)
+.within(
+    1e-10,
+    "1",
+    "the window is at least as far as it is wide: 24 points a side leave (1/(1+√2))⁴⁸ ~ 10⁻¹⁸ of an analytic \
          integrand, times at most 10⁴ for the edge-on ones, and rounding",
-    )
-    .of(windows, |flow, normal| flow.dot(normal).abs())
-    .slip("the flow's magnitude, cos α forgotten", |flow, _| flow.length());
+)
+.of(windows, |flow, normal| flow.dot(normal).abs())
+.slip("the flow's magnitude, cos α forgotten", |flow, _| flow.length());
 
 fn windows(bench: &mut Bench, passing: Passing) -> Measured {
     let rule = gauss_legendre(24);
@@ -115,11 +119,10 @@ fn windows(bench: &mut Bench, passing: Passing) -> Measured {
         };
         let through = size * rule.iter().map(row).sum::<f64>();
         let corner = |u: f64, v: f64| (middle + (u - 0.5) * a + (v - 0.5) * b).to_array();
-        let halves = [[corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0)], [
-            corner(0.0, 0.0),
-            corner(1.0, 1.0),
-            corner(0.0, 1.0),
-        ]];
+        let halves = [
+            [corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0)],
+            [corner(0.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)],
+        ];
         let cone: f64 = halves.map(|[a, b, c]| triangle(a, b, c).abs()).iter().sum();
         let tilt = (middle.dot(normal) / 2.0).abs().acos().to_degrees();
         (through / cone - 1.0, format!("α = {tilt:.1}° in the middle, {size:.3} m²"))

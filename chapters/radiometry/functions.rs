@@ -13,7 +13,12 @@ pub(super) const FUNCTIONS: &[Function] = &[IRRADIANCE, FORM_FACTOR];
 /// A length that is not null [m].
 const LENGTH: Kind = Kind::number(1e-150, 1e150, "m");
 
-const fn length(name: &'static str, symbol: &'static str, says: &'static str, kinds: &'static [&'static str]) -> Parameter {
+const fn length(
+    name: &'static str,
+    symbol: &'static str,
+    says: &'static str,
+    kinds: &'static [&'static str],
+) -> Parameter {
     Parameter::new(name, symbol, says, LENGTH).only_with("kind", kinds)
 }
 
@@ -23,28 +28,48 @@ const IRRADIANCE: Function = Function {
            shines to both sides, as far as it is above the receiver's horizon",
     inputs: &[
         Parameter::new("kind", "", "shape of the lamp", Kind::Choice(&["disk", "rect", "polygon", "sphere", "point"])),
-        Parameter::new("radiance", "L", "radiance of the lamp; of a point count Phi instead", Kind::number(0.0, 1e30, "W/(sr m²)"))
-            .default("1"),
+        Parameter::new(
+            "radiance",
+            "L",
+            "radiance of the lamp; of a point count Phi instead",
+            Kind::number(0.0, 1e30, "W/(sr m²)"),
+        )
+        .default("1"),
         length("R", "R", "radius", &["disk", "sphere"]),
         length("h", "h", "height of the lamp's plane over the receiver", &["disk", "rect"]),
         Parameter::new("a", "a", "how far the disk's centre (a, 0, h) is aside", Kind::number(-1e150, 1e150, "m"))
             .default("0")
             .only_with("kind", &["disk"]),
-        Parameter::new("tau", "τ", "tilt of the receiver: its normal is (sin τ, 0, cos τ)", Kind::number(-PI, PI, "rad"))
-            .default("0")
-            .only_with("kind", &["disk"]),
+        Parameter::new(
+            "tau",
+            "τ",
+            "tilt of the receiver: its normal is (sin τ, 0, cos τ)",
+            Kind::number(-PI, PI, "rad"),
+        )
+        .default("0")
+        .only_with("kind", &["disk"]),
         length("a", "a", "side along x, from a corner over the receiver", &["rect"]),
         length("b", "b", "side along y, from the same corner", &["rect"]),
         Parameter::new("vertices", "", "the corners in order, in one plane", Kind::List { of: &CORNER, most: 100_000 })
             .only_with("kind", &["polygon"]),
         Parameter::new("normal", "n", "normal of the receiver, of any length", CORNER).only_with("kind", &["polygon"]),
         length("d", "d", "distance of the centre, or of the point", &["sphere", "point"]),
-        Parameter::new("omega", "ω", "angle between the receiver's normal and the way to the centre", Kind::number(0.0, PI, "rad"))
-            .only_with("kind", &["sphere"]),
+        Parameter::new(
+            "omega",
+            "ω",
+            "angle between the receiver's normal and the way to the centre",
+            Kind::number(0.0, PI, "rad"),
+        )
+        .only_with("kind", &["sphere"]),
         Parameter::new("Phi", "Φ", "flux of the point, alike to all sides", Kind::number(0.0, 1e30, "W"))
             .only_with("kind", &["point"]),
-        Parameter::new("theta", "θ", "angle between the receiver's normal and the way to the point", Kind::number(0.0, PI, "rad"))
-            .only_with("kind", &["point"]),
+        Parameter::new(
+            "theta",
+            "θ",
+            "angle between the receiver's normal and the way to the point",
+            Kind::number(0.0, PI, "rad"),
+        )
+        .only_with("kind", &["point"]),
     ],
     outputs: &[
         Output::new("E", "irradiance", "W/m²"),
@@ -117,7 +142,12 @@ const FORM_FACTOR: Function = Function {
     },
 };
 
-const fn side(name: &'static str, symbol: &'static str, says: &'static str, kinds: &'static [&'static str]) -> Parameter {
+const fn side(
+    name: &'static str,
+    symbol: &'static str,
+    says: &'static str,
+    kinds: &'static [&'static str],
+) -> Parameter {
     Parameter::new(name, symbol, says, Kind::number(LENGTHS.0, LENGTHS.1, "m")).only_with("kind", kinds)
 }
 

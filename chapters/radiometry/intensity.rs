@@ -124,15 +124,19 @@ fn antenna(last: Expr) -> Chain {
         .then(last, ["sin² = 1 − cos²"])
 }
 
-const DISTANCES: Check<fn(f64) -> f64> =
-    check("distances", "the mean flow of an antenna along the radius, times r², is the same near and far")
-        .rows(&["E29"])
-        .against(
-            "p²ω⁴μ sin² θ/(32π² v) of the far field (Jackson (9.23)) against the mean of E×B/μ of the whole field (9.18)",
-        )
-        .within(1e-11, "1", "at r = 0.1/k fields a thousand times larger cancel, and at r = 10⁴/k the phase is rounded to 10⁻¹²")
-        .of(distances, |r| r * r)
-        .slip("r for r²", |r| r);
+const DISTANCES: Check<fn(f64) -> f64> = check(
+    "distances",
+    "the mean flow of an antenna along the radius, times r², is the same near and far",
+)
+.rows(&["E29"])
+.against("p²ω⁴μ sin² θ/(32π² v) of the far field (Jackson (9.23)) against the mean of E×B/μ of the whole field (9.18)")
+.within(
+    1e-11,
+    "1",
+    "at r = 0.1/k fields a thousand times larger cancel, and at r = 10⁴/k the phase is rounded to 10⁻¹²",
+)
+.of(distances, |r| r * r)
+.slip("r for r²", |r| r);
 
 fn distances(_: &mut Bench, growth: fn(f64) -> f64) -> Measured {
     let dipole = Dipole { speed: 1.0 };
@@ -141,7 +145,8 @@ fn distances(_: &mut Bench, growth: fn(f64) -> f64) -> Measured {
         let n = DVec3::new(theta.sin(), 0.0, theta.cos());
         let moments = 8;
         let flow = |time: f64| dipole.e(r * n, time).cross(dipole.b(r * n, time)).dot(n);
-        let mean = (0..moments).map(|at| flow(TAU * f64::from(at) / f64::from(moments))).sum::<f64>() / f64::from(moments);
+        let mean =
+            (0..moments).map(|at| flow(TAU * f64::from(at) / f64::from(moments))).sum::<f64>() / f64::from(moments);
         // p/(4πε) = k = v = 1 makes p²ω⁴μ/(32π² v) a half.
         (mean * growth(r) / (0.5 * theta.sin().powi(2)) - 1.0, format!("kr = {r}, θ = {theta}"))
     }))
@@ -189,7 +194,11 @@ fn patterns(setting: &Setting) -> Plot {
     let curve = |pattern: Pattern| -> Vec<[f64; 2]> {
         let unit = Pattern::Isotropic.intensity(1.0, 1.0);
         let at = |step: i32| PI * f64::from(step) / 180.0;
-        (-180..=180).map(at).map(|t| (t, pattern.intensity(1.0, t.cos()) / unit)).map(|(t, i)| [i * t.sin(), i * t.cos()]).collect()
+        (-180..=180)
+            .map(at)
+            .map(|t| (t, pattern.intensity(1.0, t.cos()) / unit))
+            .map(|(t, i)| [i * t.sin(), i * t.cos()])
+            .collect()
     };
     let chart = Chart::new(
         "",
@@ -199,9 +208,10 @@ fn patterns(setting: &Setting) -> Plot {
     .line(Hue::Nth(0), "alike everywhere", curve(Pattern::Isotropic))
     .line(Hue::Nth(1), "as cos θ, from a flat lamp", curve(Pattern::Lambertian))
     .line(Hue::Nth(2), "as sin² θ, from an antenna", curve(Pattern::Antenna))
-    .dashed(Hue::Reference, format!("θ = {:.0}°", theta.to_degrees()), vec![
-        [0.0; 2],
-        [4.2 * theta.sin(), 4.2 * theta.cos()],
-    ]);
+    .dashed(
+        Hue::Reference,
+        format!("θ = {:.0}°", theta.to_degrees()),
+        vec![[0.0; 2], [4.2 * theta.sin(), 4.2 * theta.cos()]],
+    );
     Plot::of(format!("{flux} W, shared in three ways"), chart)
 }

@@ -17,7 +17,8 @@ use yardstick::order;
 
 /// Where the lamp stands.
 const ASIDE: Parameter =
-    Parameter::new("aside", "a/h", "how far the lamp is aside, over its height", Kind::number(-3.0, 3.0, "1")).default("0");
+    Parameter::new("aside", "a/h", "how far the lamp is aside, over its height", Kind::number(-3.0, 3.0, "1"))
+        .default("0");
 /// How it is turned.
 const TURN: Parameter =
     Parameter::new("turn", "τ", "how far it is turned away from the floor", Kind::number(-FRAC_PI_2, FRAC_PI_2, "rad"))
@@ -85,7 +86,6 @@ pub(super) const STEP: Step = step(
 })
 .checks(&[&SKY, &SMALL]);
 
-
 fn hemisphere(last: Expr) -> Chain {
     let ring = || 2 * pi() * RADIANCE * cos(THETA) * sin(THETA);
     Chain::new(integral_between(ring(), THETA, 0, pi() / 2))
@@ -102,11 +102,16 @@ fn cos_4(last: Expr) -> Chain {
         .then(last, ["a Lambertian lamp", "r cos θ = h"])
 }
 
-const SKY: Check<fn(f64) -> f64> = check("sky", "what comes from a sky that is brighter above is the sum of L cos θ over it")
-    .against("7π/9 of the zenith's radiance, the integral of the overcast sky (1 + 2 cos θ)/3 (P. Moon and D. E. Spencer 1942)")
-    .within(1e-14, "1", "a product rule that is exact for it")
-    .of(overcast, |cos| cos)
-    .slip("cos θ forgotten", |_| 1.0);
+const SKY: Check<fn(f64) -> f64> = check(
+    "sky",
+    "what comes from a sky that is brighter above is the sum of L cos θ over it",
+)
+.against(
+    "7π/9 of the zenith's radiance, the integral of the overcast sky (1 + 2 cos θ)/3 (P. Moon and D. E. Spencer 1942)",
+)
+.within(1e-14, "1", "a product rule that is exact for it")
+.of(overcast, |cos| cos)
+.slip("cos θ forgotten", |_| 1.0);
 
 fn overcast(_: &mut Bench, weight: fn(f64) -> f64) -> Measured {
     let found = sum(&product(Domain::Hemisphere, 8), |way| (1.0 + 2.0 * way[2]) / 3.0 * weight(way[2]));
@@ -125,14 +130,19 @@ fn shrinking(_: &mut Bench, law: fn(f64) -> f64) -> Measured {
         .map(|halving| {
             let half = 0.5 / f64::from(1 << halving);
             let worst = [0.0, 0.4, 1.0, 3.0].map(|x: f64| {
-                let corners = [[x - half, -half, 1.0], [x + half, -half, 1.0], [x + half, half, 1.0], [x - half, half, 1.0]];
+                let corners =
+                    [[x - half, -half, 1.0], [x + half, -half, 1.0], [x + half, half, 1.0], [x - half, half, 1.0]];
                 let found = polygon::irradiance(&corners, [0.0, 0.0, 1.0]).unwrap_or(f64::NAN);
                 (found / (4.0 * half * half * law(1.0 / x.hypot(1.0))) - 1.0).abs()
             });
             (half, worst.into_iter().fold(0.0, f64::max))
         })
         .collect();
-    Measured::new(order::slope(&points).unwrap_or(f64::NAN), "sides from 1/4 to 1/256 of the height, up to 72° aside", 28)
+    Measured::new(
+        order::slope(&points).unwrap_or(f64::NAN),
+        "sides from 1/4 to 1/256 of the height, up to 72° aside",
+        28,
+    )
 }
 
 /// A square lamp over a floor, at the height 1.

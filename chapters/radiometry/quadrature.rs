@@ -108,9 +108,10 @@ const RUNS: u32 = 32;
 const WORKS: &[u64] = &[64, 256, 1024, 4096, 16384];
 
 /// A sum over the sky, whatever the sky.
-const SUMS: Race = race("", "")
-    .work("directions, drawn as the cosine has it")
-    .error("relative error of E", "rms over 32 seeds of the relative error, against the integral over the disc under the sky");
+const SUMS: Race = race("", "").work("directions, drawn as the cosine has it").error(
+    "relative error of E",
+    "rms over 32 seeds of the relative error, against the integral over the disc under the sky",
+);
 
 const fn chance(prepare: fn(&mut Bench, u64) -> Heat) -> Lane {
     lane("monte_carlo", "by chance", WORKS, prepare).repeated(RUNS).order(0.5, 0.1)
@@ -147,17 +148,22 @@ fn scatter(points: Points, n: usize) -> f64 {
     found.variance().sqrt()
 }
 
-const UNBIASED: Check<fn(Direction) -> f64> =
-    check("unbiased", "directions drawn evenly over the hemisphere, each with its cosine, have the mean that those drawn by it have")
-        .against("2π I₁(1), the closed form of a sky e^x")
-        .significant(1e-3)
-        .of(evenly, |way| TAU * way[2])
-        .slip("the weight π of directions that the cosine draws", |_| PI);
+const UNBIASED: Check<fn(Direction) -> f64> = check(
+    "unbiased",
+    "directions drawn evenly over the hemisphere, each with its cosine, have the mean that those drawn by it have",
+)
+.against("2π I₁(1), the closed form of a sky e^x")
+.significant(1e-3)
+.of(evenly, |way| TAU * way[2])
+.slip("the weight π of directions that the cosine draws", |_| PI);
 
 fn evenly(bench: &mut Bench, weight: fn(Direction) -> f64) -> Measured {
     let points = Points::Random.draw(100_000, &mut bench.stream);
-    let found: Moments =
-        points.into_iter().map(|point| Domain::Hemisphere.at(point)).map(|way| weight(way) * (SMOOTH.of)(way)).collect();
+    let found: Moments = points
+        .into_iter()
+        .map(|point| Domain::Hemisphere.at(point))
+        .map(|way| weight(way) * (SMOOTH.of)(way))
+        .collect();
     let test = t_test(&found, (SMOOTH.exact)());
     let at = format!("mean {:.5} ± {:.5}", found.mean(), found.standard_error());
     Measured::new(test.p, at, points_of(&found))
@@ -167,11 +173,12 @@ fn points_of(moments: &Moments) -> usize {
     moments.count() as usize
 }
 
-const EXACT: Check<fn(Direction) -> f64> = check("products", "Gauss's rule over the hemisphere finds what arrives from any smooth sky")
-    .against("2π I₁(1), the closed form of a sky e^x")
-    .within(1e-13, "1", "exact to degree 22; of e^x 1/23! is beyond it; 288 terms")
-    .of(by_product, |way| way[2])
-    .slip("cos θ forgotten", |_| 1.0);
+const EXACT: Check<fn(Direction) -> f64> =
+    check("products", "Gauss's rule over the hemisphere finds what arrives from any smooth sky")
+        .against("2π I₁(1), the closed form of a sky e^x")
+        .within(1e-13, "1", "exact to degree 22; of e^x 1/23! is beyond it; 288 terms")
+        .of(by_product, |way| way[2])
+        .slip("cos θ forgotten", |_| 1.0);
 
 fn by_product(_: &mut Bench, weight: fn(Direction) -> f64) -> Measured {
     let found = integral(&product(Domain::Hemisphere, 12), |way| weight(way) * (SMOOTH.of)(way));
@@ -181,43 +188,57 @@ fn by_product(_: &mut Bench, weight: fn(Direction) -> f64) -> Measured {
 /// The lamp of the last race: half as far away as it is wide, its corner over the receiver.
 const LAMP_SIDES: [f64; 3] = [0.5, 0.5, 1.0];
 
-const LAMP: Race = race("lamp", "a small lamp: draw from it, not from the sky; and where there is a closed form, use that")
-    .work("directions, points of the lamp, or evaluations")
-    .error("relative error of E", "rms over 32 seeds of the relative error, against Gauss's rule of 40 × 40 over the lamp")
-    .lanes(&[
-        lane("sky", "the sky, evenly", WORKS, |bench, work| of_sky(bench, Domain::Hemisphere, work)).repeated(RUNS).order(0.5, 0.12),
-        lane("cosine", "the sky, as the cosine has it", WORKS, |bench, work| of_sky(bench, Domain::Cosine, work))
-            .repeated(RUNS)
-            .order(0.5, 0.12),
-        lane("lamp", "the lamp, by chance", &[16, 64, 256, 1024, 4096], |bench, work| of_lamp(bench, Points::Random, work))
+const LAMP: Race =
+    race("lamp", "a small lamp: draw from it, not from the sky; and where there is a closed form, use that")
+        .work("directions, points of the lamp, or evaluations")
+        .error(
+            "relative error of E",
+            "rms over 32 seeds of the relative error, against Gauss's rule of 40 × 40 over the lamp",
+        )
+        .lanes(&[
+            lane("sky", "the sky, evenly", WORKS, |bench, work| of_sky(bench, Domain::Hemisphere, work))
+                .repeated(RUNS)
+                .order(0.5, 0.12),
+            lane("cosine", "the sky, as the cosine has it", WORKS, |bench, work| of_sky(bench, Domain::Cosine, work))
+                .repeated(RUNS)
+                .order(0.5, 0.12),
+            lane("lamp", "the lamp, by chance", &[16, 64, 256, 1024, 4096], |bench, work| {
+                of_lamp(bench, Points::Random, work)
+            })
             .repeated(RUNS)
             .order(0.5, 0.1),
-        lane("cells", "the lamp, one in each cell", &[16, 64, 256, 1024, 4096], |bench, work| {
-            of_lamp(bench, Points::Stratified, work)
-        })
-        .repeated(RUNS)
-        .order(1.0, 0.15),
-        lane("sobol", "the lamp, Sobol's points", &[16, 64, 256, 1024, 4096], |bench, work| {
-            of_lamp(bench, Points::Sobol, work)
-        })
-        .repeated(RUNS)
-        .order(1.5, 0.2),
-        lane("gauss", "the lamp, Gauss's rule", &[4, 9, 16, 36, 64], |_, work| {
-            let nodes = gauss_legendre((work as f64).sqrt().round() as usize);
-            let grid: Vec<([f64; 2], f64)> =
-                nodes.iter().flat_map(|(u, a)| nodes.iter().map(move |(v, b)| ([*u, *v], a * b))).collect();
-            Heat { run: Box::new(move || vec![grid.iter().map(|(at, weight)| weight * sent(*at)).sum()]), error: wrong() }
-        })
-        .converges(1e-9, "the pole at the lamp's plane is 2 half-sides from its middle's: (2 + √5)⁻¹⁶ of 8 points a side"),
-        lane("closed", "the closed form", &[1], |_, _| Heat {
-            run: Box::new(|| {
-                let [a, b, h] = std::hint::black_box(LAMP_SIDES);
-                vec![corner(a, b, h).map_or(f64::NAN, |of| of.parallel)]
-            }),
-            error: wrong(),
-        })
-        .within(1e-14, "a dozen roundings, and those of the reference"),
-    ]);
+            lane("cells", "the lamp, one in each cell", &[16, 64, 256, 1024, 4096], |bench, work| {
+                of_lamp(bench, Points::Stratified, work)
+            })
+            .repeated(RUNS)
+            .order(1.0, 0.15),
+            lane("sobol", "the lamp, Sobol's points", &[16, 64, 256, 1024, 4096], |bench, work| {
+                of_lamp(bench, Points::Sobol, work)
+            })
+            .repeated(RUNS)
+            .order(1.5, 0.2),
+            lane("gauss", "the lamp, Gauss's rule", &[4, 9, 16, 36, 64], |_, work| {
+                let nodes = gauss_legendre((work as f64).sqrt().round() as usize);
+                let grid: Vec<([f64; 2], f64)> =
+                    nodes.iter().flat_map(|(u, a)| nodes.iter().map(move |(v, b)| ([*u, *v], a * b))).collect();
+                Heat {
+                    run: Box::new(move || vec![grid.iter().map(|(at, weight)| weight * sent(*at)).sum()]),
+                    error: wrong(),
+                }
+            })
+            .converges(
+                1e-9,
+                "the pole at the lamp's plane is 2 half-sides from its middle's: (2 + √5)⁻¹⁶ of 8 points a side",
+            ),
+            lane("closed", "the closed form", &[1], |_, _| Heat {
+                run: Box::new(|| {
+                    let [a, b, h] = std::hint::black_box(LAMP_SIDES);
+                    vec![corner(a, b, h).map_or(f64::NAN, |of| of.parallel)]
+                }),
+                error: wrong(),
+            })
+            .within(1e-14, "a dozen roundings, and those of the reference"),
+        ]);
 
 /// What a point of the lamp sends, times the lamp's area.
 fn sent([u, v]: [f64; 2]) -> f64 {
@@ -255,7 +276,11 @@ fn of_sky(bench: &mut Bench, domain: Domain, work: u64) -> Heat {
 
 fn points(setting: &Setting) -> Plot {
     let n = setting.number("points") as usize;
-    let kinds = [(Points::Random, "by chance"), (Points::Stratified, "one in each cell"), (Points::Sobol, "Sobol's, scrambled")];
+    let kinds = [
+        (Points::Random, "by chance"),
+        (Points::Stratified, "one in each cell"),
+        (Points::Sobol, "Sobol's, scrambled"),
+    ];
     let panel = |(kind, name): (Points, &str)| {
         let mut dice: Stream = stream(0, "radiometry/quadrature/points");
         let seen = kind.draw(n, &mut dice).into_iter().map(|at| Domain::Cosine.at(at));

@@ -80,12 +80,17 @@ pub(super) const STEP: Step = step(
 })
 .checks(&[&SEEN, &FLOOR]);
 
-const SEEN: Check<fn(f64, f64) -> f64> = check("seen", "however a lamp is turned, what its intensity says of its radiance is the same")
-    .rows(&["E31"])
-    .against("the radiance that it was given, by the flow that Lambert's sum finds from far")
-    .order(2.0, 0.05, "the lamp's corners are as far off the axis on either side: the square of size over distance is left")
-    .of(from_afar, |area, cos| area * cos)
-    .slip("the lamp's own area, not the one that is seen", |area, _| area);
+const SEEN: Check<fn(f64, f64) -> f64> =
+    check("seen", "however a lamp is turned, what its intensity says of its radiance is the same")
+        .rows(&["E31"])
+        .against("the radiance that it was given, by the flow that Lambert's sum finds from far")
+        .order(
+            2.0,
+            0.05,
+            "the lamp's corners are as far off the axis on either side: the square of size over distance is left",
+        )
+        .of(from_afar, |area, cos| area * cos)
+        .slip("the lamp's own area, not the one that is seen", |area, _| area);
 
 fn from_afar(_: &mut Bench, seen: fn(f64, f64) -> f64) -> Measured {
     let points: Vec<(f64, f64)> = (2..9)
@@ -103,7 +108,11 @@ fn from_afar(_: &mut Bench, seen: fn(f64, f64) -> f64) -> Measured {
             (size, worst.into_iter().fold(0.0, f64::max))
         })
         .collect();
-    Measured::new(order::slope(&points).unwrap_or(f64::NAN), "sizes from 1/4 to 1/256 of the distance, tilts 0, 0.6, 1.2", 21)
+    Measured::new(
+        order::slope(&points).unwrap_or(f64::NAN),
+        "sizes from 1/4 to 1/256 of the distance, tilts 0, 0.6, 1.2",
+        21,
+    )
 }
 
 /// How the elements of a lamp send what leaves them.
@@ -165,18 +174,20 @@ fn over_disc(radius: f64, f: impl Fn(DVec3) -> f64) -> f64 {
     gauss_legendre(48).into_iter().map(ring).sum()
 }
 
-const FLOOR: Check<fn(f64) -> f64> =
-    check("elements", "a lamp whose elements send as cos θ lights a floor as a surface of one radiance does")
-        .rows(&["C9"])
-        .against("the closed form of a disc, against the sum over the elements of what each sends, by a product rule")
-        .within(
-            1e-10,
-            "1",
-            "the lamp is at most as wide as it is high: of 48 rings and 64 turns e^(−64·asinh 1) ~ 10⁻²⁴ is left, and the \
+const FLOOR: Check<fn(f64) -> f64> = check(
+    "elements",
+    "a lamp whose elements send as cos θ lights a floor as a surface of one radiance does",
+)
+.rows(&["C9"])
+.against("the closed form of a disc, against the sum over the elements of what each sends, by a product rule")
+.within(
+    1e-10,
+    "1",
+    "the lamp is at most as wide as it is high: of 48 rings and 64 turns e^(−64·asinh 1) ~ 10⁻²⁴ is left, and the \
              rounding of 3000 terms",
-        )
-        .of(elements, |cos| cos / PI)
-        .slip("alike to all sides, without cos θ", |_| 1.0 / TAU);
+)
+.of(elements, |cos| cos / PI)
+.slip("alike to all sides, without cos θ", |_| 1.0 / TAU);
 
 /// What a floor takes from elements that send `share` of their exitance into a direction [sr⁻¹].
 fn elements(_: &mut Bench, share: fn(f64) -> f64) -> Measured {
@@ -205,7 +216,8 @@ fn floor(setting: &Setting) -> Plot {
         Axis::linear("place x / h", "").range(-reach, reach),
         Axis::linear("irradiance over the lamp's exitance E/M", "").range(0.0, 1.05),
     );
-    let chart = Law::ALL.into_iter().zip(0..).fold(axes, |chart, (law, at)| chart.line(Hue::Nth(at), law.name(), curve(law)));
+    let chart =
+        Law::ALL.into_iter().zip(0..).fold(axes, |chart, (law, at)| chart.line(Hue::Nth(at), law.name(), curve(law)));
     Plot::of(format!("On the floor under a round lamp, R = {width} h"), chart)
 }
 
@@ -227,7 +239,13 @@ fn balls(_: &Setting) -> Plot {
             let aside = place(at % SIDE).hypot(place(at / SIDE));
             let bright = match law {
                 // All of the flux that is seen comes from within a pixel or two of the middle.
-                Law::Normal => if aside < 2.4 / SIDE as f64 { 1.0 } else { 0.0 },
+                Law::Normal => {
+                    if aside < 2.4 / SIDE as f64 {
+                        1.0
+                    } else {
+                        0.0
+                    }
+                }
                 _ if aside < 1.0 => 0.6 * PI * seen(law, aside),
                 _ => 0.0,
             };

@@ -33,52 +33,58 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     ],
 );
 
-pub(super) const STEP: Step =
-    step(EXHIBIT, "Along a ray", "Radiance does not fade with the distance; in another medium only L/n² is the same.")
-        .rows(&["C8"])
-        .derivations(&[
-            derivation(
-                "both_ends",
-                "two small surfaces that see each other: what leaves one is what comes to the other",
-                || both_ends(RADIANCE * AREA_2 * cos(THETA_2) * SOLID_ANGLE),
-            )
-            .slip("the far surface's tilt left out", || both_ends(RADIANCE * AREA_2 * SOLID_ANGLE)),
-            derivation("refraction", "Snell's law squeezes a bundle: n² cos θ dω is the same on both sides", || {
-                refraction((N_1 / N_2).pow(2))
-            })
-            .slip("n for n²", || refraction(N_1 / N_2)),
-            derivation("brighter", "the same power in a smaller étendue: L/n² is the same on both sides", || {
-                brighter((N_2 / N_1).pow(2) * RADIANCE_1)
-            })
-            .slip("radiance held constant through the surface", || brighter(RADIANCE_1.into())),
-        ])
-        .questions(&[question(
-            "twice",
-            "You walk back from a lamp until it is twice as far. How many times darker is a pixel that still lies wholly \
+pub(super) const STEP: Step = step(
+    EXHIBIT,
+    "Along a ray",
+    "Radiance does not fade with the distance; in another medium only L/n² is the same.",
+)
+.rows(&["C8"])
+.derivations(&[
+    derivation(
+        "both_ends",
+        "two small surfaces that see each other: what leaves one is what comes to the other",
+        || both_ends(RADIANCE * AREA_2 * cos(THETA_2) * SOLID_ANGLE),
+    )
+    .slip("the far surface's tilt left out", || both_ends(RADIANCE * AREA_2 * SOLID_ANGLE)),
+    derivation("refraction", "Snell's law squeezes a bundle: n² cos θ dω is the same on both sides", || {
+        refraction((N_1 / N_2).pow(2))
+    })
+    .slip("n for n²", || refraction(N_1 / N_2)),
+    derivation("brighter", "the same power in a smaller étendue: L/n² is the same on both sides", || {
+        brighter((N_2 / N_1).pow(2) * RADIANCE_1)
+    })
+    .slip("radiance held constant through the surface", || brighter(RADIANCE_1.into())),
+])
+.questions(&[question(
+    "twice",
+    "You walk back from a lamp until it is twice as far. How many times darker is a pixel that still lies wholly \
              inside its picture?",
-            Answer::Number {
-                unit: "1",
-                tolerance: 0.01,
-                right: |_| radiance(1.0, 10.0) / radiance(1.0, 20.0),
-                slips: &[
-                    Misled {
-                        value: |_| 4.0,
-                        reply: "So the whole lamp gets darker; but its picture is four times smaller as well.",
-                    },
-                    Misled { value: |_| 2.0, reply: "Nothing falls as 1/r here: the flow falls as 1/r², the picture's area too." },
-                ],
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| radiance(1.0, 10.0) / radiance(1.0, 20.0),
+        slips: &[
+            Misled {
+                value: |_| 4.0,
+                reply: "So the whole lamp gets darker; but its picture is four times smaller as well.",
             },
-            "The same: what the pixel takes in falls as 1/r² from each point, and it sees r² times more points.",
-        )])
-        .readout(|setting| {
-            let n = setting.number("n");
-            let quantity = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
-            vec![
-                quantity("inside", "L_2/L_1", "radiance behind the interface, over that before it", n * n),
-                quantity("cone", "sin θ_c", "half the opening of the cone into which a whole sky is squeezed", 1.0 / n),
-            ]
-        })
-        .checks(&[&DISTANCES, &LENS, &INTERFACE]);
+            Misled {
+                value: |_| 2.0,
+                reply: "Nothing falls as 1/r here: the flow falls as 1/r², the picture's area too.",
+            },
+        ],
+    },
+    "The same: what the pixel takes in falls as 1/r² from each point, and it sees r² times more points.",
+)])
+.readout(|setting| {
+    let n = setting.number("n");
+    let quantity = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
+    vec![
+        quantity("inside", "L_2/L_1", "radiance behind the interface, over that before it", n * n),
+        quantity("cone", "sin θ_c", "half the opening of the cone into which a whole sky is squeezed", 1.0 / n),
+    ]
+})
+.checks(&[&DISTANCES, &LENS, &INTERFACE]);
 
 fn both_ends(last: Expr) -> Chain {
     let seen = || AREA_2 * cos(THETA_2) / RADIUS.pow(2);
@@ -114,23 +120,26 @@ fn radiance(radius: f64, away: f64) -> f64 {
     arrives / (PI * radius * radius / (radius * radius + away * away))
 }
 
-const DISTANCES: Check<fn(f64) -> f64> =
-    check("distances", "what a pixel takes in over its own étendue does not depend on how far the lamp is")
-        .against("the radiance that the lamp was given, against closed forms of what a small square of it sends to the pixel")
-        .within(
-            1e-6,
-            "1",
-            "the square is a thousandth as wide as it is far: its corners' cosines differ from the middle's by a part in \
+const DISTANCES: Check<fn(f64) -> f64> = check(
+    "distances",
+    "what a pixel takes in over its own étendue does not depend on how far the lamp is",
+)
+.against("the radiance that the lamp was given, against closed forms of what a small square of it sends to the pixel")
+.within(
+    1e-6,
+    "1",
+    "the square is a thousandth as wide as it is far: its corners' cosines differ from the middle's by a part in \
              10⁶ over 6, twice",
-        )
-        .of(pixels, |distance| distance * distance)
-        .slip("radiance taken to fall as 1/r²", |_| 1.0);
+)
+.of(pixels, |distance| distance * distance)
+.slip("radiance taken to fall as 1/r²", |_| 1.0);
 
 fn pixels(_: &mut Bench, growth: fn(f64) -> f64) -> Measured {
     Measured::worst([1.0, 3.0, 10.0, 1e3, 1e6].map(|distance: f64| {
         // A pixel sees a square of the lamp as wide as its angle is at that distance.
         let half = 0.5e-3 * distance;
-        let corners = [[-half, -half, distance], [half, -half, distance], [half, half, distance], [-half, half, distance]];
+        let corners =
+            [[-half, -half, distance], [half, -half, distance], [half, half, distance], [-half, half, distance]];
         let arrives = light::radiometry::polygon::irradiance(&corners, [0.0, 0.0, 1.0]).unwrap_or(f64::NAN);
         let etendue = (2.0 * half).powi(2) / growth(distance);
         (arrives / etendue - 1.0, format!("{distance:e} m away"))
@@ -187,8 +196,14 @@ fn stretch(at: [f64; 4], map: impl Fn([f64; 4]) -> [f64; 4]) -> f64 {
 
 const LENS: Check<fn(f64) -> f64> =
     check("lens", "a ball lens changes places and directions, but not the étendue dx dy dp dq of a bundle")
-        .against("Liouville's theorem: the determinant is 1, of rays traced by Snell's law, near the axis and far from it")
-        .within(1e-8, "1", "differences of the fourth order, 10⁻³ apart: (10⁻³)⁴/30 times derivatives up to 10⁴, and rounding")
+        .against(
+            "Liouville's theorem: the determinant is 1, of rays traced by Snell's law, near the axis and far from it",
+        )
+        .within(
+            1e-8,
+            "1",
+            "differences of the fourth order, 10⁻³ apart: (10⁻³)⁴/30 times derivatives up to 10⁴, and rounding",
+        )
         .of(lens, |n| n)
         .slip("angles for directions, p without the index at the plane inside", |_| 1.0);
 
@@ -218,7 +233,9 @@ fn lens(bench: &mut Bench, index: fn(f64) -> f64) -> Measured {
 
 const INTERFACE: Check<fn(f64) -> f64> =
     check("interface", "the sky, squeezed by refraction into a cone, still fills the étendue π")
-        .against("n² times the projected solid angle of the cone of sin θ = 1/n, whose rim is a ray that grazes the surface")
+        .against(
+            "n² times the projected solid angle of the cone of sin θ = 1/n, whose rim is a ray that grazes the surface",
+        )
         .within(1e-12, "1", "a dozen roundings; the grazing ray comes 10⁻¹³ short of the rim")
         .of(squeezed, |n| n * n)
         .slip("n for n²", |n| n);
@@ -233,11 +250,13 @@ fn squeezed(_: &mut Bench, factor: fn(f64) -> f64) -> Measured {
 
 fn distance(_: &Setting) -> Plot {
     let distances = || (0..=80).map(|step| 10f64.powf(f64::from(step) / 40.0));
-    let arrives = |away: f64| Disc { radius: 1.0, height: away, offset: 0.0, tilt: 0.0 }.irradiance().unwrap_or(f64::NAN) / PI;
-    let chart = Chart::new("", Axis::log("distance over the lamp's radius", ""), Axis::log("over the value at the lamp", ""))
-        .line(Hue::Ours, "radiance L", distances().map(|x| [x, radiance(1.0, x)]).collect())
-        .line(Hue::P, "irradiance E", distances().map(|x| [x, arrives(x)]).collect())
-        .dashed(Hue::Reference, "1/r²", distances().map(|x| [x, x.powi(-2)]).collect());
+    let arrives =
+        |away: f64| Disc { radius: 1.0, height: away, offset: 0.0, tilt: 0.0 }.irradiance().unwrap_or(f64::NAN) / PI;
+    let chart =
+        Chart::new("", Axis::log("distance over the lamp's radius", ""), Axis::log("over the value at the lamp", ""))
+            .line(Hue::Ours, "radiance L", distances().map(|x| [x, radiance(1.0, x)]).collect())
+            .line(Hue::P, "irradiance E", distances().map(|x| [x, arrives(x)]).collect())
+            .dashed(Hue::Reference, "1/r²", distances().map(|x| [x, x.powi(-2)]).collect());
     Plot::of("What fades and what does not", chart)
 }
 
@@ -261,10 +280,11 @@ fn sheared(setting: &Setting) -> Plot {
         start.iter().map(|at| map(*at)).map(|at| [at[0], at[2]]).collect()
     };
     let line = |hue, label: &str, points| Mark::Line { label: label.into(), hue, dash: Dash::Solid, points };
-    let chart = Chart::new("", Axis::linear("place x over the ball's radius", ""), Axis::linear("direction p = sin θ", ""))
-        .with(line(Hue::Nth(0), "at the start", curve(&|at| at)))
-        .with(line(Hue::Nth(1), "later, in free space", curve(&|at| free(at, before))))
-        .with(line(Hue::Nth(2), "behind the ball", curve(&|at| glass(at, 1.1))))
-        .with(line(Hue::Nth(3), "later still", curve(&|at| glass(at, behind))));
+    let chart =
+        Chart::new("", Axis::linear("place x over the ball's radius", ""), Axis::linear("direction p = sin θ", ""))
+            .with(line(Hue::Nth(0), "at the start", curve(&|at| at)))
+            .with(line(Hue::Nth(1), "later, in free space", curve(&|at| free(at, before))))
+            .with(line(Hue::Nth(2), "behind the ball", curve(&|at| glass(at, 1.1))))
+            .with(line(Hue::Nth(3), "later still", curve(&|at| glass(at, behind))));
     Plot::of(format!("A bundle of rays through a ball of n = {n}"), chart)
 }

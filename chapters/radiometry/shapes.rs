@@ -29,9 +29,13 @@ const PLANE: Parameter = Parameter::new("h", "h", "height of its plane", Kind::n
 const ASIDE: Parameter =
     Parameter::new("a", "a", "how far its centre is aside", Kind::number(-1e3, 1e3, "m")).default("0.5");
 /// How the receiver is tilted.
-const TILT: Parameter =
-    Parameter::new("tau", "τ", "tilt of the receiver, towards the lamp's side if positive", Kind::number(-PI, PI, "rad"))
-        .default("75deg");
+const TILT: Parameter = Parameter::new(
+    "tau",
+    "τ",
+    "tilt of the receiver, towards the lamp's side if positive",
+    Kind::number(-PI, PI, "rad"),
+)
+.default("75deg");
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "shapes",
@@ -83,9 +87,11 @@ pub(super) const STEP: Step = step(
         stokes(2 * dot(NORMAL, R) * R / dot(R, R).pow(2))
     })
     .slip("a rim's field that falls as 1/r, not 1/r²", || stokes(dot(NORMAL, R) * R / dot(R, R).pow(2))),
-    derivation("edge", "along a straight edge, p away at its nearest, that sum grows as the angle under which it is seen", || {
-        edge(NEAREST / (NEAREST.pow(2) + ALONG.pow(2)))
-    })
+    derivation(
+        "edge",
+        "along a straight edge, p away at its nearest, that sum grows as the angle under which it is seen",
+        || edge(NEAREST / (NEAREST.pow(2) + ALONG.pow(2))),
+    )
     .slip("the sine of the angle for the angle", || edge(NEAREST.pow(2) / sqrt(NEAREST.pow(2) + ALONG.pow(2)).pow(3))),
     derivation("rings", "a round lamp over the receiver: rings of the sky up to its rim at α", || {
         rings_up_to(pi() * RADIANCE * sin(ALPHA).pow(2))
@@ -108,7 +114,10 @@ pub(super) const STEP: Step = step(
     "Half of a glowing ball is below the horizon: its centre lies exactly on it. What arrives on the ground?",
     Answer::Choice {
         options: &[
-            choice("nothing, as cos ω = 0", "The formula πL(R/d)² cos ω holds only for balls wholly above the horizon."),
+            choice(
+                "nothing, as cos ω = 0",
+                "The formula πL(R/d)² cos ω holds only for balls wholly above the horizon.",
+            ),
             choice("less than half of what the whole ball would send", ""),
             choice(
                 "half of what the ball sends from the zenith",
@@ -145,15 +154,19 @@ pub(super) const STEP: Step = step(
     stress("discs", "discs near, far, beside the axis and cut by the horizon keep their digits", |_| extremes::discs())
         .textbook("Foote's form of 1915; cut by the horizon the plain antiderivative of the arc")
         .against("contour integrals in 512 bits and more"),
-    stress("spheres", "spheres that almost touch, and those almost below the horizon, keep theirs", |_| extremes::spheres())
-        .textbook("the form of Lagarde and de Rousiers (2014)")
-        .against("Snyder's form in 512 bits and more"),
+    stress("spheres", "spheres that almost touch, and those almost below the horizon, keep theirs", |_| {
+        extremes::spheres()
+    })
+    .textbook("the form of Lagarde and de Rousiers (2014)")
+    .against("Snyder's form in 512 bits and more"),
     stress("polygons", "polygons far away, edge-on and on the horizon keep theirs", |_| extremes::polygons())
         .textbook("Lambert's sum with arc cosines")
         .against("Lambert's sum in 512 bits and more"),
-    stress("factors", "upright corners and form factors from a millionth to a million of the distance", |_| extremes::factors())
-        .textbook("Howell's catalogue as printed")
-        .against("the same in 512 bits and more"),
+    stress("factors", "upright corners and form factors from a millionth to a million of the distance", |_| {
+        extremes::factors()
+    })
+    .textbook("Howell's catalogue as printed")
+    .against("the same in 512 bits and more"),
 ]);
 
 /// A triangle's edges: their angles, and the unit vectors across them.
@@ -212,21 +225,23 @@ fn arrives(disc: Disc) -> f64 {
 }
 
 /// Why sums over lamps are good to 1e−9.
-const OVER_THE_LAMP: &str =
-    "Gauss's rule of 48 points each way or more over the part above the horizon, mapped so that the integrand is analytic, for \
+const OVER_THE_LAMP: &str = "Gauss's rule of 48 points each way or more over the part above the horizon, mapped so that the integrand is analytic, for \
      lamps that are at most 8 times as wide as they are far";
 
-const DISC: Check<fn(Disc) -> f64> =
-    check("disc_by_strips", "discs beside the axis, tilted, cut by the horizon: the closed form is the sum over the lamp")
-        .against("∫ cos θ cos θ′/r² dA over the part above the horizon, by a product of two rules")
-        .within(1e-9, "1", OVER_THE_LAMP)
-        .of(discs, arrives)
-        .slip("the tilt taken for a cosine on all of it", |disc| arrives(Disc { tilt: 0.0, ..disc }) * disc.tilt.cos());
+const DISC: Check<fn(Disc) -> f64> = check(
+    "disc_by_strips",
+    "discs beside the axis, tilted, cut by the horizon: the closed form is the sum over the lamp",
+)
+.against("∫ cos θ cos θ′/r² dA over the part above the horizon, by a product of two rules")
+.within(1e-9, "1", OVER_THE_LAMP)
+.of(discs, arrives)
+.slip("the tilt taken for a cosine on all of it", |disc| arrives(Disc { tilt: 0.0, ..disc }) * disc.tilt.cos());
 
 fn discs(_: &mut Bench, form: fn(Disc) -> f64) -> Measured {
     let tilts = [0.0, 0.5, 1.2, FRAC_PI_2, 2.0, -0.8];
     let places = [(1.0, 1.0, 0.0), (1.0, 0.3, 0.4), (1.0, 0.25, 1.5), (0.3, 1.0, -2.0), (1.0, 2.0, 3.0)];
-    let cases = tilts.into_iter().flat_map(|tilt| places.map(|(radius, height, offset)| Disc { radius, height, offset, tilt }));
+    let cases =
+        tilts.into_iter().flat_map(|tilt| places.map(|(radius, height, offset)| Disc { radius, height, offset, tilt }));
     Measured::worst(cases.filter_map(|disc| {
         let exact = strips(disc);
         // Wholly below the horizon there is nothing to compare.
@@ -303,25 +318,28 @@ fn rings(Sphere { radius, distance, omega }: Sphere) -> f64 {
     // Where the horizon begins to cut; rings change there as a power of 3/2.
     let cut = (FRAC_PI_2 - omega).abs().min(rim);
     let inner = if omega < FRAC_PI_2 { rule.iter().map(|(u, weight)| weight * cut * ring(cut * u)).sum() } else { 0.0 };
-    let outer: f64 = rule.iter().map(|(u, weight)| weight * 2.0 * u * (rim - cut) * ring(cut + (rim - cut) * u * u)).sum();
+    let outer: f64 =
+        rule.iter().map(|(u, weight)| weight * 2.0 * u * (rim - cut) * ring(cut + (rim - cut) * u * u)).sum();
     inner + outer
 }
 
 /// What arrives from a triangle.
 type OfTriangle = fn([DVec3; 3], DVec3) -> f64;
 
-const POLYGON: Check<OfTriangle> =
-    check("polygon_by_area", "triangles above the horizon and across it: the sum over the rim is the sum over the lamp")
-        .against("∫ cos θ cos θ′/r² dA over the part above the horizon, cut by hand into triangles, by a product of two rules")
-        .within(1e-9, "1", OVER_THE_LAMP)
-        .of(triangles, |corners, normal| {
-            polygon::irradiance(&corners.map(|corner| corner.to_array()), normal.to_array()).unwrap_or(f64::NAN)
-        })
-        .slip("corners below the horizon are pulled up to it", |corners, normal| {
-            let pulled = corners.map(|corner| (corner - corner.dot(normal).min(0.0) * normal).to_array());
-            // What was pulled is no longer flat: a triangle always is.
-            polygon::irradiance(&pulled, normal.to_array()).unwrap_or(f64::NAN)
-        });
+const POLYGON: Check<OfTriangle> = check(
+    "polygon_by_area",
+    "triangles above the horizon and across it: the sum over the rim is the sum over the lamp",
+)
+.against("∫ cos θ cos θ′/r² dA over the part above the horizon, cut by hand into triangles, by a product of two rules")
+.within(1e-9, "1", OVER_THE_LAMP)
+.of(triangles, |corners, normal| {
+    polygon::irradiance(&corners.map(|corner| corner.to_array()), normal.to_array()).unwrap_or(f64::NAN)
+})
+.slip("corners below the horizon are pulled up to it", |corners, normal| {
+    let pulled = corners.map(|corner| (corner - corner.dot(normal).min(0.0) * normal).to_array());
+    // What was pulled is no longer flat: a triangle always is.
+    polygon::irradiance(&pulled, normal.to_array()).unwrap_or(f64::NAN)
+});
 
 fn triangles(bench: &mut Bench, form: OfTriangle) -> Measured {
     let dice = &mut bench.stream;
@@ -389,7 +407,8 @@ const CORNER: Check<fn([f64; 3]) -> [f64; 3]> =
             rectangle::corner(a, b, h).map_or([f64::NAN; 3], |of| [of.parallel, of.perpendicular, of.solid_angle])
         })
         .slip("the whole rectangle's form for its quarter", |[a, b, h]| {
-            rectangle::corner(2.0 * a, 2.0 * b, h).map_or([f64::NAN; 3], |of| [of.parallel, of.perpendicular, of.solid_angle])
+            rectangle::corner(2.0 * a, 2.0 * b, h)
+                .map_or([f64::NAN; 3], |of| [of.parallel, of.perpendicular, of.solid_angle])
         });
 
 fn corners(_: &mut Bench, form: fn([f64; 3]) -> [f64; 3]) -> Measured {
@@ -398,7 +417,8 @@ fn corners(_: &mut Bench, form: fn([f64; 3]) -> [f64; 3]) -> Measured {
         let corners = [[0.0, 0.0, h], [a, 0.0, h], [a, b, h], [0.0, b, h]];
         let rim = |normal: [f64; 3]| polygon::irradiance(&corners, normal).unwrap_or(f64::NAN);
         let half = |b: [f64; 3], c: [f64; 3]| light::radiometry::solid_angle::triangle(corners[0], b, c).abs();
-        let exact = [rim([0.0, 0.0, 1.0]), rim([1.0, 0.0, 0.0]), half(corners[1], corners[2]) + half(corners[2], corners[3])];
+        let exact =
+            [rim([0.0, 0.0, 1.0]), rim([1.0, 0.0, 0.0]), half(corners[1], corners[2]) + half(corners[2], corners[3])];
         let names = ["facing", "upright", "solid angle"];
         let found = form([a, b, h]);
         (0..3).map(move |at| (found[at] / exact[at] - 1.0, format!("{}, a = {a}, b = {b}, h = {h}", names[at])))
@@ -451,9 +471,7 @@ fn factors(_: &mut Bench, form: Factors) -> Measured {
             let (x, y) = (a * u.powi(6), c * v);
             6.0 * u.powi(5) * from([[-x, -y, 0.0], [-x, c - y, 0.0], [-x, c - y, b], [-x, -y, b]])
         });
-        let round = over(&|u, _| {
-            2.0 * u * arrives(Disc { radius: b, height: c, offset: u * a, tilt: 0.0 }) / PI
-        });
+        let round = over(&|u, _| 2.0 * u * arrives(Disc { radius: b, height: c, offset: u * a, tilt: 0.0 }) / PI);
         let (found, exact) = (form([a, b, c]), [facing, upright, round]);
         let names = ["facing rectangles", "rectangles at a right angle", "discs on an axis"];
         (0..3).map(move |at| (found[at] / exact[at] - 1.0, format!("{}, {a}, {b}, {c}", names[at])))
@@ -471,11 +489,16 @@ fn horizon(setting: &Setting) -> Plot {
         let aside = vector_aside(disc);
         up * tau.cos() + aside * tau.sin()
     };
-    let chart = Chart::new("", Axis::linear("tilt τ", "°").range(-180.0, 180.0).tick(60.0), Axis::linear("E / L", "sr"))
-        .line(Hue::Ours, "cut by the horizon", turned().map(|x| [x, arrives(Disc { tilt: x.to_radians(), ..disc })]).collect())
-        .dashed(Hue::Textbook, "the horizon forgotten", turned().map(|x| [x, whole(x)]).collect())
-        .at_x(disc.tilt.to_degrees(), format!("{:.0}°", disc.tilt.to_degrees()))
-        .at_y(0.0, "");
+    let chart =
+        Chart::new("", Axis::linear("tilt τ", "°").range(-180.0, 180.0).tick(60.0), Axis::linear("E / L", "sr"))
+            .line(
+                Hue::Ours,
+                "cut by the horizon",
+                turned().map(|x| [x, arrives(Disc { tilt: x.to_radians(), ..disc })]).collect(),
+            )
+            .dashed(Hue::Textbook, "the horizon forgotten", turned().map(|x| [x, whole(x)]).collect())
+            .at_x(disc.tilt.to_degrees(), format!("{:.0}°", disc.tilt.to_degrees()))
+            .at_y(0.0, "");
     Plot::of(format!("A disc of radius {} m at height {} m, {} m aside", disc.radius, disc.height, disc.offset), chart)
 }
 
@@ -493,12 +516,21 @@ fn edges(_: &Setting) -> Plot {
     let view = |v: [f64; 3]| [v[0] + 0.45 * v[1], v[2] + 0.3 * v[1] - 0.05 * v[0]];
     let vectors = polygon::edges(&flat);
     let mut oblique = Diagram::new("", [-1.5, -0.9], [2.1, 2.1])
-        .with(Part::curve([[-0.9, -0.7], [0.9, -0.7], [0.9, 0.9], [-0.9, 0.9], [-0.9, -0.7]].map(|[x, y]| view([x, y, 0.0])).to_vec())
+        .with(
+            Part::curve(
+                [[-0.9, -0.7], [0.9, -0.7], [0.9, 0.9], [-0.9, 0.9], [-0.9, -0.7]]
+                    .map(|[x, y]| view([x, y, 0.0]))
+                    .to_vec(),
+            )
             .hue(Hue::Reference)
-            .label("floor"))
+            .label("floor"),
+        )
         .with(Part::vector([0.0; 2], view([0.0, 0.0, 0.55])).label("n"));
     let mut disc = Diagram::new("", [-1.25, -1.15], [1.25, 1.15])
-        .with(Part::curve((0..=120).map(|at| f64::from(at) / 60.0 * PI).map(|t| [t.cos(), t.sin()]).collect()).hue(Hue::Reference))
+        .with(
+            Part::curve((0..=120).map(|at| f64::from(at) / 60.0 * PI).map(|t| [t.cos(), t.sin()]).collect())
+                .hue(Hue::Reference),
+        )
         .with(Part::point([0.0; 2]).label("receiver"));
     for (at, vector) in vectors.iter().enumerate() {
         let (a, b) = (flat[at], flat[(at + 1) % flat.len()]);
@@ -508,16 +540,18 @@ fn edges(_: &Setting) -> Plot {
             .with(Part::line(view(a), view(b)).hue(hue))
             .with(Part::vector([0.0; 2], view(vector.map(|part| 1.6 * part))).hue(hue).label(format!("Γ_{}", at + 1)));
         let (a, b) = (DVec3::from_array(a), DVec3::from_array(b));
-        let arc = (0..=40).map(|step| a.lerp(b, f64::from(step) / 40.0).normalize()).map(|way| [way.x, way.y]).collect();
+        let arc =
+            (0..=40).map(|step| a.lerp(b, f64::from(step) / 40.0).normalize()).map(|way| [way.x, way.y]).collect();
         disc = disc
             .with(Part::curve(arc).hue(hue).label(format!("{}", at + 1)))
             .with(Part::line([0.0; 2], a.normalize().truncate().to_array()).dash(Dash::Dashed).hue(Hue::Reference));
     }
     let found = polygon::irradiance(&flat, [0.0, 0.0, 1.0]).unwrap_or(f64::NAN);
-    Plot::grid(format!("Lambert's edges, and the area that they enclose in Nusselt's disc: E/L = {found:.3} sr"), 2, vec![
-        oblique.into(),
-        disc.into(),
-    ])
+    Plot::grid(
+        format!("Lambert's edges, and the area that they enclose in Nusselt's disc: E/L = {found:.3} sr"),
+        2,
+        vec![oblique.into(), disc.into()],
+    )
 }
 
 /// The last corner moved along z into the plane of the first three.

@@ -163,12 +163,13 @@ const SUMS: Race = race("", "")
     .work("directions")
     .error("relative error of the flux", "rms over 24 axes of the relative error, against the closed form");
 
-const PATCHES: Check<fn(f64, f64) -> f64> = check("patches", "random directions fall into patches as sin θ dφ dθ has it")
-    .rows(&["E28"])
-    .against("directions of triples of numbers of Gauss's distribution, which prefer none")
-    .significant(1e-3)
-    .of(counted, |from, to| (from.cos() - to.cos()) / 2.0)
-    .slip("rings of even width are taken to be alike, sin θ forgotten", |from, to| (to - from) / PI);
+const PATCHES: Check<fn(f64, f64) -> f64> =
+    check("patches", "random directions fall into patches as sin θ dφ dθ has it")
+        .rows(&["E28"])
+        .against("directions of triples of numbers of Gauss's distribution, which prefer none")
+        .significant(1e-3)
+        .of(counted, |from, to| (from.cos() - to.cos()) / 2.0)
+        .slip("rings of even width are taken to be alike, sin θ forgotten", |from, to| (to - from) / PI);
 
 /// Rings of a sphere, each of so many patches.
 const RINGS: usize = 18;
@@ -179,8 +180,7 @@ const DRAWN: usize = 100_000;
 fn counted(bench: &mut Bench, ring: fn(f64, f64) -> f64) -> Measured {
     let edge = |at: usize| at as f64 / RINGS as f64 * PI;
     let share = |at: usize| ring(edge(at), edge(at + 1)) / PATCHES_OF_A_RING as f64;
-    let expected: Vec<f64> =
-        (0..RINGS).flat_map(|at| [DRAWN as f64 * share(at); PATCHES_OF_A_RING]).collect();
+    let expected: Vec<f64> = (0..RINGS).flat_map(|at| [DRAWN as f64 * share(at); PATCHES_OF_A_RING]).collect();
     let mut observed = vec![0; expected.len()];
     for _ in 0..DRAWN {
         let way = gaussian(&mut bench.stream);
@@ -206,21 +206,23 @@ fn gaussian(stream: &mut yardstick::random::Stream) -> DVec3 {
     DVec3::new(x, y, z)
 }
 
-const ANTENNAS: Check<fn(f64) -> f64> =
-    check("antennas", "the flow of two antennas in step, summed over θ and φ, is what their mutual resistance says")
-        .rows(&["E27"])
-        .against(
-            "1 + (3/2)(sin x/x + cos x/x² − sin x/x³), x = kd, the resistance that short antennas side by side put on each \
+const ANTENNAS: Check<fn(f64) -> f64> = check(
+    "antennas",
+    "the flow of two antennas in step, summed over θ and φ, is what their mutual resistance says",
+)
+.rows(&["E27"])
+.against(
+    "1 + (3/2)(sin x/x + cos x/x² − sin x/x³), x = kd, the resistance that short antennas side by side put on each \
              other (C. A. Balanis, *Antenna Theory*, §8.6, for short ones)",
-        )
-        .within(
-            1e-12,
-            "1",
-            "sums of some 10³ terms; the rule is exact to degree 59, and of e^(ix cos γ) with x ≤ 15 what is left is below \
+)
+.within(
+    1e-12,
+    "1",
+    "sums of some 10³ terms; the rule is exact to degree 59, and of e^(ix cos γ) with x ≤ 15 what is left is below \
              15⁶⁰/60! ~ 10⁻¹²",
-        )
-        .of(together, f64::sin)
-        .slip("dφ dθ, the sine forgotten", |_| 2.0 / PI);
+)
+.of(together, f64::sin)
+.slip("dφ dθ, the sine forgotten", |_| 2.0 / PI);
 
 fn together(_: &mut Bench, sine: fn(f64) -> f64) -> Measured {
     // θ by Gauss's rule in cos θ would bring the sine with it: here it stands in the sum.

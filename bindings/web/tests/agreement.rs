@@ -134,8 +134,18 @@ fn poynting_agrees() {
 }
 
 #[test]
+fn radiometry_agrees() {
+    every_figure_agrees("radiometry");
+}
+
+#[test]
 fn fresnel_agrees() {
     every_figure_agrees("fresnel");
+}
+
+#[test]
+fn brdf_agrees() {
+    every_figure_agrees("brdf");
 }
 
 #[test]
@@ -143,7 +153,11 @@ fn every_chapter_with_figures_has_its_test() {
     let with_figures =
         CURRICULUM.iter().filter(|chapter| chapter.steps.iter().any(|step| !step.exhibit.figures.is_empty()));
     let ids: Vec<_> = with_figures.map(|chapter| chapter.id).collect();
-    assert_eq!(ids, ["maxwell", "plane-wave", "poynting", "fresnel"], "and its feature in the package's manifest");
+    assert_eq!(
+        ids,
+        ["maxwell", "plane-wave", "poynting", "radiometry", "fresnel", "brdf"],
+        "and its feature in the package's manifest"
+    );
 }
 
 #[test]
