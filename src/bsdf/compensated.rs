@@ -54,6 +54,26 @@ pub fn rebound<N: Number>(reflectance: N, mean_loss: N) -> N {
     reflectance.squared() * (one - mean_loss) / (one - reflectance * mean_loss)
 }
 
+/// How much comes back of light from everywhere, by three accounts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Returned {
+    /// At one bounce [1].
+    pub single: f64,
+    /// With the second lobe [1].
+    pub compensated: f64,
+    /// By walks [1].
+    pub walked: f64,
+}
+
+/// What facets return to `cos` that reflect the share `reflectance` [1] at any angle, if of walks over white ones the
+/// shares [`super::walk::orders`] meet 1, 2 … facets: how wrong the second lobe's colour is.
+pub fn returned(losses: &Losses, cos: f64, reflectance: f64, orders: &[f64]) -> Returned {
+    let loss = losses.at(Vector::new(((1.0 - cos) * (1.0 + cos)).sqrt(), 0.0, cos)).max(0.0);
+    let single = reflectance * (1.0 - loss);
+    let walked = orders.iter().rev().fold(0.0, |sum, share| (sum + share) * reflectance);
+    Returned { single, compensated: single + rebound(reflectance, losses.mean()) * loss, walked }
+}
+
 impl<N: Number, D: Distribution<N>> Compensated<N, RoughDielectric<N, D>> {
     /// Glass of an index [1] inside over that outside.
     pub fn glass(facets: D, index: N) -> Self {

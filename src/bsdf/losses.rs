@@ -3,7 +3,7 @@
 //!
 //! The coordinate decides how few nodes will do. With y the cosine of the stretched direction and r = √((1 − y)/y),
 //! x = 1/(1 + r) resolves both ends: at grazing losses go with √y, along the normal with √(1 − y). Across the azimuth it is
-//! cos² of the stretched one.
+//! cos² of the one stretched by √α, halfway between that of masking and that of Fresnel.
 
 use super::Bsdf;
 use super::fresnel::Conductor;
@@ -27,12 +27,14 @@ pub struct Losses {
 /// Nodes along the coordinate.
 const NODES: usize = 48;
 /// Nodes across the azimuth where the roughness is not the same all around.
-const AZIMUTHS: usize = 9;
+const AZIMUTHS: usize = 17;
 /// The coordinate of the first node; the cosine is about its square.
 const FIRST: f64 = 1e-3;
 /// Facets that a node sums over, on a golden lattice: its sums converge faster than those of a grid across the kinks where
 /// light begins to go the other way.
 const FACETS: usize = 10_944;
+/// The same where there are azimuths to fill.
+const FEWER_FACETS: usize = 4_184;
 
 impl Losses {
     /// Of metal.
@@ -81,11 +83,12 @@ impl Losses {
     /// 1 less the mean `energy` [1] that a facet sends on, seen from the given side, +1 or −1.
     fn tabulate(alpha: [f64; 2], side: f64, energy: impl Fn(Vector<F32x8>, [F32x8; 2]) -> F32x8) -> Self {
         let azimuths = if alpha[0] == alpha[1] { 1 } else { AZIMUTHS };
-        let lattice: Vec<[F32x8; 2]> = (0..FACETS / 8)
+        let facets = if azimuths == 1 { FACETS } else { FEWER_FACETS };
+        let lattice: Vec<[F32x8; 2]> = (0..facets / 8)
             .map(|k| {
                 let at = |lane| (8 * k + lane) as f64;
                 let across = F32x8::from_lanes(|lane| (at(lane) / GOLDEN_RATIO).fract());
-                [F32x8::from_lanes(|lane| (at(lane) + 0.5) / FACETS as f64), across]
+                [F32x8::from_lanes(|lane| (at(lane) + 0.5) / facets as f64), across]
             })
             .collect();
         let loss = |node: usize| {
@@ -98,7 +101,7 @@ impl Losses {
                 #[inline(always)]
                 || lattice.iter().fold(F32x8::of(0.0), |sum, u| sum + energy(wo, *u)),
             );
-            1.0 - (0..8).map(|lane| sum.lane(lane)).sum::<f64>() / FACETS as f64
+            1.0 - (0..8).map(|lane| sum.lane(lane)).sum::<f64>() / facets as f64
         };
         let table: Arc<[f64]> = (0..azimuths * NODES).map(loss).collect();
         let largest = table.iter().copied().fold(0.0, f64::max);
@@ -156,7 +159,8 @@ impl Losses {
             row(zero)
         } else {
             let some = N::of(f64::from(f32::MIN_POSITIVE));
-            let at = (alpha[0] * w.x).squared() / s2.max(some) * N::of((AZIMUTHS - 1) as f64);
+            let (along, across) = (alpha[0] * w.x.squared(), alpha[1] * w.y.squared());
+            let at = along / (along + across).max(some) * N::of((AZIMUTHS - 1) as f64);
             let below = (at - N::of(0.5)).round().max(zero).min(N::of((AZIMUTHS - 2) as f64));
             let part = at - below;
             row(below) * (one - part) + row(below + one) * part
@@ -164,12 +168,15 @@ impl Losses {
     }
 }
 
-/// The direction of a coordinate and of cos² of the azimuth, as the stretched slopes see them.
+/// The direction of a coordinate and of cos² of the azimuth.
 fn direction(alpha: [f64; 2], x: f64, cos2: f64) -> [f64; 3] {
     let r2 = ((1.0 - x) / x).powi(2);
     // tan² = 1/y² − 1 = r²(2 + r²), and back from the stretch.
     let tan = (r2 * (2.0 + r2)).sqrt();
-    let [along, across] = [tan * cos2.sqrt() / alpha[0], tan * (1.0 - cos2).max(0.0).sqrt() / alpha[1]];
+    // Stretched by √α, cos² and sin² are shares of what is α times as much when stretched by α.
+    let (cos2, sin2) = (cos2 * alpha[0], (1.0 - cos2).max(0.0) * alpha[1]);
+    let whole = cos2 + sin2;
+    let [along, across] = [tan * (cos2 / whole).sqrt() / alpha[0], tan * (sin2 / whole).sqrt() / alpha[1]];
     let length = along.hypot(across).hypot(1.0);
     [along / length, across / length, 1.0 / length]
 }

@@ -18,6 +18,8 @@
 //! | what takes any input | [`guard`] |
 
 pub mod albedo;
+#[cfg(any(test, feature = "references"))]
+pub mod audit;
 pub mod compensated;
 pub mod eon;
 pub mod fresnel;

@@ -7,11 +7,11 @@
 //! the way down and Λ on the way up.
 
 use super::fresnel::{Conductor, dielectric};
-use super::microfacet::{Distribution, Joint, projected};
+use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes, projected};
 use super::rough_conductor::{self, RoughConductor};
 use super::rough_dielectric::{self, RoughDielectric, Side, compression, held_off_one, reflected, refracted};
 use super::{Bsdf, Character, Energy, Rgb, Sample, grey, rgb};
-use crate::number::{Dice, Mask, Number, Vector, exp, ln, ln_1p};
+use crate::number::{Dice, F32x8, Mask, Number, Vector, exp, ln, ln_1p, vectorised};
 use std::f64::consts::FRAC_1_PI;
 
 /// Facets of some matter, with every bounce.
@@ -156,6 +156,17 @@ impl<N: Number, D: Distribution<N>, M: Matter<N>> Walk<N, D, M> {
         (ray, !is_in)
     }
 
+    /// How many facets a walk from `wo` meets.
+    #[inline(always)]
+    pub fn bounces(&self, wo: Vector<N>, u: [N; 3]) -> N {
+        let side = Side::of(wo, self.matter.index());
+        let mut count = N::of(0.0);
+        self.run(Ray::from(side.wo, side.eta), [u[0], u[1]], Dice::new(u[2], u[0] + u[1]), |_, _, is_in| {
+            count = count + N::of(1.0).only(is_in);
+        });
+        count
+    }
+
     #[inline(always)]
     fn density(&self, single: N, wi: Vector<N>) -> N {
         let sides = if self.character().transmits { 0.5 } else { 1.0 };
@@ -220,6 +231,31 @@ impl<N: Number, D: Distribution<N>, M: Matter<N>> Bsdf<N> for Walk<N, D, M> {
             compression,
         }
         .only(may)
+    }
+}
+
+/// The shares [1] of walks from the cosine `cos` over white facets that meet 1, 2 … of them; their standard errors are
+/// √(p(1 − p)/`walks`).
+pub fn orders(slopes: Slopes, alpha: f64, cos: f64, walks: usize) -> Vec<f64> {
+    fn count<D: Distribution<F32x8>>(alpha: f64, cos: f64, walks: usize) -> Vec<f64> {
+        let walk = Walk::new(D::new([F32x8::of(alpha); 2]), Conductor::perfect());
+        let wo = Vector::of([((1.0 - cos) * (1.0 + cos)).sqrt(), 0.0, cos]);
+        let mut shares = vec![0.0; LONGEST];
+        for k in 0..walks.div_ceil(8) {
+            let mut dice = Dice::new(F32x8::of(k as f64), F32x8::from_lanes(|lane| lane as f64));
+            let bounces = vectorised(
+                #[inline(always)]
+                || walk.bounces(wo, [dice.throw(), dice.throw(), dice.throw()]),
+            );
+            for lane in 0..8 {
+                shares[bounces.lane(lane) as usize - 1] += 1.0 / (8 * walks.div_ceil(8)) as f64;
+            }
+        }
+        shares
+    }
+    match slopes {
+        Slopes::Ggx => count::<Ggx<F32x8>>(alpha, cos, walks),
+        Slopes::Beckmann => count::<Beckmann<F32x8>>(alpha, cos, walks),
     }
 }
 
