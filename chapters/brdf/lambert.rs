@@ -77,7 +77,7 @@ pub(super) const STEP: Step = step(
             "eon",
             "f_r",
             "of the rough one, straight back at θ = 60°",
-            { model("eon", &of).eval(way(1.047, 0.0), way(1.047, 0.0))[0] },
+            model("eon", &of).eval(way(1.047, 0.0), way(1.047, 0.0))[0],
             "1/sr",
         ),
         quantity(

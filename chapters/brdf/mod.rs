@@ -49,25 +49,3 @@ pub const FIGURES: Gallery = gallery(
         glass::EXHIBIT,
     ],
 );
-#[cfg(test)]
-mod scratch {
-    #[test]
-    fn all() {
-        for step in super::CHAPTER
-            .steps
-            .iter()
-            .filter(|step| std::env::var("STEP").is_ok_and(|only| only == step.id) || std::env::var("STEP").is_err())
-        {
-            for item in step.items() {
-                let setting = crate::parameter::Setting::defaults(step.parameters());
-                let begun = std::time::Instant::now();
-                let h = crate::judge::holds(item, &setting, item.id());
-                if matches!(item, crate::vocabulary::Item::Race(_)) {
-                    continue;
-                }
-                let f = crate::judge::can_fail(item, &setting, item.id());
-                println!("{}/{}: {h:?} {f:?} {:.1} s", step.id, item.id(), begun.elapsed().as_secs_f64());
-            }
-        }
-    }
-}

@@ -96,7 +96,8 @@ pub fn mirrored(direction: [f64; 3], normal: [f64; 3]) -> [f64; 3] {
 pub fn refracted(direction: [f64; 3], normal: [f64; 3], n_i: f64, n_t: f64) -> Option<[f64; 3]> {
     let across: f64 = direction.iter().zip(normal).map(|(d, n)| d * n).sum();
     let q = outgoing_root(normal_squared(Incidence::from_cos(across.abs().min(1.0)), n_i, n_t.into()));
-    let go_on = |axis: usize| (n_i * (direction[axis] - across * normal[axis]) + q.re.copysign(across) * normal[axis]) / n_t;
+    let go_on =
+        |axis: usize| (n_i * (direction[axis] - across * normal[axis]) + q.re.copysign(across) * normal[axis]) / n_t;
     (q.im == 0.0).then(|| std::array::from_fn(go_on))
 }
 

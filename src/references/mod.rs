@@ -3,6 +3,6 @@
 
 pub mod film;
 pub mod fresnel;
-pub mod radiometry;
 pub mod microfacet;
+pub mod radiometry;
 pub mod waves;

@@ -51,7 +51,8 @@ impl Teller<'_> {
         let also: Vec<_> = also.collect();
         let also = if also.is_empty() { String::new() } else { format!("; or {}", also.join(", ")) };
         let path = format!("{within}{}", input.name);
-        let with = input.only_with.map_or(String::new(), |(choice, words)| format!(", with {choice}={}", words.join(" or ")));
+        let with =
+            input.only_with.map_or(String::new(), |(choice, words)| format!(", with {choice}={}", words.join(" or ")));
         let note = format!("{note}{default}{also}{with}");
         let own = self.field(address, &path, input.symbol, input.kind.unit(), input.says, &note);
         let inner = fields.iter().flat_map(|field| self.input(address, &format!("{path}."), field));
