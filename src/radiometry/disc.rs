@@ -114,10 +114,8 @@ impl Seen {
 
     /// The same as a sum over strips across the lamp.
     fn strips(&self, low: &Rim, high: &Rim) -> f64 {
-        let (sine, power) = (2.0 * self.radius * self.height, self.power());
         let across = Strips {
-            opening: sine.atan2(power),
-            rest: sine.atan2(-power),
+            opening: (2.0 * self.radius * self.height).atan2(self.power()),
             low: low.distance / self.height,
             high: high.distance / self.height,
         };
@@ -144,9 +142,8 @@ struct Rim {
 /// at ±atan Y on both sides sends sin β (Y/(1 + Y²) + atan Y) dβ, and Y² = pq/h² sin u sin v if the lamp's rims, p and q away,
 /// are u farther up and v farther down. All of this is positive, so nothing cancels however low the lamp is.
 struct Strips {
-    /// The angle u + v between the rims, and π less that.
+    /// The angle u + v between the rims.
     opening: f64,
-    rest: f64,
     /// p/h and q/h.
     low: f64,
     high: f64,
@@ -178,8 +175,7 @@ impl Strips {
 
     /// Y at an angle from either rim.
     fn reach(&self, angle: f64) -> f64 {
-        let other = if self.rest < self.opening { self.rest + angle } else { self.opening - angle };
-        (self.low * angle.sin()).sqrt() * (self.high * other.sin()).sqrt()
+        (self.low * angle.sin()).sqrt() * (self.high * (self.opening - angle).sin()).sqrt()
     }
 }
 

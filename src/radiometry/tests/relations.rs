@@ -65,8 +65,10 @@ proptest! {
 
     #[test]
     fn neither_sense_nor_first_corner_nor_length_of_the_normal_matters(
-        seen in 0.01..1.0, first in 0..12_usize, factor in size(), lean in -1.0..1.0,
+        seen in 0.01..1.0, first in 0..12_usize, power in -9..9_i32, lean in -1.0..1.0,
     ) {
+        // A power of two, which rounds nothing: on the horizon the normal's last digit counts.
+        let factor = 2_f64.powi(power);
         let corners = comb(seen);
         let here = polygon::irradiance(&corners, [lean, 0.2, 1.0]).unwrap();
         let mut turned = corners.clone();
