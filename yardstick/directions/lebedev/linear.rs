@@ -22,19 +22,17 @@ pub fn solve(mut rows: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
     right
 }
 
-/// The x that brings `rows` · x closest to `right`, from orthogonal columns (Gram & Schmidt, twice against rounding).
+/// The x that brings `rows` · x closest to `right`, from orthogonal columns (Gram & Schmidt).
 pub fn least_squares(rows: &[Vec<f64>], right: &[f64]) -> Vec<f64> {
     let terms = rows.first().map_or(0, Vec::len);
     let mut columns: Vec<Vec<f64>> = vec![];
     let mut upper = vec![vec![0.0; terms]; terms];
     for at in 0..terms {
         let mut column: Vec<f64> = rows.iter().map(|row| row[at]).collect();
-        for _ in 0..2 {
-            for (before, done) in columns.iter().enumerate() {
-                let share = dot(done, &column);
-                upper[before][at] += share;
-                column.iter_mut().zip(done).for_each(|(entry, over)| *entry -= share * over);
-            }
+        for (before, done) in columns.iter().enumerate() {
+            let share = dot(done, &column);
+            upper[before][at] = share;
+            column.iter_mut().zip(done).for_each(|(entry, over)| *entry -= share * over);
         }
         upper[at][at] = dot(&column, &column).sqrt();
         column.iter_mut().for_each(|entry| *entry /= upper[at][at]);

@@ -36,15 +36,11 @@ pub fn lebedev(level: usize) -> Rule {
     orbits.iter().flat_map(weighted).collect()
 }
 
-/// The net of `level`: (p, q, r) with p + q + r = 3 level that agree modulo 3.
+/// The net of `level`: (p, q, r) with p + q + r = 3 level that agree modulo 3; if two do, so does the third.
 fn net(level: usize) -> Vec<Orbit> {
     let sum = 3 * level;
     let places = (0..=sum / 2).flat_map(|q| (0..=q).map(move |r| (q, r))).filter(|(q, r)| 2 * q + r <= sum);
-    places
-        .map(|(q, r)| [sum - q - r, q, r])
-        .filter(|[p, q, r]| p % 3 == q % 3 && q % 3 == r % 3)
-        .map(Orbit::new)
-        .collect()
+    places.map(|(q, r)| [sum - q - r, q, r]).filter(|[p, q, _]| p % 3 == q % 3).map(Orbit::new).collect()
 }
 
 /// The rule of `level`, by Newton's iteration from its net, stretched to `shape`, until rounding stops it.
