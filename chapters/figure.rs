@@ -306,6 +306,46 @@ pub enum Ramp {
     Diverging,
 }
 
+impl Picture {
+    /// Of `width` pixels a row, in linear radiance.
+    pub fn new(title: impl Into<String>, width: usize, pixels: Vec<[f32; 3]>) -> Self {
+        Self { title: title.into(), width, pixels }
+    }
+
+    /// Brighter by so many stops, each a factor of two; the caption says so.
+    pub fn exposed(mut self, stops: f32) -> Self {
+        let factor = stops.exp2();
+        self.pixels.iter_mut().for_each(|pixel| *pixel = pixel.map(|part| part * factor));
+        self.title = format!("{}, {stops:+} stops", self.title);
+        self
+    }
+
+    /// Where this differs from a `reference` of the same size and by how much, in false colours: the difference of
+    /// luminance (ITU-R BT.709), in the unit of the pixels. The range is even about zero and holds all of it.
+    ///
+    /// # Panics
+    /// If the two differ in size.
+    pub fn errors(&self, reference: &Self, title: impl Into<String>) -> Map {
+        assert!(self.width == reference.width && self.pixels.len() == reference.pixels.len(), "pictures of one size");
+        let luminance = |[r, g, b]: [f32; 3]| f64::from(0.2126 * r + 0.7152 * g + 0.0722 * b);
+        let off = |(one, other): (&[f32; 3], &[f32; 3])| luminance(*one) - luminance(*other);
+        let by_rows: Vec<f64> = self.pixels.iter().zip(&reference.pixels).map(off).collect();
+        let most = by_rows.iter().filter(|off| off.is_finite()).fold(f64::MIN_POSITIVE, |most, off| most.max(off.abs()));
+        let rows = by_rows.len() / self.width.max(1);
+        Map {
+            title: title.into(),
+            x: Axis::bare(0.0, self.width as f64),
+            y: Axis::bare(0.0, rows as f64),
+            colour: Axis::linear("error of luminance", "").range(-most, most),
+            ramp: Ramp::Diverging,
+            columns: self.width,
+            // A map begins at the bottom, a picture at the top.
+            values: by_rows.chunks(self.width.max(1)).rev().flatten().copied().collect(),
+            marks: Vec::new(),
+        }
+    }
+}
+
 /// A picture in linear radiance (sRGB primaries), row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
@@ -315,4 +355,23 @@ pub struct Picture {
     pub width: usize,
     /// Linear red, green and blue of each pixel; 1 is display white.
     pub pixels: Vec<[f32; 3]>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stop_is_a_factor_of_two() {
+        let picture = Picture::new("a", 1, vec![[0.25, 0.5, 1.0]]).exposed(-1.0);
+        assert_eq!((picture.pixels[0], picture.title.as_str()), ([0.125, 0.25, 0.5], "a, -1 stops"));
+    }
+
+    #[test]
+    fn errors_are_signed_and_upright() {
+        let grey = |top: f32, bottom: f32| Picture::new("", 1, vec![[top; 3], [bottom; 3]]);
+        let map = grey(0.5, 1.0).errors(&grey(0.5, 0.75), "off");
+        assert!((map.values[0] - 0.25).abs() < 1e-7 && map.values[1] == 0.0, "{:?}", map.values);
+        assert_eq!((map.columns, map.colour.range), (1, Some((-map.values[0], map.values[0]))));
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::models::{ALBEDO, ROUGHNESS, made_from, model, way};
 use super::symbols::{E, F_R, K, RHO, THETA_O};
-use crate::figure::{Axis, Chart, Hue, Panel, Picture, Plot};
+use crate::figure::{Axis, Chart, Hue, Picture, Plot};
 use crate::parameter::Setting;
 use crate::vocabulary::{
     Answer, Bench, Check, Exhibit, Measured, Misled, Quantity, Step, check, derivation, exhibit, figure, question,
@@ -222,15 +222,13 @@ fn spheres(setting: &Setting) -> Plot {
             // White paper facing the lamp is display white.
             surface.eval(wi, wo).map(|f| (PI * f * wi.z.max(0.0)) as f32)
         };
-        let pixels = (0..SIDE * SIDE).map(pixel).collect();
-        Panel::Picture(Picture { title: title.into(), width: SIDE, pixels })
+        Picture::new(title, SIDE, (0..SIDE * SIDE).map(pixel).collect())
     };
-    let panels = vec![
-        ball("lambert", "Lambert"),
-        ball("eon", "rough, its energy kept"),
-        ball("oren-nayar", "rough, as textbooks have it"),
-    ];
-    Plot::grid(format!("Balls of albedo {}, roughness {}", of.albedo[0], of.roughness), 3, panels)
+    let (plain, kept) = (ball("lambert", "Lambert"), ball("eon", "rough, its energy kept"));
+    let printed = ball("oren-nayar", "rough, as textbooks have it");
+    let errors = printed.errors(&kept, "the textbook's less the other");
+    let panels = vec![plain.into(), kept.into(), printed.into(), errors.into()];
+    Plot::grid(format!("Balls of albedo {}, roughness {}", of.albedo[0], of.roughness), 2, panels)
 }
 
 /// A direction as seen from a surface of a unit normal.

@@ -227,13 +227,13 @@ pub(super) fn display([r, g, b]: [f64; 3]) -> [f32; 3] {
 
 fn swatches(_: &Setting) -> Plot {
     const SIDE: usize = 72;
-    let swatch = |name: &str| {
+    let swatch = |name: &str| -> Panel {
         let of = bsdf::Setting { metal: metal(name), ..bsdf::Setting::default() };
         let surface = model("conductor", &of);
         let at = |theta: f64| display(surface.sample(way(theta, 0.0), [0.5; 3]).weight);
         let (face_on, grazing) = (at(1e-3), at(85_f64.to_radians()));
         let pixels = (0..SIDE * SIDE).map(|at| if at / SIDE < SIDE * 3 / 4 { face_on } else { grazing }).collect();
-        Panel::Picture(Picture { title: name.to_owned(), width: SIDE, pixels })
+        Picture::new(name, SIDE, pixels).into()
     };
     Plot::grid("Polished metals", 6, METALS.iter().map(|name| swatch(name)).collect())
 }

@@ -227,5 +227,5 @@ fn picture(radiance: impl Fn(Ray) -> DVec3) -> Panel {
         (rays.sum::<DVec3>() / (RAYS * RAYS) as f64).as_vec3().to_array()
     };
     let pixels = (0..SIZE * SIZE).map(|at| pixel(at % SIZE, at / SIZE)).collect();
-    Panel::Picture(Picture { title: String::new(), width: SIZE, pixels })
+    Picture::new(String::new(), SIZE, pixels).into()
 }

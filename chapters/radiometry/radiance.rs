@@ -233,7 +233,7 @@ fn seen(law: Law, aside: f64) -> f64 {
 
 fn balls(_: &Setting) -> Plot {
     const SIDE: usize = 160;
-    let ball = |law: Law| {
+    let ball = |law: Law| -> Panel {
         let pixel = |at: usize| {
             let place = |at: usize| (at as f64 + 0.5) / SIDE as f64 * 2.4 - 1.2;
             let aside = place(at % SIDE).hypot(place(at / SIDE));
@@ -252,7 +252,7 @@ fn balls(_: &Setting) -> Plot {
             [bright as f32; 3]
         };
         let pixels = (0..SIDE * SIDE).map(pixel).collect();
-        Panel::Picture(Picture { title: law.name().into(), width: SIDE, pixels })
+        Picture::new(law.name(), SIDE, pixels).into()
     };
     Plot::grid("A ball of one exitance, its elements sending", 3, Law::ALL.map(ball).into())
 }
