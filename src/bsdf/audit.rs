@@ -4,9 +4,10 @@
 use super::fresnel::dielectric;
 use super::microfacet::{Beckmann, Distribution, Ggx, Slopes, visible_density};
 use super::rough_dielectric::{Side, held_off_one, reflected, refracted};
+use super::rules::golden;
 use super::{Bsdf, Setting};
 use crate::number::{Mask, Number, Vector};
-use std::f64::consts::{GOLDEN_RATIO, TAU};
+use std::f64::consts::TAU;
 use yardstick::random::{Stream, stream, uniform};
 use yardstick::statistics::{LEAST_EXPECTED, Moments, chi_square};
 
@@ -182,8 +183,8 @@ fn mean(f: impl Fn([f64; 2]) -> f64, bin: usize) -> f64 {
     let points = if most > 1.02 * least { 96 * 96 } else { 16 };
     let mut sum = 0.0;
     for k in 0..points {
-        let k = k as f64;
-        sum += at(place((k + 0.5) / points as f64, 0), place((k / GOLDEN_RATIO).fract(), 1));
+        let [x, y] = golden(k, points);
+        sum += at(place(x, 0), place(y, 1));
     }
     sum / (points * SIDE * SIDE) as f64
 }
@@ -200,7 +201,7 @@ pub fn reciprocity(model: &dyn Bsdf<f64>, wo: Vector<f64>, draws: u64, address: 
         if sample.pdf > 0.0 {
             let (there, back) = (model.eval(sample.wi, wo)[0], model.eval(wo, sample.wi)[0] * sample.compression);
             let off = (back / there - 1.0).abs();
-            if !(off <= worst.0) && !(there == 0.0 && back == 0.0) {
+            if (off > worst.0 || off.is_nan()) && (there, back) != (0.0, 0.0) {
                 worst = (off, sample.wi);
             }
         }

@@ -7,6 +7,7 @@ use crate::bsdf::fresnel::Conductor;
 use crate::bsdf::losses::Losses;
 use crate::bsdf::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes};
 use crate::bsdf::rough_dielectric::RoughDielectric;
+use crate::bsdf::rules::golden;
 use crate::bsdf::walk::{Glass, Walk, orders};
 use crate::bsdf::{Bsdf, Energy, Setting, zoo};
 use crate::number::{Number, Vector};
@@ -145,8 +146,7 @@ fn tables_hold_to_a_thousandth() {
         for cos in [0.02, 0.1, 0.4, 0.72, 0.78, 1.0].into_iter().flat_map(|cos| [cos, -cos]) {
             let wo = direction(cos, 0.0);
             let points = 100_000;
-            let at = |k: usize| [(k as f64 + 0.5) / points as f64, (k as f64 / std::f64::consts::GOLDEN_RATIO).fract()];
-            let energy = (0..points).map(|k| glass.energy(wo, at(k))).sum::<f64>() / points as f64;
+            let energy = (0..points).map(|k| glass.energy(wo, golden(k, points))).sum::<f64>() / points as f64;
             let off = (sides[usize::from(cos < 0.0)].at(wo) - (1.0 - energy)).abs();
             assert!(off <= 1e-3, "α {alpha} μ {cos}: {off}");
         }
