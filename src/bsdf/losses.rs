@@ -10,8 +10,9 @@ use super::fresnel::Conductor;
 use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes, stretched2};
 use super::rough_conductor::RoughConductor;
 use super::rough_dielectric::RoughDielectric;
+use super::rules::golden;
 use crate::number::{F32x8, Number, Vector, vectorised};
-use std::f64::consts::{GOLDEN_RATIO, TAU};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// 1 − E [1] by direction, of one side of a surface: to 1e−4 for metal, 5e−4 for glass.
@@ -86,9 +87,8 @@ impl Losses {
         let facets = if azimuths == 1 { FACETS } else { FEWER_FACETS };
         let lattice: Vec<[F32x8; 2]> = (0..facets / 8)
             .map(|k| {
-                let at = |lane| (8 * k + lane) as f64;
-                let across = F32x8::from_lanes(|lane| (at(lane) / GOLDEN_RATIO).fract());
-                [F32x8::from_lanes(|lane| (at(lane) + 0.5) / facets as f64), across]
+                let part = |axis: usize| F32x8::from_lanes(|lane| golden(8 * k + lane, facets)[axis]);
+                [part(0), part(1)]
             })
             .collect();
         let loss = |node: usize| {

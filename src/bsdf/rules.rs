@@ -41,6 +41,13 @@ pub fn tanh_sinh(n: usize) -> Vec<Node> {
     (0..n).map(node).collect()
 }
 
+/// The `k`-th of `n` points of the square whose second coordinates step by the golden section: sums over them see no rows,
+/// and converge faster than a grid's across edges.
+pub fn golden(k: usize, n: usize) -> [f64; 2] {
+    const INVERSE: f64 = 0.618_033_988_749_894_8;
+    [(k as f64 + 0.5) / n as f64, (k as f64 * INVERSE).fract()]
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Node, fejer, tanh_sinh};

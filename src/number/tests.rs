@@ -139,8 +139,8 @@ proptest! {
         }
         let turns = a.0.map(unit);
         let (sin, cos) = sin_cos_turns(Eight(turns));
-        for lane in 0..8 {
-            prop_assert_eq!((sin.0[lane], cos.0[lane]), sin_cos_turns(turns[lane]));
+        for (lane, turns) in turns.into_iter().enumerate() {
+            prop_assert_eq!((sin.0[lane], cos.0[lane]), sin_cos_turns(turns));
         }
     }
 }

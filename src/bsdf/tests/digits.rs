@@ -24,7 +24,7 @@ fn worst<N: Number, D: Distribution<N>>(slopes: Slopes) -> [(f64, String); 3] {
                 let tiny = exact[k] < yardstick::precise::real(1e-36);
                 let error = relative_error(ours[k].lane(0), &exact[k]);
                 let ratio = error / (N::EPSILON * (1.0 + conditions[k]));
-                if !tiny && !(ratio <= worst[k].0) {
+                if !tiny && (ratio > worst[k].0 || ratio.is_nan()) {
                     worst[k] = (ratio, format!("{} α {alpha} w {w:?}: {}", NAMES[k], ours[k].lane(0)));
                 }
             }
