@@ -330,7 +330,8 @@ impl Picture {
         let luminance = |[r, g, b]: [f32; 3]| f64::from(0.2126 * r + 0.7152 * g + 0.0722 * b);
         let off = |(one, other): (&[f32; 3], &[f32; 3])| luminance(*one) - luminance(*other);
         let by_rows: Vec<f64> = self.pixels.iter().zip(&reference.pixels).map(off).collect();
-        let most = by_rows.iter().filter(|off| off.is_finite()).fold(f64::MIN_POSITIVE, |most, off| most.max(off.abs()));
+        let most =
+            by_rows.iter().filter(|off| off.is_finite()).fold(f64::MIN_POSITIVE, |most, off| most.max(off.abs()));
         let rows = by_rows.len() / self.width.max(1);
         Map {
             title: title.into(),
