@@ -216,9 +216,9 @@ fn directions(setting: &Setting) -> Plot {
     let diagram = Diagram::new("", [-1.7, -0.35], [1.7, 1.5])
         .with(Part::surface([-1.6, 0.0], [1.6, 0.0], Behind::Hatched))
         .with(Part::line([0.0; 2], [0.0, 1.35]).dash(Dash::Dashed).hue(Hue::Reference).label("n"))
-        .with(Part::ray_with_heads(from, [0.0; 2], &[0.5]).hue(Hue::P).label("L_{in} dω_i"))
+        .with(Part::ray_with_heads(from, [0.0; 2], &[0.5]).hue(Hue::P).label("L_{in}"))
         .with(Part::vector(ray(-theta, 0.0), ray(-theta, 0.55)).label("ω_i"))
-        .with(Part::ray_with_heads([0.0; 2], to, &[0.75]).hue(Hue::Ours).label("dL_r"))
+        .with(Part::ray_with_heads([0.0; 2], to, &[0.75]).hue(Hue::Ours).label("L_r"))
         .with(Part::vector([0.0; 2], ray(0.55, 0.55)).label("ω_o"))
         .with(Part::arc([0.0; 2], 0.35, FRAC_PI_2, FRAC_PI_2 + theta).label("θ_i"))
         .with(Part::arc([0.0; 2], 0.45, FRAC_PI_2 - 0.55, FRAC_PI_2).label("θ_o"));

@@ -27,7 +27,7 @@ use yardstick::random::{stream, uniform};
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "glass",
-    &[INDEX, SLOPES, ALPHA, THETA],
+    &[INDEX, SLOPES, ALPHA.default("0.6"), THETA],
     &[
         figure(
             "lobes",
@@ -36,7 +36,7 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
         ),
         figure(
             "shares",
-            "What one event at a surface of glass sends on, by three kinds of masking, beside the walk.",
+            "What one event at a surface of glass sends on, by two kinds of masking, beside the walk.",
             shares,
         ),
     ],
@@ -290,7 +290,7 @@ fn shares(setting: &Setting) -> Plot {
     let chart = Chart::new(
         "",
         Axis::linear("angle of the view θ_o", "°").range(0.0, 90.0).tick(15.0),
-        Axis::linear("sent on by one event", "").range(0.0, 1.05),
+        Axis::linear("sent on by one event", ""),
     )
     .line(Hue::Ours, "Euler's Beta through the surface", event(Joint::Correlated))
     .line(Hue::Textbook, "either side by itself", event(Joint::Separable))

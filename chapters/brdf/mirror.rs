@@ -239,5 +239,5 @@ fn swatches(_: &Setting) -> Plot {
         let pixels = (0..SIDE * SIDE).map(|at| if at / SIDE < SIDE * 3 / 4 { face_on } else { grazing }).collect();
         Picture::new(name, SIDE, pixels).into()
     };
-    Plot::grid("Polished metals", 6, METALS.iter().map(|name| swatch(name)).collect())
+    Plot::grid("Polished metals", 6, METALS.iter().filter(|name| **name != "white").map(|name| swatch(name)).collect())
 }
