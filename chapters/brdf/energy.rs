@@ -7,7 +7,7 @@ use super::sampling::energy as mean_weight;
 use crate::figure::{Axis, Chart, Hue, Map, Panel, Picture, Plot, Ramp};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Heat, Measured, Misled, Quantity, Race, Step, check, exhibit, figure, lane,
+    Answer, Bench, Check, Exhibit, Heat, Judge, Measured, Misled, Quantity, Race, Step, check, exhibit, figure, lane,
     question, race, statement, step,
 };
 use equation::Equation;
@@ -51,11 +51,11 @@ pub(super) const STEP: Step = step(
     "Light that meets a second facet is lost to a model of one bounce, up to two thirds of it; a second lobe gives it back.",
 )
 .rows(&["C17"])
-.statements(&[statement("furnace", "in a room of one radiance: what leaves over what arrives, in all", || {
+.statements(&[statement("room", "in a room of one radiance: what leaves over what arrives, in all", || {
     Equation::new(L_R, IRRADIANCE * integral(F_R * cos(THETA_I), [OMEGA_I.into()], Range::Whole))
 })])
 .questions(&[question(
-    "lost",
+    "how_much",
     "White metal of roughness α = 1 (GGX), seen along its normal. Which share of the light does one bounce lose?",
     Answer::Number {
         unit: "1",
@@ -197,7 +197,7 @@ const WALK: Check<fn(&str) -> &str> =
         .slip("one bounce", |name| if name.starts_with("cond") { "rough-conductor" } else { "rough-dielectric" });
 
 const COLOUR: Check<fn(&str) -> &str> =
-    check("colour", "the compensation is within a few per cent of the walk's colour, never at a loss")
+    check("colours", "the compensation is within a few per cent of the walk's colour, never at a loss")
         .against("the walk's mean over 20 000, for gold in three channels")
         .within(
             0.06,
@@ -227,7 +227,7 @@ const COLOUR: Check<fn(&str) -> &str> =
 const RACED: (f64, f64) = (0.3, 0.3);
 
 /// The error of an albedo.
-fn wrong() -> Box<dyn Fn(&[f64]) -> f64> {
+fn wrong() -> Judge {
     let exact = Rule::new(&Ggx::new([RACED.0; 2]), 200, 200).albedo(RACED.1, |_| 1.0);
     Box::new(move |found| (found[0] - exact).abs())
 }
@@ -248,7 +248,7 @@ fn by_points(bench: &mut Bench, work: u64, points: Points) -> Heat {
 }
 
 const ALBEDO: Race =
-    race("albedo", "the albedo: weights by chance, by Sobol's points, and a rule in coordinates made for it")
+    race("by_rules", "the albedo: weights by chance, by Sobol's points, and a rule in coordinates made for it")
         .work("facets")
         .error("error of E", "|ΔE| at α = 0.3 and cos θ = 0.3 (GGX), rms over 16 seeds, against 200 × 200 nodes")
         .lanes(&[

@@ -198,7 +198,10 @@ fn shadow(_: &mut Bench, weight: fn(Vector<f64>) -> f64) -> Measured {
     )
 }
 
-const SEEN: Check<fn(Slopes, f64, Vector<f64>) -> f64> = check(
+/// What is seen of facets: their slopes, α and the view.
+type Seen = fn(Slopes, f64, Vector<f64>) -> f64;
+
+const SEEN: Check<Seen> = check(
     "seen",
     "the facets that face the view, each as it is seen, are as large as cos θ (1 + Λ) says",
 )
@@ -225,7 +228,10 @@ fn facing(_: &mut Bench, area: fn(Slopes, f64, Vector<f64>) -> f64) -> Measured 
     }))
 }
 
-const SIDES: Check<fn(&Ggx<f64>, Vector<f64>) -> f64> = check(
+/// The same of GGX's facets, from anywhere.
+type SeenOf = fn(&Ggx<f64>, Vector<f64>) -> f64;
+
+const SIDES: Check<SeenOf> = check(
     "below",
     "seen from below the surface, facets that look down are hidden by as much as those above: h is even in z",
 )

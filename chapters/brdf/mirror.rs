@@ -166,7 +166,10 @@ fn smoother(_: &mut Bench, factor: fn(f64) -> f64) -> Measured {
     Measured::new(order::slope(&points).unwrap_or(f64::NAN), "α from 0.075 to 0.0023, at θ = 40°", points.len())
 }
 
-const POLISHED: Check<fn(&dyn Bsdf<f64>, Vector<f64>) -> [f64; 3]> =
+/// What a surface reflects of light to a direction, in three channels.
+type Reflecting = fn(&dyn Bsdf<f64>, Vector<f64>) -> [f64; 3];
+
+const POLISHED: Check<Reflecting> =
     check("metals", "polished metal reflects as Fresnel's equations for its index say, in all three channels")
         .rows(&["E50", "C17"])
         .against("R_n of chapter fresnel, which adds complex amplitudes")

@@ -262,19 +262,26 @@ const STRATEGIES: Race = race(
     .order(0.5, 0.15),
 ]);
 
+/// A surface, the view, and where the light that it draws comes from.
+struct Directions {
+    surface: Box<dyn Bsdf<f64>>,
+    wo: Vector<f64>,
+    found: Vec<Vector<f64>>,
+}
+
 /// Directions of the setting's model, and the view.
-fn directions(setting: &Setting, count: usize) -> (Box<dyn Bsdf<f64>>, Vector<f64>, Vec<Vector<f64>>) {
+fn directions(setting: &Setting, count: usize) -> Directions {
     let (surface, wo) = (chosen(setting), way(setting.number("theta").min(1.55), PI));
     let mut dice = stream(0, "brdf/sampling/points");
     let mut throw = || [(); 3].map(|()| uniform(&mut dice, 0.0, 1.0));
     let found =
         (0..count).map(|_| surface.sample(wo, throw())).filter(|drawn| drawn.weight[0] > 0.0).map(|drawn| drawn.wi);
     let found = found.collect();
-    (surface, wo, found)
+    Directions { surface, wo, found }
 }
 
 fn points(setting: &Setting) -> Plot {
-    let (surface, wo, found) = directions(setting, 1500);
+    let Directions { surface, wo, found } = directions(setting, 1500);
     let rim = || {
         Part::curve((0..=120).map(|at| TAU * f64::from(at) / 120.0).map(|t| [t.cos(), t.sin()]).collect())
             .hue(Hue::Reference)

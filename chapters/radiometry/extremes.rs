@@ -173,6 +173,9 @@ pub(super) fn factors() -> Vec<Extreme> {
     sizes.into_iter().flat_map(each).collect()
 }
 
+/// A distance, the exact value there, the textbook's and the program's.
+type Kept = (f64, Exact, f64, f64);
+
 /// Digits kept over the distance, by textbook and program: a disc beside its axis, a sphere half below the horizon, a
 /// square turned aside.
 pub(super) fn digits_kept(_: &Setting) -> Plot {
@@ -193,11 +196,10 @@ pub(super) fn digits_kept(_: &Setting) -> Plot {
         (exact::polygon(&corners, [0.0, 0.0, 1.0]), textbook::polygon(&corners, [0.0, 0.0, 1.0]), found)
     };
     let panel = |title: &str, of: &dyn Fn(f64) -> (Exact, f64, f64), first: bool| {
-        let found: Vec<(f64, Exact, f64, f64)> =
-            distances().map(|x| (x, of(x))).map(|(x, (e, t, o))| (x, e, t, o)).collect();
+        let found: Vec<Kept> = distances().map(|x| (x, of(x))).map(|(x, (e, t, o))| (x, e, t, o)).collect();
         let kept = |value: f64, exact: &Exact| digits(precise::relative_error(value, &exact.value));
         let name = |name: &str| if first { name.to_owned() } else { String::new() };
-        let points = |hue, shape, label: &str, value: &dyn Fn(&(f64, Exact, f64, f64)) -> f64| Mark::Points {
+        let points = |hue, shape, label: &str, value: fn(&Kept) -> f64| Mark::Points {
             label: name(label),
             hue,
             shape,
@@ -211,8 +213,8 @@ pub(super) fn digits_kept(_: &Setting) -> Plot {
             Axis::linear("digits kept", "").range(0.0, 16.5).tick(4.0),
         )
         .dashed(Hue::Reference, name("what the condition number leaves"), owed)
-        .with(points(Hue::Textbook, Shape::Cross, "as textbooks print it", &|at| at.2))
-        .with(points(Hue::Ours, Shape::Disc, "the program", &|at| at.3))
+        .with(points(Hue::Textbook, Shape::Cross, "as textbooks print it", |at| at.2))
+        .with(points(Hue::Ours, Shape::Disc, "the program", |at| at.3))
         .into()
     };
     Plot::grid(

@@ -60,7 +60,7 @@ pub(super) const STEP: Step = step(
     }),
 ])
 .questions(&[question(
-    "sky",
+    "level_ground",
     "A whole hemisphere of sky has the radiance 100 W/(sr m²). What arrives on level ground?",
     Answer::Number {
         unit: "W/m²",

@@ -4,8 +4,8 @@ use crate::diagram::{Diagram, Part};
 use crate::figure::{Hue, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Heat, Lane, Measured, Quantity, Race, Step, check, choice, exhibit, figure, lane,
-    question, race, step,
+    Answer, Bench, Check, Exhibit, Heat, Judge, Lane, Measured, Quantity, Race, Step, check, choice, exhibit, figure,
+    lane, question, race, step,
 };
 use light::radiometry::rectangle::corner;
 use std::f64::consts::{PI, TAU};
@@ -248,7 +248,7 @@ fn sent([u, v]: [f64; 2]) -> f64 {
 }
 
 /// The relative error, against a rule that has converged.
-fn wrong() -> Box<dyn Fn(&[f64]) -> f64> {
+fn wrong() -> Judge {
     let nodes = gauss_legendre(40);
     let exact: f64 = nodes.iter().map(|(u, a)| a * nodes.iter().map(|(v, b)| b * sent([*u, *v])).sum::<f64>()).sum();
     Box::new(move |found| (found[0] / exact - 1.0).abs())

@@ -239,13 +239,8 @@ fn balls(_: &Setting) -> Plot {
             let aside = place(at % SIDE).hypot(place(at / SIDE));
             let bright = match law {
                 // All of the flux that is seen comes from within a pixel or two of the middle.
-                Law::Normal => {
-                    if aside < 2.4 / SIDE as f64 {
-                        1.0
-                    } else {
-                        0.0
-                    }
-                }
+                Law::Normal if aside < 2.4 / SIDE as f64 => 1.0,
+                Law::Normal => 0.0,
                 _ if aside < 1.0 => 0.6 * PI * seen(law, aside),
                 _ => 0.0,
             };

@@ -162,7 +162,7 @@ pub(super) const STEP: Step = step(
     stress("polygons", "polygons far away, edge-on and on the horizon keep theirs", |_| extremes::polygons())
         .textbook("Lambert's sum with arc cosines")
         .against("Lambert's sum in 512 bits and more"),
-    stress("factors", "upright corners and form factors from a millionth to a million of the distance", |_| {
+    stress("catalogue", "upright corners and form factors from a millionth to a million of the distance", |_| {
         extremes::factors()
     })
     .textbook("Howell's catalogue as printed")
