@@ -70,7 +70,7 @@ pub(super) const STEP: Step = step(
 )])
 .readout(|setting| {
     let (of, wo) = (made_from(setting), way(setting.number("theta").min(FRAC_PI_2 - 1e-6), 0.0));
-    let mean = |name: &str| mean_weight(model(name, &of).as_ref(), wo, 40_000, "brdf/energy/readout").mean();
+    let mean = |name: &str| mean_weight(model(name, &of).as_ref(), wo, 20_000, "brdf/energy/readout").mean();
     let quantity = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
     let (single, given_back, walked) = (mean("rough-conductor"), mean("conductor-compensated"), mean("conductor-walk"));
     vec![
@@ -78,7 +78,7 @@ pub(super) const STEP: Step = step(
         quantity("single", "E_1", "returned by the metal set, red: one bounce", single),
         quantity("compensated", "E_c", "with its losses given back", given_back),
         quantity("walk", "E_w", "every bounce walked", walked),
-        quantity("colour", "E_c − E_w", "what the compensation gets wrong, and the noise of 40 000 walks", given_back - walked),
+        quantity("colour", "E_c − E_w", "what the compensation gets wrong, and the noise of 20 000 walks", given_back - walked),
     ]
 })
 .checks(&[&QUADRATURE, &LOST, &WHITE, &WALK, &COLOUR])
@@ -275,7 +275,7 @@ const ALBEDO: Race =
         ]);
 
 fn albedos(setting: &Setting) -> Plot {
-    const CELLS: usize = 40;
+    const CELLS: usize = 24;
     let slopes = made_from(setting).slopes;
     let place = |at: usize| (at as f64 + 0.5) / CELLS as f64;
     let map = |title: &str, value: &dyn Fn(f64, f64) -> f64| {
@@ -316,11 +316,11 @@ fn albedos(setting: &Setting) -> Plot {
 }
 
 /// Pixels of a ball.
-const SIDE: usize = 56;
+const SIDE: usize = 48;
 
-/// A ball lit by a white room, each pixel by the same 32 directions.
+/// A ball lit by a white room, each pixel by the same 16 directions.
 fn ball(surface: &dyn Bsdf<f64>, title: String, colour: impl Fn([f64; 3]) -> [f32; 3], room: [f32; 3]) -> Panel {
-    let points = Points::Sobol.draw(32, &mut stream(0, "brdf/energy/ball"));
+    let points = Points::Sobol.draw(16, &mut stream(0, "brdf/energy/ball"));
     let pixel = |at: usize| {
         let place = |at: usize| (at as f64 + 0.5) / SIDE as f64 * 2.3 - 1.15;
         let (x, y) = (place(at % SIDE), -place(at / SIDE));
@@ -333,7 +333,7 @@ fn ball(surface: &dyn Bsdf<f64>, title: String, colour: impl Fn([f64; 3]) -> [f3
         for (at, [u, v]) in points.iter().enumerate() {
             let third = (f64::from(at as u32) * 0.618_033_988_749_895 + 0.5 * u).fract();
             let drawn = surface.sample(wo, [*u, *v, third]);
-            sum = [0, 1, 2].map(|c| sum[c] + drawn.weight[c] / drawn.compression / 32.0);
+            sum = [0, 1, 2].map(|c| sum[c] + drawn.weight[c] / drawn.compression / 16.0);
         }
         colour(sum)
     };
@@ -362,7 +362,7 @@ fn colour(setting: &Setting) -> Plot {
     let wo = way(0.6, 0.0);
     let curve = |name: &str| -> Vec<[f64; 2]> {
         alphas()
-            .map(|alpha| [alpha, mean_weight(model(name, &of(alpha)).as_ref(), wo, 4_000, "brdf/energy/colour").mean()])
+            .map(|alpha| [alpha, mean_weight(model(name, &of(alpha)).as_ref(), wo, 2_000, "brdf/energy/colour").mean()])
             .collect()
     };
     let chart =

@@ -80,7 +80,7 @@ pub(super) const STEP: Step = step(
 .readout(|setting| {
     let (of, theta) = (made_from(setting), setting.number("theta").min(FRAC_PI_2 - 1e-6));
     let quantity = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
-    let share = |name: &str, wo: Vector<f64>| super::sampling::energy(model(name, &of).as_ref(), wo, 20_000, "brdf/glass/readout").mean();
+    let share = |name: &str, wo: Vector<f64>| super::sampling::energy(model(name, &of).as_ref(), wo, 10_000, "brdf/glass/readout").mean();
     vec![
         quantity("polished", "R", "reflected by polished glass", dielectric(theta.cos(), of.index).reflectance),
         quantity("outside", "E", "sent on by one event of rough glass, seen from outside", share("rough-dielectric", way(theta, 0.0))),
@@ -272,7 +272,7 @@ fn shares(setting: &Setting) -> Plot {
             .map(|x| {
                 [
                     x,
-                    super::sampling::energy(surface.as_ref(), way(x.to_radians(), 0.4), 8000, "brdf/glass/shares")
+                    super::sampling::energy(surface.as_ref(), way(x.to_radians(), 0.4), 3000, "brdf/glass/shares")
                         .mean(),
                 ]
             })
@@ -284,7 +284,7 @@ fn shares(setting: &Setting) -> Plot {
         .map(|x| {
             let wo = way(x.to_radians(), 0.4);
             let mut throw = || [(); 3].map(|()| uniform(&mut dice, 0.0, 1.0));
-            [x, (0..8000).filter(|_| walk.bounces(wo, throw()) == 1.0).count() as f64 / 8000.0]
+            [x, (0..3000).filter(|_| walk.bounces(wo, throw()) == 1.0).count() as f64 / 3000.0]
         })
         .collect();
     let chart = Chart::new(

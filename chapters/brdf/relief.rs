@@ -287,7 +287,7 @@ fn angles(directions: impl Iterator<Item = (Vector<f64>, f64)>, count: f64) -> V
 
 fn lobes(setting: &Setting) -> Plot {
     let (alpha, theta) = (setting.number("alpha"), setting.number("theta").min(STEEPEST));
-    let count = 60_000;
+    let count = 30_000;
     let wi = way(theta, PI);
     let mut dice = stream(0, "brdf/relief/lobes");
     let points = Points::Stratified.draw(count, &mut dice);
@@ -322,7 +322,7 @@ fn single(setting: &Setting) -> Plot {
     };
     let mut dice = stream(0, "brdf/relief/single");
     let traced = |relief: &Relief, dice: &mut Stream| -> Vec<[f64; 2]> {
-        angles.map(|x| [x, one_bounce(relief, x.to_radians(), 10_000, dice)]).to_vec()
+        angles.map(|x| [x, one_bounce(relief, x.to_radians(), 4_000, dice)]).to_vec()
     };
     let gaussian = traced(&rough(alpha), &mut dice);
     let mut throw = stream(0, "brdf/relief/ggx");
