@@ -140,7 +140,7 @@ fn both_ways(bench: &mut Bench, squared: fn(f64) -> f64) -> Measured {
 }
 
 const ENERGY: Check<fn(f64) -> f64> =
-    check("energy", "no model that promises it returns more than it gets, wherever the light comes from")
+    check("energy", "no model that promises it returns more than it gets, seen from outside")
         .rows(&["E45"])
         .against("1, against the integral of f_r cos θ over the hemisphere (and below it) by a product rule")
         .within(1e-3, "1", "80 × 160 directions on lobes of α = 0.3, which end with a bend at the horizon")
@@ -167,7 +167,7 @@ fn returned(_: &mut Bench, weight: fn(f64) -> f64) -> Measured {
     Measured::worst(cases)
 }
 
-/// What comes from a direction and from its image below, radiance there over n².
+/// What comes from a direction and from its image below, radiance there times n².
 fn gathered(surface: &dyn Bsdf<f64>, at: Vector<f64>, wo: Vector<f64>, weight: fn(f64) -> f64) -> f64 {
     let below = Vector::new(at.x, at.y, -at.z);
     let index = bsdf::Setting::default().index;

@@ -1,10 +1,11 @@
 //! What `lesson eval` offers from this chapter.
 
+use super::facets::measured;
 use super::models::{ALBEDO, ALPHA, ALPHA_Y, INDEX, METAL, MODEL, ROUGHNESS, SLOPES, made_from, model};
 use crate::parameter::{Fault, Function, Kind, Output, Parameter, Range};
 use light::bsdf::albedo::albedo;
 use light::bsdf::guard::LEAST_COSINE;
-use light::bsdf::microfacet::{Beckmann, Distribution, Ggx, Slopes, lambda, masking};
+use light::bsdf::microfacet::Slopes;
 use light::number::Vector;
 use std::f64::consts::FRAC_PI_2;
 
@@ -29,22 +30,13 @@ const MICROFACET: Function = Function {
     ],
     outputs: &[
         Output::new("D", "density of the facets' normals, per area of the mean surface", "1/sr"),
-        Output::new("lambda", "hidden over seen area of facets; inf at 90°", "1"),
+        Output::new("lambda", "hidden over seen area of facets; some 10¹⁶ α at 90°", "1"),
         Output::new("G1", "share of the facets facing θ that is seen", "1"),
     ],
     compute: |setting| {
         let (alpha, theta) = (setting.number("alpha"), setting.number("theta"));
-        // cos θ by the complement keeps its digits near grazing.
-        let cos = if theta > 1.0 { (FRAC_PI_2 - theta + 6.123_233_995_736_766e-17).sin() } else { theta.cos() };
-        let w = Vector::new(theta.sin(), 0.0, cos);
-        fn of<D: Distribution<f64>>(alpha: f64, w: Vector<f64>) -> [f64; 3] {
-            let facets = D::new([alpha; 2]);
-            [facets.density(w), lambda(&facets, w), masking(&facets, w)]
-        }
-        let [d, hidden, seen] = match slopes(setting.word("model")) {
-            Slopes::Ggx => of::<Ggx<f64>>(alpha, w),
-            Slopes::Beckmann => of::<Beckmann<f64>>(alpha, w),
-        };
+        let w = Vector::new(theta.sin(), 0.0, theta.cos());
+        let [d, hidden, seen] = measured(slopes(setting.word("model")), alpha, w);
         Ok(vec![("D", d), ("lambda", hidden), ("G1", seen)])
     },
 };

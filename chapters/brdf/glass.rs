@@ -194,7 +194,7 @@ const POLISHED: Check<fn(f64, f64) -> f64> =
                     let (cos, eta) = (uniform(&mut bench.stream, 0.0, 1.0), uniform(&mut bench.stream, 0.3, 3.0));
                     let exact = powers(Incidence::from_cos(cos), 1.0, eta.into()).r_n();
                     let critical = (eta * eta - (1.0 - cos * cos)).abs();
-                    let condition = 4.0 / critical.max(1e-12) + 4.0 / (eta - 1.0).abs().max(1e-9);
+                    let condition = 4.0 / critical.max(1e-24).sqrt() + 4.0 / (eta - 1.0).abs().max(1e-9);
                     (
                         (program(cos, eta) / exact - 1.0) / (f64::EPSILON * (1.0 + condition)),
                         format!("cos θ = {cos:.4}, η = {eta:.4}"),

@@ -218,7 +218,10 @@ const BOUNCES: Race = race(
     "the walk converges on Smith's energy as chance allows, without end; the relief stops at what its heights share",
 )
 .work("rays or walks")
-.error("error of the share of one bounce", "rms over 16 seeds of |P_1 − E| at α = 0.5 and 60°, E by quadrature")
+.error(
+    "error of the share of one bounce",
+    "rms over 16 seeds of the walk and 4 of the rays of |P_1 − E| at α = 0.5 and 60°, E by quadrature",
+)
 .lanes(&[
     lane("walk", "the walk", &[256, 1024, 4096, 16384], |bench, work| {
         let seed = uniform(&mut bench.stream, 0.0, 1.0);

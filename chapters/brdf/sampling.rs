@@ -42,18 +42,18 @@ pub(super) const STEP: Step = step(
 .rows(&["C17"])
 .questions(&[question(
     "uniform",
-    "Light on metal of α = 0.1 is estimated from directions drawn evenly over the hemisphere. The lobe is about 0.1 rad \
-     wide. Which share of the directions meets it, about?",
+    "Light on metal of α = 0.1 is estimated from directions drawn evenly over the hemisphere. Most of its facets lie within 0.1 rad of the normal. Which share of the directions meets the lobe, about, seen from above?",
     Answer::Number {
         unit: "1",
-        tolerance: 0.7,
-        right: |_| 0.1 * 0.1 / 2.0,
+        tolerance: 0.6,
+        right: |_| 4.0 * 0.1 * 0.1 / 2.0,
         slips: &[
+            Misled { value: |_| 0.1 * 0.1 / 2.0, reply: "So the facets lie; what they reflect turns twice as far." },
             Misled { value: |_| 0.1 / FRAC_PI_2, reply: "Two dimensions: the share is the square of an angle." },
             Misled { value: |_| 1.0, reply: "All would, if they were drawn as the lobe lies." },
         ],
     },
-    "π·0.1² of 2π: half a per cent. The others are traced for nothing.",
+    "π·0.2² of 2π: two per cent. The others are traced for nothing.",
 )])
 .readout(|setting| {
     let surface = chosen(setting);
@@ -178,7 +178,7 @@ fn raced() -> (Box<dyn Bsdf<f64>>, Vector<f64>) {
     (model("rough-conductor", &of), way(RACED.1, 0.0))
 }
 
-/// What arrives by the most even of plans, of a quarter of a million directions.
+/// What arrives by the most even of plans, of 65 536 directions.
 fn reference() -> f64 {
     let (surface, wo) = raced();
     let points = Points::Sobol.draw(1 << 16, &mut stream(9, "brdf/sampling/reference"));

@@ -112,8 +112,7 @@ const SHAPES: Check<Passing> = check(
 .within(
     1e-10,
     "1",
-    "of 160 rings what is left of the nearest wall, a fifth of the radius away, is e^(−2·160·0.2) ~ 10⁻²⁸; then the \
-         rounding of 10⁵ terms that reach 25 times the mean",
+    "of 160 rings what is left of the nearest wall, a fifth of the radius away, is e^(−2·160·0.2) ~ 10⁻²⁸; then the rounding of 5·10⁴ terms that reach 25 times the mean",
 )
 .of(shapes, |flow, area| flow.dot(area))
 .slip("the flow's magnitude on every patch, the tilt forgotten", |flow, area| flow.length() * area.length());

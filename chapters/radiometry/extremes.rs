@@ -176,7 +176,7 @@ pub(super) fn factors() -> Vec<Extreme> {
 /// A distance, the exact value there, the textbook's and the program's.
 type Kept = (f64, Exact, f64, f64);
 
-/// Digits kept over the distance, by textbook and program: a disc beside its axis, a sphere half below the horizon, a
+/// Digits kept over the distance, by textbook and program: a disc beside its axis, a sphere of which a quarter of the width is above the horizon, a
 /// square turned aside.
 pub(super) fn digits_kept(_: &Setting) -> Plot {
     let distances = || (0..=36).map(|step| 10f64.powf(-6.0 + f64::from(step) / 3.0));
@@ -222,7 +222,7 @@ pub(super) fn digits_kept(_: &Setting) -> Plot {
         2,
         vec![
             panel("a disc, two radii aside", &disc, true),
-            panel("a sphere, a quarter of it above the horizon", &sphere, false),
+            panel("a sphere, a quarter of its width above the horizon", &sphere, false),
             panel("a square, turned aside", &polygon, false),
         ],
     )

@@ -185,7 +185,7 @@ fn by_product(_: &mut Bench, weight: fn(Direction) -> f64) -> Measured {
     Measured::new((found / (SMOOTH.exact)() - 1.0).abs(), "288 directions", 1)
 }
 
-/// The lamp of the last race: half as far away as it is wide, its corner over the receiver.
+/// The lamp of the last race: half as wide as it is far, its corner over the receiver.
 const LAMP_SIDES: [f64; 3] = [0.5, 0.5, 1.0];
 
 const LAMP: Race =
@@ -226,10 +226,7 @@ const LAMP: Race =
                     error: wrong(),
                 }
             })
-            .converges(
-                1e-9,
-                "the pole at the lamp's plane is 2 half-sides from its middle's: (2 + √5)⁻¹⁶ of 8 points a side",
-            ),
+            .converges(1e-9, "the pole is 4 half-sides from the middle: (4 + √17)⁻¹⁶ of 8 points a side is 10⁻¹⁵"),
             lane("closed", "the closed form", &[1], |_, _| Heat {
                 run: Box::new(|| {
                     let [a, b, h] = std::hint::black_box(LAMP_SIDES);

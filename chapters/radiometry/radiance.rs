@@ -224,11 +224,8 @@ fn floor(setting: &Setting) -> Plot {
 /// The radiance of a ball at a distance `aside` from its middle, over its radius, of an exitance of 1 [sr⁻¹].
 fn seen(law: Law, aside: f64) -> f64 {
     let cos = ((1.0 - aside) * (1.0 + aside)).max(0.0).sqrt();
-    match law {
-        Law::Lambert => 1.0 / PI,
-        // A shade that ends a hair before the rim, where it would be infinite.
-        _ => law.share(cos) / cos.max(1e-3),
-    }
+    // A shade that ends a hair before the rim, where it might be infinite.
+    law.share(cos.max(1e-3)) / cos.max(1e-3)
 }
 
 fn balls(_: &Setting) -> Plot {
@@ -262,7 +259,7 @@ mod tests {
             let sum: f64 = gauss_legendre(4).iter().map(|(cos, weight)| weight * TAU * law.share(*cos)).sum();
             assert!((sum - 1.0).abs() < 1e-15);
         }
-        // Under the middle, alike to all sides: ∫cos dω/2π = sin² α/2 of the lamp's own solid angle's cone.
+        // Under the middle, alike to all sides: the solid angle over 2π, 1 − cos α.
         let found = below(Law::Even, 2.0, 0.0);
         let sin2 = 4.0 / 5.0;
         assert!((found - (1.0 - (1.0_f64 - sin2).sqrt())).abs() < 1e-12, "{found}");

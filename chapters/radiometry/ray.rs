@@ -13,6 +13,7 @@ use glam::DVec3;
 use light::optics::incidence::refracted;
 use light::radiometry::disc::Disc;
 use std::f64::consts::PI;
+use yardstick::quadrature::gauss;
 use yardstick::random::uniform;
 
 /// Index of the glass.
@@ -81,7 +82,7 @@ pub(super) const STEP: Step = step(
     let quantity = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
     vec![
         quantity("inside", "L_2/L_1", "radiance behind the interface, over that before it", n * n),
-        quantity("cone", "sin θ_c", "half the opening of the cone into which a whole sky is squeezed", 1.0 / n),
+        quantity("cone", "sin θ_c", "sine of half the opening of the cone into which a whole sky is squeezed", 1.0 / n),
     ]
 })
 .checks(&[&DISTANCES, &LENS, &INTERFACE]);
@@ -113,11 +114,11 @@ fn brighter(last: Expr) -> Chain {
         .then(Equation::new(RADIANCE_2, last), ["Snell"])
 }
 
-/// The radiance of a round lamp of `radius` and radiance 1 as a detector `away` takes it to be: what arrives over the
-/// lamp's solid angle, as seen by the detector's cosine.
+/// The radiance of a round lamp of `radius` and radiance 1 as a detector `away` takes it to be: what arrives over
+/// the sum of the cosine over the directions in which the lamp is seen.
 fn radiance(radius: f64, away: f64) -> f64 {
     let arrives = Disc { radius, height: away, offset: 0.0, tilt: 0.0 }.irradiance().unwrap_or(f64::NAN);
-    arrives / (PI * radius * radius / (radius * radius + away * away))
+    arrives / gauss(4, away / radius.hypot(away), 1.0, |cos| 2.0 * PI * cos)
 }
 
 const DISTANCES: Check<fn(f64) -> f64> = check(
@@ -205,7 +206,7 @@ const LENS: Check<fn(f64) -> f64> =
             "differences of the fourth order, 10⁻³ apart: (10⁻³)⁴/30 times derivatives up to 10⁴, and rounding",
         )
         .of(lens, |n| n)
-        .slip("angles for directions, p without the index at the plane inside", |_| 1.0);
+        .slip("p without the index at the plane inside", |_| 1.0);
 
 /// Étendue from a plane before a ball of glass to one behind it, and to one in its middle.
 fn lens(bench: &mut Bench, index: fn(f64) -> f64) -> Measured {
@@ -260,7 +261,7 @@ fn distance(_: &Setting) -> Plot {
     Plot::of("What fades and what does not", chart)
 }
 
-/// The rim of a bundle at four planes: where it starts, later, before and behind a thin lens's worth of glass.
+/// The rim of a bundle at four planes: where it starts, later, before and behind a ball of glass.
 fn sheared(setting: &Setting) -> Plot {
     let n = setting.number("n");
     let rim = |at: i32| {

@@ -137,7 +137,7 @@ pub(super) const STEP: Step = step(
         },
         slip: |_| 0,
     },
-    "Its upper half is above the horizon and does arrive, at small angles: of a ball two radii away a seventh or so.",
+    "Its upper half is above the horizon and does arrive, at small angles: of a ball whose centre is two radii away, a ninth or so.",
 )])
 .readout(|setting| {
     let disc = lamp(setting);
@@ -447,7 +447,7 @@ const FACTORS: Check<Factors> =
         })
         .slip("the way back for the way there", |[a, b, c]| {
             let all = [
-                form_factor::parallel_rectangles(a, b, c).map(|factor| factor * a / b),
+                form_factor::parallel_rectangles(a, b, c),
                 form_factor::perpendicular_rectangles(b, a, c),
                 form_factor::coaxial_discs(b, a, c),
             ];

@@ -57,7 +57,7 @@ pub(super) const STEP: Step = step(
         through(S_R * RADIUS.pow(2) * sin(THETA))
     })
     .rows(&["E27"])
-    .slip("r for r²", || through(S_R * RADIUS * sin(THETA) * Expr::from(1))),
+    .slip("r for r²", || through(S_R * RADIUS * sin(THETA))),
     derivation("cone", "a cone of half-angle α; with α = π it is everything", || cone(2 * pi() * (1 - cos(ALPHA))))
         .rows(&["E28"])
         .slip("the cone's projection, as if seen from far", || cone(pi() * sin(ALPHA).pow(2))),
@@ -219,7 +219,7 @@ const ANTENNAS: Check<fn(f64) -> f64> = check(
     1e-12,
     "1",
     "sums of some 10³ terms; the rule is exact to degree 59, and of e^(ix cos γ) with x ≤ 15 what is left is below \
-             15⁶⁰/60! ~ 10⁻¹²",
+             J₆₀(15) ~ (15/2)⁶⁰/60! ~ 10⁻³⁰",
 )
 .of(together, f64::sin)
 .slip("dφ dθ, the sine forgotten", |_| 2.0 / PI);

@@ -22,7 +22,7 @@ pub(super) const SMOOTH: Subject = Subject { of: |c| (2.0 * c).exp(), exact: || 
 pub(super) const KINK: Subject = Subject { of: |c| c.max(0.0), exact: || PI };
 /// 1 where c > 0.3: a lamp with a shade.
 pub(super) const STEP: Subject = Subject { of: |c| f64::from(u8::from(c > 0.3)), exact: || TAU * 0.7 };
-/// 1/(1.01 − c): a lamp a hundredth of the radius inside the wall of its sphere.
+/// 1/(1.01 − c): a lamp 0.13 of the radius inside the wall of its sphere.
 pub(super) const NEAR: Subject = Subject { of: |c| 1.0 / (1.01 - c), exact: || TAU * 201.0_f64.ln() };
 
 /// So many random axes make one error.
