@@ -1,6 +1,6 @@
 //! E45–E47: how much of what comes from one direction goes to another.
 
-use super::models::{ALBEDO, ALPHA, INDEX, METAL, MODEL, ROUGHNESS, SLOPES, THETA, chosen, model, way};
+use super::models::{ALBEDO, ALPHA, INDEX, METAL, MODEL, ROUGHNESS, SLOPES, THETA, chosen, made_from, model, way};
 use super::symbols::{E, F_R, L_IN, L_R, OMEGA_I, OMEGA_O, RHO, THETA_I, THETA_O, W_I, W_O};
 use crate::diagram::{Behind, Diagram, Part};
 use crate::figure::{Dash, Hue, Plot};
@@ -240,8 +240,10 @@ fn lobes(setting: &Setting) -> Plot {
     for (at, degrees) in [0.0, 30.0, 60.0, 80.0].into_iter().enumerate() {
         let (theta, hue) = (f64::to_radians(degrees), Hue::Nth(at as u8));
         let wi = way(theta, PI);
-        let values: Vec<(f64, f64)> = (0..=STEPS)
-            .map(|step| TAU * f64::from(step) / f64::from(STEPS))
+        // Where a narrow lobe may be: the mirror's direction, and that of the refracted ray.
+        let refracted = (theta.sin() / made_from(setting).index).min(1.0).asin();
+        let values: Vec<(f64, f64)> = angles([theta, PI - refracted])
+            .into_iter()
             .map(|angle| {
                 let wo = Vector::new(angle.sin(), 0.0, angle.cos());
                 (angle, surface.eval(wi, wo)[1] * wo.z.abs())
@@ -258,11 +260,28 @@ fn lobes(setting: &Setting) -> Plot {
             .with(Part::ray(from, from.map(|part| part * 0.75)).hue(hue))
             .explain(hue, Dash::Solid, format!("θ_i = {degrees}°, up to {}", short(most)));
     }
-    Plot::of(format!("f_r cos θ_o of {} (1/sr, green), each over its largest", setting.word("model")), diagram)
+    let model = setting.word("model");
+    let title = match diagram.key.is_empty() {
+        true => format!("{model} has no lobe, but a delta"),
+        false => format!("f_r cos θ_o of {model} (1/sr, green), each over its largest"),
+    };
+    Plot::of(title, diagram)
 }
 
-/// Directions of a polar curve.
-const STEPS: i32 = 1440;
+/// Directions of a polar curve [rad], even, and crowded about two of them: a narrow lobe lies between even ones.
+pub(super) fn angles(about: [f64; 2]) -> Vec<f64> {
+    const STEPS: i32 = 1440;
+    let even = (0..=STEPS).map(|step| TAU * f64::from(step) / f64::from(STEPS));
+    let off = || (0..60).map(|k| 10f64.powf(-7.0 + f64::from(k) / 10.0));
+    let near = about.into_iter().flat_map(|angle| {
+        std::iter::once(angle)
+            .chain(off().flat_map(move |off| [angle - off, angle + off]))
+            .map(|angle| angle.rem_euclid(TAU))
+    });
+    let mut all: Vec<f64> = even.chain(near).collect();
+    all.sort_by(f64::total_cmp);
+    all
+}
 
 pub(super) fn short(x: f64) -> String {
     if (0.01..1000.0).contains(&x) { format!("{x:.2}") } else { format!("{x:.1e}") }

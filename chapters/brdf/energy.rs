@@ -35,7 +35,7 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
         ),
         figure(
             "furnace",
-            "White balls in a white room: whatever can be seen of them is energy that was lost.",
+            "White balls in a white room: what can be seen of them is energy that was lost, or, faintly, the noise of 16 directions a pixel.",
             furnace,
         ),
         figure(
@@ -351,8 +351,10 @@ fn colour(setting: &Setting) -> Plot {
     let metal = setting.word("metal");
     let indices = super::models::metal(metal);
     let of = |alpha: f64| bsdf::Setting { alpha: [alpha; 2], metal: indices, ..made_from(setting) };
+    let alpha = setting.number("alpha");
     let alphas = || (0..=10).map(|step| (0.1 * f64::from(step)).max(0.02));
-    let wo = way(0.6, 0.0);
+    let theta = setting.number("theta").min(1.55);
+    let wo = way(theta, 0.0);
     let curve = |name: &str| -> Vec<[f64; 2]> {
         alphas()
             .map(|alpha| [alpha, mean_weight(model(name, &of(alpha)).as_ref(), wo, 2_000, "brdf/energy/colour").mean()])
@@ -365,11 +367,15 @@ fn colour(setting: &Setting) -> Plot {
             .dashed(Hue::Reference, "walked", curve("conductor-walk"));
     let balls = ["rough-conductor", "conductor-compensated", "conductor-walk"].map(|name| {
         ball(
-            model(name, &of(0.8)).as_ref(),
-            format!("{name}, α = 0.8"),
+            model(name, &of(alpha)).as_ref(),
+            format!("{name}, α = {alpha}"),
             |share| display(share.map(|s| 0.8 * s)),
             [0.8; 3],
         )
     });
-    Plot::grid(format!("Rough {metal} at θ = 34°"), 2, std::iter::once(chart.into()).chain(balls).collect())
+    Plot::grid(
+        format!("Rough {metal} at θ = {:.0}°", theta.to_degrees()),
+        2,
+        std::iter::once(chart.into()).chain(balls).collect(),
+    )
 }

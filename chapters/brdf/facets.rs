@@ -137,7 +137,7 @@ fn weight(last: Expr) -> Chain {
 
 fn at(setting: &Setting) -> [f64; 3] {
     let of = made_from(setting);
-    let w = way(setting.number("theta").min(FRAC_PI_2 - 1e-9), 0.0);
+    let w = way(setting.number("theta"), 0.0);
     measured(of.slopes, of.alpha[0], w)
 }
 

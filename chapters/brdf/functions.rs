@@ -107,7 +107,11 @@ const BRDF: Function = Function {
         Parameter::new("wo", "ω_o", "where it goes; any length", WAY),
     ],
     outputs: &[
-        Output::new("f", "of the middle one of three wavelengths, 532 nm", "1/sr"),
+        Output::new(
+            "f",
+            "of the middle one of three wavelengths, 532 nm; 0 where there is only a delta; of a walk an estimate, exact for the first bounce and from a single walk beyond",
+            "1/sr",
+        ),
         Output::new("pdf", "density of wi", "1/sr"),
         Output::new("f_red", "at 630 nm", "1/sr"),
         Output::new("f_blue", "at 467 nm", "1/sr"),
@@ -117,7 +121,8 @@ const BRDF: Function = Function {
         let wo = direction("wo", setting.vector("wo"))?;
         let surface = model(setting.word("model"), &made_from(setting));
         let ([red, green, blue], pdf) = surface.eval_pdf(wi, wo);
-        Ok(vec![("f", green), ("pdf", pdf), ("f_red", red), ("f_blue", blue)])
+        // Adding zero takes the sign off a negative one.
+        Ok(vec![("f", green), ("pdf", pdf + 0.0), ("f_red", red), ("f_blue", blue)])
     },
 };
 

@@ -1,6 +1,6 @@
 //! C18: surfaces that let light through.
 
-use super::definition::short;
+use super::definition::{angles, short};
 use super::models::{ALPHA, INDEX, SLOPES, THETA, made_from, model, way};
 use super::symbols::{N_I, N_O, THETA_I, THETA_O};
 use crate::diagram::{Diagram, Part};
@@ -239,9 +239,11 @@ fn lobes(setting: &Setting) -> Plot {
     let panel = |title: &str, side: f64| {
         let wi = way(theta, PI).scaled(side);
         let wi = Vector::new(-theta.sin(), 0.0, wi.z);
-        let steps = 1440;
-        let values: Vec<(f64, f64)> = (0..=steps)
-            .map(|step| TAU * f64::from(step) / f64::from(steps))
+        let outwards = if side > 0.0 { 1.0 / of.index } else { of.index };
+        let bent = (theta.sin() * outwards).min(1.0).asin();
+        let about = if side > 0.0 { [theta, PI - bent] } else { [PI - theta, bent] };
+        let values: Vec<(f64, f64)> = angles(about)
+            .into_iter()
             .map(|angle| {
                 let wo = Vector::new(angle.sin(), 0.0, angle.cos());
                 (angle, surface.eval(wi, wo)[0] * wo.z.abs())

@@ -240,7 +240,7 @@ fn swatches(_: &Setting) -> Plot {
         let at = |theta: f64| display(surface.sample(way(theta, 0.0), [0.5; 3]).weight);
         let (face_on, grazing) = (at(1e-3), at(85_f64.to_radians()));
         let pixels = (0..SIDE * SIDE).map(|at| if at / SIDE < SIDE * 3 / 4 { face_on } else { grazing }).collect();
-        Picture::new(name, SIDE, pixels).into()
+        Picture::new(name, SIDE, pixels).exposed(-0.5).into()
     };
     Plot::grid("Polished metals", 6, METALS.iter().filter(|name| **name != "white").map(|name| swatch(name)).collect())
 }

@@ -45,8 +45,13 @@ pub(super) const ALBEDO: Parameter =
 pub(super) const METALS: &[&str] = &["gold", "silver", "copper", "aluminium", "chromium", "white"];
 pub(super) const METAL: Parameter =
     Parameter::new("metal", "", "which metal; white absorbs nothing", Kind::Choice(METALS)).default("gold");
-pub(super) const INDEX: Parameter =
-    Parameter::new("n", "n", "index of what is clear", Kind::number(1.0 / 4.0, 4.0, "1")).default("1.5");
+pub(super) const INDEX: Parameter = Parameter::new(
+    "n",
+    "n",
+    "index of what is clear, over that outside; rough glass is held off 1 by 1e-3, for at 1 its facets cannot be told",
+    Kind::number(1.0 / 4.0, 4.0, "1"),
+)
+.default("1.5");
 pub(super) const THETA: Parameter =
     Parameter::new("theta", "θ_i", "angle of incidence", Kind::number(0.0, FRAC_PI_2, "rad")).default("45deg");
 

@@ -64,7 +64,7 @@ pub(super) const STEP: Step = step(
         quantity("mean", "⟨w⟩", "mean weight: the share returned", found.energy.mean()),
         quantity("largest", "w_{max}", "the largest of 20 000", found.largest),
         quantity("scatter", "σ", "their scatter", found.energy.variance().sqrt()),
-        quantity("through", "", "share that came through", found.through),
+        quantity("through", "T", "share that came through", found.through),
     ]
 })
 .checks(&[&DENSITY, &SPREAD, &WEIGHTS])
@@ -297,7 +297,7 @@ fn points(setting: &Setting) -> Plot {
         let (x, y) = (place(at % CELLS), place(at / CELLS));
         let z2 = 1.0 - x * x - y * y;
         // Over the disc: dω = dA/cos θ.
-        if z2 <= 0.0 { 0.0 } else { surface.pdf(Vector::new(x, y, z2.sqrt()), wo) / z2.sqrt() }
+        if z2 <= 2.5e-3 { 0.0 } else { surface.pdf(Vector::new(x, y, z2.sqrt()), wo) / z2.sqrt() }
     };
     let values: Vec<f64> = (0..CELLS * CELLS).map(density).collect();
     let mut sorted = values.clone();
@@ -308,7 +308,7 @@ fn points(setting: &Setting) -> Plot {
         title: "density over the disc".into(),
         x: Axis::linear("ω_i along x", "").range(-1.0, 1.0).tick(0.5),
         y: Axis::linear("ω_i along y", "").range(-1.0, 1.0).tick(0.5),
-        colour: Axis::linear("p/cos θ_i", "1/sr").range(0.0, most),
+        colour: Axis::linear("p/cos θ_i, the brightest thousandth cut", "1/sr").range(0.0, most),
         ramp: Ramp::Sequential,
         columns: CELLS,
         values: values.into_iter().map(|value| value.min(most)).collect(),

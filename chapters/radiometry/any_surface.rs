@@ -24,8 +24,7 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     &[HALF_ANGLE],
     &[figure(
         "cone",
-        "The same cone of light through spheres about the lamp, beside it, and through the wall of a ring: the patches \
-         differ, their power does not.",
+        "The same cone of light through spheres about the lamp and beside it: the patches differ, their power does not. What enters the ring leaves it again.",
         cone,
     )],
 );

@@ -29,7 +29,7 @@ impl Refusal {
         if value.is_finite() && holds {
             Ok(value)
         } else {
-            Err(Self::new(place, format!("{value} is not valid; valid: {valid}")))
+            Err(Self::new(place, format!("{value:?} is not valid; valid: {valid}")))
         }
     }
 

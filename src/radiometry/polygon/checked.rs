@@ -69,7 +69,10 @@ fn plane(corners: &[Vector]) -> Result<WideVector, Refusal> {
         return Err(Refusal::new("vertices", why));
     }
     if size <= LOST * extent * extent {
-        return Err(Refusal::new("vertices", "all corners are on one line; valid: a polygon with an area"));
+        return Err(Refusal::new(
+            "vertices",
+            "the corners enclose no area: they are on one line, or edges cross; valid: a polygon with an area",
+        ));
     }
     for (at, side) in from_first.iter().enumerate() {
         let off = f64::from(side.dot(area)).abs() / size / extent;
