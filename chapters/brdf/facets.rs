@@ -70,7 +70,7 @@ pub(super) const STEP: Step = step(
         options: &[
             choice("its roughness disappears", "The slopes are what they were."),
             choice(
-                "the facets that are seen are met at flat angles too, and there Fresnel's share is near 1",
+                "the facets that are seen are met at flatter angles too, and there Fresnel's share is near 1",
                 "",
             ),
             choice("more facets are seen", "Fewer are: they hide each other."),
@@ -82,11 +82,11 @@ pub(super) const STEP: Step = step(
                 let met = |m: Vector<f64>| w.dot(m).max(0.0);
                 over_facets(Slopes::Ggx, 0.3, |m| met(m) * met(m)) / over_facets(Slopes::Ggx, 0.3, met)
             };
-            usize::from(mean(1.5) < 0.5 * mean(0.5))
+            usize::from(mean(1.5) < mean(0.5))
         },
         slip: |_| 2,
     },
-    "Masking leaves facets that lean towards the eye, and even these are met at flat angles.",
+    "Masking leaves facets that lean towards the eye, and even these are met at flatter angles.",
 )])
 .readout(|setting| {
     let [d, hidden, g1] = at(setting);
