@@ -6,8 +6,8 @@ use crate::diagram::{Behind, Diagram, Part};
 use crate::figure::{Dash, Hue, Plot};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Measured, Quantity, Step, check, choice, derivation, exhibit, figure, question,
-    statement, step,
+    Answer, Bench, Check, Exhibit, Measured, Quantity, Step, check, choice, derivation, excess, exhibit, figure,
+    question, statement, step,
 };
 use equation::derivation::Chain;
 use equation::expr::{Range, cos, d, integral};
@@ -161,7 +161,7 @@ fn returned(_: &mut Bench, weight: fn(f64) -> f64) -> Measured {
             let wo = way(theta, 0.4);
             let sum: f64 =
                 rule.iter().map(|(at, dω)| gathered(surface.as_ref(), Vector::of(*at), wo, weight) * dω).sum();
-            cases.push(((sum - 1.0).max(0.0), format!("{}, θ = {theta}", entry.name)));
+            cases.push((excess(sum - 1.0), format!("{}, θ = {theta}", entry.name)));
         }
     }
     Measured::worst(cases)

@@ -8,8 +8,8 @@ use super::sampling::energy as mean_weight;
 use crate::figure::{Axis, Chart, Hue, Map, Panel, Picture, Plot, Ramp};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Heat, Judge, Measured, Misled, Quantity, Race, Step, check, exhibit, figure, lane,
-    question, race, statement, step,
+    Answer, Bench, Check, Exhibit, Heat, Judge, Measured, Misled, Quantity, Race, Step, check, excess, exhibit, figure,
+    lane, question, race, statement, step,
 };
 use equation::Equation;
 use equation::expr::{Range, cos, integral};
@@ -160,7 +160,7 @@ const WHITE: Check<fn(&str) -> &str> = check(
             let of = bsdf::Setting { alpha: [alpha; 2], ..bsdf::Setting::default() };
             let place = format!("{name}, α = {alpha}, cos θ = {cos}");
             let found = mean_weight(model(which(name), &of).as_ref(), way(f64::acos(cos), 0.6), 20_000, &place);
-            let beyond = ((found.mean() - 1.0).abs() - 1e-3).max(0.0);
+            let beyond = excess((found.mean() - 1.0).abs() - 1e-3);
             (beyond / found.standard_error().max(1e-9), place)
         }))
     },

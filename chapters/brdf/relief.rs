@@ -4,7 +4,7 @@ use super::models::{ALPHA, THETA, way};
 use crate::figure::{Axis, Chart, Hue, Map, Plot, Ramp};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Heat, Measured, Quantity, Race, Step, check, choice, exhibit, figure, lane,
+    Answer, Bench, Check, Exhibit, Heat, Measured, Quantity, Race, Step, check, choice, excess, exhibit, figure, lane,
     question, race, step,
 };
 use light::bsdf::Bsdf;
@@ -160,7 +160,7 @@ const ABOVE: Check<fn(f64, f64) -> f64> = check("above", "and never less than th
             Measured::worst(views().map(|(alpha, theta)| {
                 let traced = one_bounce(&rough(alpha), theta, RAYS, &mut bench.stream);
                 let sigma = (traced * (1.0 - traced) / RAYS as f64).sqrt().max(1e-5);
-                let below = ((program(alpha, theta) - traced) / sigma).max(0.0);
+                let below = excess((program(alpha, theta) - traced) / sigma);
                 (below, format!("α = {alpha}, θ = {theta:.2}: traced {traced:.4}"))
             }))
         },

@@ -5,7 +5,7 @@ use crate::diagram::{Diagram, Part};
 use crate::figure::{Axis, Hue, Map, Plot, Ramp};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Heat, Measured, Misled, Quantity, Race, Step, check, exhibit, figure, lane,
+    Answer, Bench, Check, Exhibit, Heat, Measured, Misled, Quantity, Race, Step, check, excess, exhibit, figure, lane,
     question, race, step,
 };
 use light::bsdf::audit::{drawn, lobe_density, spread_density};
@@ -154,7 +154,7 @@ const WEIGHTS: Check<fn(f64) -> f64> = check("weights", "no weight exceeds what 
                 let bound = model.character().largest_weight;
                 let place = format!("{}, α = {alpha}, cos θ = {cos}", entry.name);
                 let largest = drawn(model.as_ref(), way(f64::acos(cos), 0.6), 4000, &place).largest;
-                bound.is_finite().then(|| ((largest * factor(cos) / bound - 1.0).max(0.0), place))
+                bound.is_finite().then(|| (excess(largest * factor(cos) / bound - 1.0), place))
             }))
         },
         |_| 1.0,

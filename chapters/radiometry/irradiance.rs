@@ -135,7 +135,7 @@ fn shrinking(_: &mut Bench, law: fn(f64) -> f64) -> Measured {
                 let found = polygon::irradiance(&corners, [0.0, 0.0, 1.0]).unwrap_or(f64::NAN);
                 (found / (4.0 * half * half * law(1.0 / x.hypot(1.0))) - 1.0).abs()
             });
-            (half, worst.into_iter().fold(0.0, f64::max))
+            (half, Measured::worst(worst.map(|off| (off, String::new()))).value)
         })
         .collect();
     Measured::new(

@@ -231,9 +231,20 @@ impl Measured {
     }
 }
 
+/// By how much `x` exceeds zero. NaN stays NaN: `max` would let it pass for nothing.
+pub fn excess(x: f64) -> f64 {
+    if x <= 0.0 { 0.0 } else { x }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_excess_of_nan_is_nan() {
+        assert!(excess(f64::NAN).is_nan());
+        assert_eq!([-1.0, 0.0, 2.0].map(excess), [0.0, 0.0, 2.0]);
+    }
 
     #[test]
     fn nan_breaks_every_bound() {

@@ -42,7 +42,9 @@ pub fn drawn<N: Number>(model: &dyn Bsdf<N>, wo: Vector<f64>, draws: u64, addres
         let sample = model.sample(wo, [(); 3].map(|()| N::of(throw(&mut random)).min(N::of(1.0 - N::EPSILON))));
         let energy = (sample.weight[0] / sample.compression).lane(0);
         found.energy.add(energy);
-        found.largest = if energy > found.largest { energy } else { found.largest };
+        // NaN is the largest, and stays.
+        let is_largest = !(found.largest.is_nan() || energy <= found.largest);
+        found.largest = if is_largest { energy } else { found.largest };
         if sample.is_transmitted.lane(0) {
             found.through += energy / draws as f64;
         }
