@@ -63,7 +63,9 @@ fn the_squares_area_is_the_visible_density() {
                 };
                 let (e, n) = (slope(east), slope(north));
                 let area = (e[0] * n[1] - e[1] * n[0]).abs();
-                worst = worst.max((area / visible_density(&facets, wo, m) - 1.0).abs());
+                let off = (area / visible_density(&facets, wo, m) - 1.0).abs();
+                assert!(off.is_finite(), "α {alpha:?} μ {cos}");
+                worst = worst.max(off);
             }
         }
         worst
