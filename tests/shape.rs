@@ -100,21 +100,31 @@ fn defaults_are_valid_and_readouts_answer() {
 
 #[test]
 fn figures_and_readouts_answer_at_the_ends_of_every_parameter() {
-    for (chapter, step) in steps() {
-        for parameter in step.parameters() {
-            for end in parameter.kind.ends() {
-                // Some ends are refused beside the defaults of the others, with a message.
-                let changes = [(parameter.name.to_owned(), end.to_string())];
-                let Ok(setting) = Setting::defaults(step.parameters()).with(&changes) else { continue };
-                step.readout.map(|readout| readout(&setting));
-                for question in step.questions {
-                    let place = format!("{}/{}/{} at {end}", chapter.id, step.id, question.id);
-                    assert!(chapters::judge::question(question, &setting), "{place}");
-                }
-                for figure in step.exhibit.figures {
-                    let plot = (figure.plot)(&setting);
-                    assert!(!plot.panels.is_empty(), "{}/{}/{} at {end}", chapter.id, step.id, figure.id);
-                }
+    // Steps are dealt out in turn: dear ones stand together.
+    let hands = std::thread::available_parallelism().map_or(1, usize::from);
+    let all: Vec<_> = steps().collect();
+    std::thread::scope(|scope| {
+        for hand in 0..hands {
+            let mine = all.iter().skip(hand).step_by(hands);
+            scope.spawn(move || mine.for_each(|(chapter, step)| answers_at_the_ends(chapter.id, step)));
+        }
+    });
+}
+
+fn answers_at_the_ends(chapter: &str, step: &'static Step) {
+    for parameter in step.parameters() {
+        for end in parameter.kind.ends() {
+            // Some ends are refused beside the defaults of the others, with a message.
+            let changes = [(parameter.name.to_owned(), end.to_string())];
+            let Ok(setting) = Setting::defaults(step.parameters()).with(&changes) else { continue };
+            step.readout.map(|readout| readout(&setting));
+            for question in step.questions {
+                let place = format!("{chapter}/{}/{} at {end}", step.id, question.id);
+                assert!(chapters::judge::question(question, &setting), "{place}");
+            }
+            for figure in step.exhibit.figures {
+                let plot = (figure.plot)(&setting);
+                assert!(!plot.panels.is_empty(), "{chapter}/{}/{} at {end}", step.id, figure.id);
             }
         }
     }
