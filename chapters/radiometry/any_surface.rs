@@ -3,7 +3,7 @@
 use super::solid_angle::HALF_ANGLE;
 use super::surfaces::{Patch, ellipsoid, sphere, torus};
 use super::symbols::{ALPHA, AREA, INTENSITY, RADIUS, S_R, SOLID_ANGLE};
-use crate::diagram::{Diagram, Part};
+use crate::diagram::{Diagram, Part, Spot};
 use crate::figure::{Hue, Plot};
 use crate::parameter::Setting;
 use crate::vocabulary::{
@@ -165,31 +165,23 @@ fn windows() -> Vec<Extreme> {
 
 fn cone(setting: &Setting) -> Plot {
     let alpha = setting.number("alpha").clamp(0.03, 1.2);
-    let circle = |centre: [f64; 2], radius: f64| -> Vec<[f64; 2]> {
-        (0..=96)
-            .map(|at| TAU * f64::from(at) / 96.0)
-            .map(|t| [centre[0] + radius * t.cos(), centre[1] + radius * t.sin()])
+    // So finely that the ends of what the cone cuts out of it are in their places; a fifteenth of it draws the circle.
+    let circle = |[x, y]: Spot, radius: f64| -> Vec<Spot> {
+        (0..=1440)
+            .map(|at| TAU * f64::from(at) / 1440.0)
+            .map(|t| [x + radius * t.cos(), y + radius * t.sin()])
             .collect()
     };
-    // The part of a curve inside the cone.
-    let lit = |points: &[[f64; 2]]| -> Vec<[f64; 2]> {
-        points.iter().copied().map(|p| if p[1].atan2(p[0]).abs() <= alpha { p } else { [f64::NAN; 2] }).collect()
-    };
-    let fine = |centre: [f64; 2], radius: f64| -> Vec<[f64; 2]> {
-        (0..=2000)
-            .map(|at| TAU * f64::from(at) / 2000.0)
-            .map(|t| [centre[0] + radius * t.cos(), centre[1] + radius * t.sin()])
-            .collect()
-    };
+    let is_lit = |[x, y]: &Spot| y.atan2(*x).abs() <= alpha;
     let surfaces =
         [([0.0, 0.0], 0.55, "1"), ([0.35, 0.15], 1.05, "2"), ([2.05, 0.0], 0.35, "ring"), ([-2.05, 0.0], 0.35, "")];
     let mut diagram = Diagram::new("", [-2.6, -1.5], [2.6, 1.5]);
     for (centre, radius, name) in surfaces {
-        diagram = diagram.with(Part::curve(circle(centre, radius)).hue(Hue::Reference).label(name));
-        // A curve breaks where a place is not finite.
-        for run in lit(&fine(centre, radius)).split(|p| p[0].is_nan()).filter(|run| run.len() > 1) {
-            diagram = diagram.with(Part::curve(run.to_vec()).hue(Hue::Ours));
-        }
+        let rim = circle(centre, radius);
+        let runs = rim.chunk_by(|one, next| is_lit(one) == is_lit(next)).filter(|run| run.len() > 1 && is_lit(&run[0]));
+        diagram = diagram
+            .with(Part::curve(rim.iter().step_by(15).copied().collect()).hue(Hue::Reference).label(name))
+            .with_all(runs.map(|run| Part::curve(run.to_vec()).hue(Hue::Ours)));
     }
     let far = 2.55;
     let edge = |sign: f64| Part::ray([0.0; 2], [far * alpha.cos(), sign * far * alpha.sin()]).hue(Hue::P);
