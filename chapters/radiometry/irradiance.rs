@@ -1,7 +1,8 @@
 //! E32: what arrives.
 
 use super::symbols::{AREA, HEIGHT, INTENSITY, IRRADIANCE, RADIANCE, RADIUS, SOLID_ANGLE, THETA};
-use crate::figure::{Axis, Chart, Hue, Map, Mark, Plot, Ramp, Shape};
+use crate::diagram::{Behind, Diagram, Part, Spot};
+use crate::figure::{Axis, Chart, Dash, Hue, Map, Mark, Plot, Ramp, Shape};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
     Answer, Bench, Check, Exhibit, Measured, Misled, Quantity, Step, check, derivation, exhibit, figure, question,
@@ -27,9 +28,18 @@ const TURN: Parameter =
 const HALF: Parameter =
     Parameter::new("half", "s/h", "half its side over its height", Kind::number(1e-3, 0.9, "1")).default("0.4");
 
+/// Where a small lamp in the ceiling lights the floor: not so far away that the drawing has no height left.
+const SLANT: Parameter = Parameter::new(
+    "theta",
+    "θ",
+    "angle from below a small lamp to where it lights the floor",
+    Kind::number(0.0, 1.4, "rad"),
+)
+.default("40deg");
+
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "irradiance",
-    &[ASIDE, TURN, HALF],
+    &[ASIDE, TURN, HALF, SLANT],
     &[
         figure(
             "floor",
@@ -37,6 +47,12 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
             floor,
         ),
         figure("ceiling", "A small lamp in a ceiling lights the floor as cos⁴ θ, a large one more evenly.", ceiling),
+        figure(
+            "cosines",
+            "Where the four cosines come from: the lamp is seen at a slant, the floor is met at a slant, and the way is \
+             longer by 1/cos θ, which thins the light as its square.",
+            cosines,
+        ),
     ],
 );
 
@@ -82,6 +98,13 @@ pub(super) const STEP: Step = step(
     vec![
         quantity("below", "E/L", "under the middle of the map, over the lamp's radiance", lamp.on([0.0; 2]), "sr"),
         quantity("share", "E/πL", "of what a whole sky of it would send", lamp.on([0.0; 2]) / PI, "1"),
+        quantity(
+            "aslant",
+            "cos^4 θ",
+            "of what a small lamp in the ceiling sends right below itself, at θ",
+            setting.number("theta").cos().powi(4),
+            "1",
+        ),
     ]
 })
 .checks(&[&SKY, &SMALL]);
@@ -204,4 +227,72 @@ fn ceiling(_: &Setting) -> Plot {
     .line(Hue::Nth(2), "R = 3 h", curve(3.0))
     .dashed(Hue::Reference, "cos⁴ θ", law);
     Plot::of("A round lamp in the ceiling", chart)
+}
+
+/// Two small areas, one in the ceiling and one on the floor, and what each shows the other of itself.
+fn cosines(setting: &Setting) -> Plot {
+    /// The height of the ceiling, unless the way would be longer than that.
+    const HIGHEST: f64 = 1.35;
+    const LONGEST: f64 = 2.6;
+    /// Half the width of either area, and how far along the way the width stands that the other sees.
+    const HALF: f64 = 0.17;
+    const ALONG: f64 = 0.36;
+    /// Length of the normals and radius of the arcs.
+    const NORMAL: f64 = 0.8;
+    const ARC: f64 = 0.65;
+    /// A smaller angle [rad] has no name: there is no room for it.
+    const NARROW: f64 = 0.1;
+    const WIDE: f64 = 2.1;
+    const LOW: f64 = -0.35;
+    const HIGH: f64 = HIGHEST - LOW;
+    let theta = setting.number("theta");
+    let (sin, cos) = theta.sin_cos();
+    let height = HIGHEST.min(LONGEST * cos);
+    let reach = height * sin / cos;
+    // Both in the middle of the window.
+    let (floor, ceiling) = ((HIGHEST - height) / 2.0, (HIGHEST + height) / 2.0);
+    let (lamp, place) = ([-reach / 2.0, ceiling], [reach / 2.0, floor]);
+    let on_way = |share: f64| [(share - 0.5) * reach, ceiling - share * height];
+    let along = ALONG.min(0.5 * height);
+    // An area, and the lines from its ends to what is seen of it from the other end of the way.
+    let seen = |[x, y]: Spot, sign: f64, hue: Hue, names: [&str; 2]| {
+        let middle = [x + sign * along * sin, y - sign * along * cos];
+        let ends = [-HALF, HALF].map(|end| ([x + end, y], [middle[0] + end * cos * cos, middle[1] + end * cos * sin]));
+        let [(a, a_seen), (b, b_seen)] = ends;
+        let aid = |from, to| Part::line(from, to).hue(hue).dash(Dash::Dotted);
+        let [area, across] = names;
+        [
+            aid(a, a_seen),
+            aid(b, b_seen),
+            Part::surface(a, b, Behind::Nothing).hue(hue).label(area),
+            Part::line(a_seen, b_seen).hue(hue).label(across),
+        ]
+    };
+    let normal = |[x, y]: Spot, sign: f64| {
+        Part::line([x, y], [x, y + sign * NORMAL.min(height)]).dash(Dash::Dashed).hue(Hue::Reference)
+    };
+    let arc = |at: Spot, from: f64| {
+        let arc = Part::arc(at, ARC.min(0.85 * height), from, from + theta);
+        if theta < NARROW { arc } else { arc.label("θ") }
+    };
+    let aside = lamp[0] - 0.6;
+    let h = |share: f64| [aside, floor + share * height];
+    let diagram = Diagram::new("", [-WIDE, LOW], [WIDE, HIGH])
+        .with(Part::surface([WIDE, ceiling], [-WIDE, ceiling], Behind::Hatched))
+        .with(Part::surface([-WIDE, floor], [WIDE, floor], Behind::Hatched))
+        .with(Part::line(h(0.0), h(1.0)))
+        .with(Part::line(h(0.4), h(0.6)).label("h"))
+        .with(normal(lamp, -1.0))
+        .with(normal(place, 1.0))
+        .with(Part::ray_with_heads(lamp, place, &[0.6]))
+        // The name stands beside the middle of the way, where most room is.
+        .with(Part::ray_with_heads(on_way(0.4), on_way(0.55), &[]).label("r = h / cos θ"))
+        .with_all(seen(lamp, 1.0, Hue::P, ["dA", "dA cos θ"]))
+        .with_all(seen(place, -1.0, Hue::Ours, ["dA′", "dA′ cos θ"]))
+        .with(arc(lamp, -FRAC_PI_2))
+        .with(arc(place, FRAC_PI_2))
+        .explain(Hue::P, Dash::Solid, "the lamp's tilt: cos θ")
+        .explain(Hue::Ours, Dash::Solid, "the floor's tilt: cos θ")
+        .explain(Hue::Natural, Dash::Solid, "the way: 1/r² = cos² θ / h²");
+    Plot::of(format!("Four cosines at θ = {:.0}°: cos^4 θ = {:.3}", theta.to_degrees(), cos.powi(4)), diagram)
 }

@@ -1,6 +1,7 @@
 //! Radiometry: rows E26–E32 and C6–C9. One module a step, in teaching order.
 
 mod any_surface;
+mod ball;
 mod extremes;
 mod flux;
 mod functions;

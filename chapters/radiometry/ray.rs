@@ -1,5 +1,6 @@
 //! C8: what stays the same along a ray.
 
+use super::ball::{self, Ray, onward};
 use super::symbols::{AREA, AREA_2, N_1, N_2, RADIANCE, RADIANCE_1, RADIANCE_2, RADIUS, SOLID_ANGLE, THETA, THETA_2};
 use crate::figure::{Axis, Chart, Dash, Hue, Mark, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
@@ -30,6 +31,12 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
             "A bundle of rays as an area of places and directions: free space shears it, a lens shears it the other way, \
              and its area stays.",
             sheared,
+        ),
+        figure(
+            "image",
+            "A small source and its image by a ball of glass. By as much as the image is smaller its bundle is wider; where \
+             it stands in the glass there is more of L, by n². L/n² is what stays.",
+            ball::image,
         ),
     ],
 );
@@ -147,27 +154,6 @@ fn pixels(_: &mut Bench, growth: fn(f64) -> f64) -> Measured {
     }))
 }
 
-/// A ray where it crosses a plane across the axis: place [m] and unit direction.
-type Ray = (DVec3, DVec3);
-
-/// The ray through a ball of glass about `centre`, up to the plane `to` behind it. `None` if it misses.
-fn through_ball(ray: Ray, centre: DVec3, radius: f64, n: f64, to: f64) -> Option<Ray> {
-    let mut ray = ray;
-    for (inside, sign) in [(false, -1.0), (true, 1.0)] {
-        let (place, way) = ray;
-        let off = place - centre;
-        let (half, rest) = (off.dot(way), off.length_squared() - radius * radius);
-        let root = (half * half - rest).sqrt();
-        let hit = place + (-half + sign * root) * way;
-        let normal = (hit - centre) / radius;
-        let (n_i, n_t) = if inside { (n, 1.0) } else { (1.0, n) };
-        ray = (hit, DVec3::from_array(refracted(way.to_array(), normal.to_array(), n_i, n_t)?));
-    }
-    let (place, way) = ray;
-    let ray = (place + (to - place.z) / way.z * way, way);
-    ray.0.is_finite().then_some(ray)
-}
-
 /// Place and direction across the axis as numbers: x, y, and the direction's parts along them times the index.
 fn coordinates((place, way): Ray, n: f64) -> [f64; 4] {
     [place.x, place.y, n * way.x, n * way.y]
@@ -214,18 +200,11 @@ fn lens(bench: &mut Bench, index: fn(f64) -> f64) -> Measured {
     let mut even = |size: f64| uniform(&mut bench.stream, -size, size);
     let rays: Vec<[f64; 4]> = (0..40).map(|_| [even(0.4), even(0.4), even(0.1), even(0.1)]).collect();
     Measured::worst(rays.into_iter().flat_map(|at| {
-        let behind = stretch(at, |at| match through_ball(ray(at, -2.0, 1.0), DVec3::ZERO, 1.0, n, 2.0) {
-            Some(there) => coordinates(there, 1.0),
-            None => [f64::NAN; 4],
-        });
+        let lost = [f64::NAN; 4];
+        let behind =
+            stretch(at, |at| ball::through(ray(at, -2.0, 1.0), n, 2.0).map_or(lost, |there| coordinates(there, 1.0)));
         let inside = stretch(at, |at| {
-            let (place, way) = ray(at, -2.0, 1.0);
-            let half = place.dot(way);
-            let hit = place - (half + (half * half - place.length_squared() + 1.0).sqrt()) * way;
-            match refracted(way.to_array(), hit.to_array(), 1.0, n).map(DVec3::from_array) {
-                Some(way) => coordinates((hit - hit.z / way.z * way, way), index(n)),
-                None => [f64::NAN; 4],
-            }
+            ball::entering(ray(at, -2.0, 1.0), n).map_or(lost, |there| coordinates(onward(there, 0.0), index(n)))
         });
         let place = format!("x = {:.2}, y = {:.2}, p = {:.2}, q = {:.2}", at[0], at[1], at[2], at[3]);
         [(behind - 1.0, format!("behind the ball, {place}")), (inside - 1.0, format!("in its middle, {place}"))]
@@ -270,12 +249,9 @@ fn sheared(setting: &Setting) -> Plot {
     };
     let start: Vec<[f64; 4]> = (0..=120).map(rim).collect();
     let (before, behind) = (-1.6, 2.4);
-    let free = |at: [f64; 4], to: f64| {
-        let (place, way) = ray(at, -3.0, 1.0);
-        coordinates((place + (to + 3.0) / way.z * way, way), 1.0)
-    };
+    let free = |at: [f64; 4], to: f64| coordinates(onward(ray(at, -3.0, 1.0), to), 1.0);
     let glass = |at: [f64; 4], to: f64| {
-        through_ball(ray(at, -3.0, 1.0), DVec3::ZERO, 1.0, n, to).map_or([f64::NAN; 4], |found| coordinates(found, 1.0))
+        ball::through(ray(at, -3.0, 1.0), n, to).map_or([f64::NAN; 4], |found| coordinates(found, 1.0))
     };
     let curve = |map: &dyn Fn([f64; 4]) -> [f64; 4]| -> Vec<[f64; 2]> {
         start.iter().map(|at| map(*at)).map(|at| [at[0], at[2]]).collect()

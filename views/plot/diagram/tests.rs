@@ -3,17 +3,23 @@
 use super::super::canvas::Frame;
 use super::{Arrangement, arrange, shapes};
 use crate::plot::{ALONE, AMONG, gallery, png, svg};
+use chapters::Chapter;
 use chapters::diagram::{Behind, Diagram, Form, Part, Spot};
 use chapters::figure::{Panel, Plot};
 use chapters::parameter::Setting;
 
+/// A figure at changed parameters.
+fn figure(chapter: &Chapter, step: &str, id: &str, changes: &[(&str, &str)]) -> Plot {
+    let step = chapter.steps.iter().find(|found| found.id == step).unwrap();
+    let figure = step.exhibit.figures.iter().find(|figure| figure.id == id).unwrap();
+    let changes: Vec<_> = changes.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
+    (figure.plot)(&Setting::defaults(step.parameters()).with(&changes).unwrap())
+}
+
 /// The figure `fresnel/snell/geometry` between two media at an angle [°].
 fn snell(n_i: &str, n_t: &str, degrees: f64) -> Plot {
-    let step = chapters::fresnel::CHAPTER.steps.iter().find(|step| step.id == "snell").unwrap();
-    let figure = step.exhibit.figures.iter().find(|figure| figure.id == "geometry").unwrap();
-    let changes = [("n_i", n_i.to_owned()), ("n_t", n_t.to_owned()), ("theta", format!("{degrees}deg"))];
-    let changes: Vec<_> = changes.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
-    (figure.plot)(&Setting::defaults(step.parameters()).with(&changes).unwrap())
+    let changes = [("n_i", n_i), ("n_t", n_t), ("theta", &format!("{degrees}deg"))];
+    figure(&chapters::fresnel::CHAPTER, "snell", "geometry", &changes)
 }
 
 fn diagram(plot: &Plot) -> &Diagram {
@@ -83,6 +89,19 @@ fn labels_of_the_gallery_keep_clear() {
     for usual in [ALONE, AMONG] {
         assert_eq!(fault(diagram(&gallery::facet()), usual), None);
     }
+}
+
+#[test]
+fn labels_of_radiometry_keep_clear_over_whole_domains() {
+    let indices =
+        (100..=400).step_by(4).map(|hundredths| ("ray", "image", "n", format!("{}", f64::from(hundredths) / 100.0)));
+    let angles = (0..=80).map(|degrees| ("irradiance", "cosines", "theta", format!("{degrees}deg")));
+    let mut faults = Vec::new();
+    for (step, id, name, value) in indices.chain(angles) {
+        let plot = figure(&chapters::radiometry::CHAPTER, step, id, &[(name, &value)]);
+        faults.extend(fault(diagram(&plot), ALONE).map(|fault| format!("{id} at {name} = {value}: {fault}")));
+    }
+    assert!(faults.is_empty(), "{} faults, such as {:#?}", faults.len(), &faults[..faults.len().min(12)]);
 }
 
 #[test]
