@@ -132,7 +132,7 @@ pub(super) fn image(setting: &Setting) -> Plot {
                 .flat_map(|ray| path(ray, n).into_iter().map(|[from, to]| Part::line(from, to).hue(Hue::Reference))),
         )
         .with_all(bundle.flat_map(|ray| {
-            let heads: [&[f64]; 3] = [&[0.8], &[], &[0.6]];
+            let heads: [&[f64]; 3] = [&[0.8], &[], &[0.92]];
             let pieces = path(ray, n).into_iter().zip(heads);
             pieces.map(|([from, to], heads)| Part::ray_with_heads(from, to, heads).hue(Hue::Ours))
         }))

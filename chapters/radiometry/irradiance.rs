@@ -33,7 +33,7 @@ const SLANT: Parameter = Parameter::new(
     "theta",
     "θ",
     "angle from below a small lamp to where it lights the floor",
-    Kind::number(0.0, 1.4, "rad"),
+    Kind::number(0.0, 80f64.to_radians(), "rad"),
 )
 .default("40deg");
 
