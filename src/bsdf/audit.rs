@@ -54,13 +54,15 @@ pub fn drawn<N: Number>(model: &dyn Bsdf<N>, wo: Vector<f64>, draws: u64, addres
 
 /// Bins along either side of a square.
 const SIDE: usize = 16;
-/// What the expected share of rejected samples is known to [1].
+/// What the expected share of rejected samples is known to [1]; of what is within it the one that was found is taken.
 const RULE: f64 = 1e-4;
 
 /// p of the claim that the samples of a model of facets follow its density, for light that goes to `wo`. Directions are
 /// binned by the facet that sends them, in the square of numbers from which visible facets are drawn, so that the narrowest
-/// lobe fills the bins; reflection and transmission apart, what is rejected in a bin of its own. The width's limit is
-/// α cos θ ≥ 1e−5 in `f32`, where rounded directions leave the lobe.
+/// lobe fills the bins; reflection and transmission apart, what is rejected in a bin of its own. A direction counts as any
+/// of those that are rounded to it: facets that belong to numbers of a width lie on a lattice, ε/(4α cos θ) of a lobe wide,
+/// and bins would count its points. The limit in `f32` is α cos θ ≥ 1e−6: there the lattice is a thirtieth of the lobe, and
+/// where it is a third, a density at rounded directions is no longer the lobe's.
 pub fn lobe_density<N: Number>(
     model: &dyn Bsdf<N>,
     setting: &Setting,
@@ -68,6 +70,8 @@ pub fn lobe_density<N: Number>(
     draws: u64,
     address: &str,
 ) -> f64 {
+    // As the model sees it.
+    let wo = Vector::of(Vector::<N>::of(wo.lane(0)).lane(0));
     match setting.slopes {
         Slopes::Ggx => fits(model, &Facets::new(Ggx::new(setting.alpha), setting.index, wo), wo, draws, address),
         Slopes::Beckmann => {
@@ -144,10 +148,11 @@ fn fits<N: Number>(model: &dyn Bsdf<N>, square: &impl Square, wo: Vector<f64>, d
     let is_inside = wo.z < 0.0;
     let rejected = if model.character().transmits { 2 } else { 1 } * SIDE * SIDE;
     let mut counts = vec![0_u64; rejected + 1];
-    let mut random = stream(32, address);
+    let (mut random, mut within) = (stream(32, address), stream(34, address));
     for _ in 0..draws {
         let sample = model.sample(rounded, [(); 3].map(|()| N::of(throw(&mut random)).min(N::of(1.0 - N::EPSILON))));
-        let wi = Vector::of(sample.wi.lane(0)).flipped(is_inside);
+        let any = sample.wi.lane(0).map(|x| x + spacing::<N>(x) * (throw(&mut within) - 0.5));
+        let wi = Vector::of(any).flipped(is_inside);
         let at = square.place(wi).map(|u| ((u.rem_euclid(1.0) * SIDE as f64) as usize).min(SIDE - 1));
         let bin = (usize::from(wi.z < 0.0) * SIDE + at[0]) * SIDE + at[1];
         counts[if sample.pdf.lane(0) > 0.0 { bin } else { rejected }] += 1;
@@ -157,18 +162,25 @@ fn fits<N: Number>(model: &dyn Bsdf<N>, square: &impl Square, wo: Vector<f64>, d
         Some((wi, area)) => model.pdf(Vector::of(wi.flipped(is_inside).lane(0)), rounded).lane(0) * area,
     };
     let mut expected: Vec<f64> = (0..rejected).map(|bin| mean(|u| density(bin / (SIDE * SIDE) == 1, u), bin)).collect();
-    expected.push((1.0 - expected.iter().sum::<f64>()).max(RULE));
     // Slivers of bins go with what is rejected: the rule may take them for empty, and then one count would be impossible.
     for bin in 0..rejected {
         if expected[bin] * (draws as f64) < LEAST_EXPECTED {
             counts[rejected] += std::mem::take(&mut counts[bin]);
-            expected[rejected] += std::mem::take(&mut expected[bin]);
+            expected[bin] = 0.0;
         }
     }
+    let left = 1.0 - expected.iter().sum::<f64>();
+    let found = counts[rejected] as f64 / draws as f64;
+    expected.push(found.max(left - RULE).min(left + RULE).max(0.0));
     chi_square(&counts, &expected.iter().map(|share| share * draws as f64).collect::<Vec<_>>()).p
 }
 
-/// The integral over one bin of the square: a few points where the bin's rim shows it even, many elsewhere.
+/// The distance of a width's numbers near `x`.
+fn spacing<N: Number>(x: f64) -> f64 {
+    x.abs().log2().floor().exp2() * N::EPSILON
+}
+
+/// The integral over one bin of the square: a few points where the bin's rim shows it even, many where it has an edge.
 fn mean(f: impl Fn([f64; 2]) -> f64, bin: usize) -> f64 {
     let corner = [bin / SIDE % SIDE, bin % SIDE];
     let at = |x: f64, y: f64| f([x, y].map(|u| u.clamp(1e-12, 1.0 - 1e-12)));
@@ -181,8 +193,15 @@ fn mean(f: impl Fn([f64; 2]) -> f64, bin: usize) -> f64 {
             (least, most) = (least.min(here), most.max(here));
         }
     }
-    // A golden lattice: an edge that runs along a grid's rows would miss or take whole rows.
-    let points = if most > 1.02 * least { 96 * 96 } else { 16 };
+    // A golden lattice: an edge that runs along a grid's rows would miss or take whole rows. It converges as the square of
+    // their number where nothing jumps.
+    let points = if most <= 1.02 * least {
+        16
+    } else if most <= 4.0 * least {
+        32 * 32
+    } else {
+        96 * 96
+    };
     let mut sum = 0.0;
     for k in 0..points {
         let [x, y] = golden(k, points);
@@ -192,7 +211,7 @@ fn mean(f: impl Fn([f64; 2]) -> f64, bin: usize) -> f64 {
 }
 
 /// Intervals along a bin's rim.
-const RIM: i32 = 24;
+const RIM: i32 = 16;
 
 /// The largest |f(wi → wo)/n_o² ÷ f(wo → wi)/n_i² − 1| [1] over pairs that `model` itself draws, and where.
 pub fn reciprocity(model: &dyn Bsdf<f64>, wo: Vector<f64>, draws: u64, address: &str) -> (f64, Vector<f64>) {

@@ -113,8 +113,8 @@ impl<N: Number, D: Distribution<N>> RoughDielectric<N, D> {
     #[inline(always)]
     pub fn energy(&self, wo: Vector<N>, u: [N; 2]) -> N {
         let (side, facet, cos, there) = self.meet(wo, u);
-        let (_, back) = self.send(N::Mask::of(false), &side, facet, cos, there);
-        let (_, through) = self.send(N::Mask::of(true), &side, facet, cos, there);
+        let (_, back, _) = self.send(N::Mask::of(false), &side, facet, cos, there);
+        let (_, through, _) = self.send(N::Mask::of(true), &side, facet, cos, there);
         there.reflectance * back + (N::of(1.0) - there.reflectance) * through
     }
 
@@ -127,15 +127,23 @@ impl<N: Number, D: Distribution<N>> RoughDielectric<N, D> {
         (side, facet, cos, dielectric(cos, side.eta))
     }
 
-    /// Where a facet sends light to, or through, and the share [1] of it that no other facet stops.
+    /// Where a facet sends light to, or through, the share [1] of it that no other facet stops, and whether it goes to the
+    /// side that it should: then it is drawn, though so little may be left that the width cannot hold it.
     #[inline(always)]
-    fn send(&self, through: N::Mask, side: &Side<N>, facet: Vector<N>, cos: N, there: Interface<N>) -> (Vector<N>, N) {
+    fn send(
+        &self,
+        through: N::Mask,
+        side: &Side<N>,
+        facet: Vector<N>,
+        cos: N,
+        there: Interface<N>,
+    ) -> (Vector<N>, N, N::Mask) {
         let zero = N::of(0.0);
         let wo = side.wo;
         let wi = Vector::select(through, refracted(wo, facet, cos, side.eta, there), reflected(wo, facet, cos));
         let is_kept = N::select(through, -wi.z, wi.z).gt(zero);
         let share = wi.z.abs() * self.facets.area(wo) * self.joint_area(through, wi, wo);
-        (wi, share.only(is_kept))
+        (wi, share.only(is_kept), is_kept)
     }
 
     /// G₂/(z_i z_o).
@@ -174,7 +182,7 @@ impl<N: Number, D: Distribution<N>> Bsdf<N> for RoughDielectric<N, D> {
     fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
         let (side, facet, cos, there) = self.meet(wo, [u[0], u[1]]);
         let is_transmitted = u[2].ge(there.reflectance);
-        let (wi, share) = self.send(is_transmitted, &side, facet, cos, there);
+        let (wi, share, is_kept) = self.send(is_transmitted, &side, facet, cos, there);
         let compression = compression(is_transmitted, side.eta);
         let turned = turned(is_transmitted, cos, side.eta, there);
         Sample {
@@ -185,6 +193,6 @@ impl<N: Number, D: Distribution<N>> Bsdf<N> for RoughDielectric<N, D> {
             is_transmitted,
             compression,
         }
-        .only(share.gt(N::of(0.0)))
+        .only(is_kept)
     }
 }

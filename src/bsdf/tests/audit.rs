@@ -9,7 +9,7 @@ use crate::bsdf::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes};
 use crate::bsdf::rough_dielectric::RoughDielectric;
 use crate::bsdf::rules::golden;
 use crate::bsdf::walk::{Glass, Walk, orders};
-use crate::bsdf::{Bsdf, Energy, Setting, zoo};
+use crate::bsdf::{Bsdf, Character, Energy, Rgb, Sample, Setting, zoo};
 use crate::number::{Number, Vector};
 use std::f64::consts::PI;
 use yardstick::random::stream;
@@ -42,14 +42,71 @@ fn lobes_follow<N: Number>(width: &str, alphas: &[([f64; 2], Slopes)], cosines: 
     }
 }
 
+const BREADTHS: [([f64; 2], Slopes); 5] = [
+    ([1e-4; 2], Slopes::Ggx),
+    ([0.01; 2], Slopes::Ggx),
+    ([0.3; 2], Slopes::Ggx),
+    ([1.0; 2], Slopes::Ggx),
+    ([1.0, 0.2], Slopes::Ggx),
+];
+
 #[test]
 fn lobes_follow_their_density() {
-    let ggx = [[1e-4; 2], [0.01; 2], [0.3; 2], [1.0; 2], [1.0, 0.2]].map(|alpha| (alpha, Slopes::Ggx));
-    lobes_follow::<f64>("f64", &ggx, &[0.95, 0.1, 0.01, -0.7]);
+    lobes_follow::<f64>("f64", &BREADTHS, &[0.95, 0.1, 0.01, -0.7]);
+    lobes_follow::<f32>("f32", &BREADTHS, &[0.95, 0.1, 0.01, -0.7]);
+}
+
+#[test]
+fn gaussian_lobes_follow_their_density() {
+    // Their facets are drawn by iteration: dear.
     lobes_follow::<f64>("f64", &[([0.3; 2], Slopes::Beckmann)], &[0.5, -0.7]);
-    // α cos θ ≥ 1e−5: below, rounded directions leave the lobe.
-    lobes_follow::<f32>("f32", &ggx, &[0.95, 0.1]);
-    lobes_follow::<f32>("f32", &ggx[1..], &[0.01]);
+    lobes_follow::<f32>("f32", &[([1e-4; 2], Slopes::Beckmann)], &[0.01]);
+}
+
+#[test]
+fn lobes_follow_their_density_to_the_end_of_a_widths_directions() {
+    // α cos θ = 1e−6: below, directions of `f32` are too far apart for the lobe.
+    for (alpha, cos) in [(1e-4, 1e-2), (1e-3, 1e-3), (0.1, 1e-5), (1.0, 1e-6)] {
+        lobes_follow::<f32>("f32, end", &[([alpha; 2], Slopes::Ggx)], &[cos, -cos]);
+    }
+}
+
+/// A model that draws as another does.
+struct Drawing<N: Number> {
+    draws: Box<dyn Bsdf<N>>,
+    knows: Box<dyn Bsdf<N>>,
+}
+
+impl<N: Number> Bsdf<N> for Drawing<N> {
+    fn character(&self) -> Character {
+        self.knows.character()
+    }
+    fn eval_pdf(&self, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
+        self.knows.eval_pdf(wi, wo)
+    }
+    fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        self.draws.sample(wo, u)
+    }
+}
+
+#[test]
+fn lobes_of_another_width_do_not() {
+    // The least that the claims above ask of any of their cases.
+    let most = sidak(1e-3, 48);
+    fn p<N: Number>(name: &str, alpha: f64, cos: f64, [wider, denser]: [f64; 2]) -> f64 {
+        let right = Setting { alpha: [alpha; 2], ..Setting::default() };
+        let wrong = Setting { alpha: [alpha * wider; 2], index: right.index * denser, ..right };
+        let drawing = Drawing::<N> { draws: model(name, &wrong), knows: model(name, &right) };
+        lobe_density(&drawing, &right, direction(cos, 0.7), 100_000, &format!("{name} {alpha} {cos} wrong"))
+    }
+    for name in ["rough-conductor", "rough-dielectric"] {
+        for (alpha, cos) in [(1e-3, 1e-3), (1e-4, 0.01), (0.3, 0.9)] {
+            let found = [p::<f64>(name, alpha, cos, [1.05, 1.0]), p::<f32>(name, alpha, cos, [1.05, 1.0])];
+            assert!(found.iter().all(|p| *p < most), "{name} α {alpha} μ {cos}: {found:?}");
+        }
+    }
+    let found = p::<f64>("rough-dielectric", 0.3, 0.9, [1.0, 1.05]);
+    assert!(found < most, "{found}");
 }
 
 #[test]
