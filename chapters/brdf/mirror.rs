@@ -1,6 +1,6 @@
 //! E49, E50: mirrors, and the delta that they are.
 
-use super::models::{CHANNELS, METAL, METALS, THETA, metal, model, way};
+use super::models::{METAL, METALS, THETA, metal, model, way};
 use super::symbols::{DELTA, F_R, L_IN, L_R, PATCH, THETA_I};
 use crate::figure::{Axis, Chart, Hue, Panel, Picture, Plot};
 use crate::parameter::Setting;
@@ -13,6 +13,7 @@ use equation::expr::cos;
 use equation::{Equation, Expr};
 use light::bsdf::microfacet::Slopes;
 use light::bsdf::{self, Bsdf};
+use light::media;
 use light::number::Vector;
 use light::optics::Incidence;
 use light::optics::fresnel::powers;
@@ -190,7 +191,7 @@ fn reflecting(_: &mut Bench, share: fn(&dyn Bsdf<f64>, Vector<f64>) -> [f64; 3])
                 let exact = powers(Incidence::from_angle(theta), 1.0, indices[channel]).r_n();
                 // Near grazing 1 − R moves with the angle: tan θ of it.
                 let error = (found[channel] / exact - 1.0) / (f64::EPSILON * (1.0 + theta.tan()));
-                (error, format!("{name} at {:.0} nm, θ = {theta}", CHANNELS[channel] * 1e9))
+                (error, format!("{name} at {:.0} nm, θ = {theta}", media::CHANNELS[channel] * 1e9))
             })
         })
     }))

@@ -55,16 +55,13 @@ pub(super) const INDEX: Parameter = Parameter::new(
 pub(super) const THETA: Parameter =
     Parameter::new("theta", "θ_i", "angle of incidence", Kind::number(0.0, FRAC_PI_2, "rad")).default("45deg");
 
-/// Vacuum wavelengths [m] of red, green and blue: the primaries of ITU-R BT.2020.
-pub(super) const CHANNELS: [f64; 3] = [630e-9, 532e-9, 467e-9];
-
-/// The indices of a metal at [`CHANNELS`].
+/// The indices of a metal at [`media::CHANNELS`].
 pub(super) fn metal(name: &str) -> [Complex64; 3] {
     if name == "white" {
         return [Complex64::I; 3];
     }
     let known = media::named(name).expect("a metal of the list");
-    CHANNELS.map(|wavelength| known.index(wavelength).expect("known over the visible"))
+    known.colour().expect("known over the visible")
 }
 
 /// What a model is made from, of those of its parameters that the step has.

@@ -28,6 +28,9 @@ use crate::waves::constants::C;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
+/// Vacuum wavelengths [m] that stand for red, green and blue: the primaries of ITU-R BT.2020.
+pub const CHANNELS: [f64; 3] = [630e-9, 532e-9, 467e-9];
+
 /// A medium by name, and what is known of it: at least one of the two.
 #[derive(Debug)]
 pub struct Substance {
@@ -48,6 +51,15 @@ impl PartialEq for Substance {
 }
 
 impl Substance {
+    /// The indices n + iκ [1] at [`CHANNELS`].
+    ///
+    /// # Errors
+    /// If it is not known there.
+    pub fn colour(&self) -> Result<[Complex64; 3], OutOfRange> {
+        let [red, green, blue] = CHANNELS.map(|wavelength| self.index(wavelength));
+        Ok([red?, green?, blue?])
+    }
+
     /// The index n + iκ [1] at a vacuum wavelength [m]; n > 0, κ ≥ 0. The ends of the range belong to it.
     ///
     /// # Errors

@@ -1,0 +1,108 @@
+//! What surfaces are made of.
+
+use super::Triple;
+use crate::bsdf::microfacet::{Joint, Slopes};
+
+/// A material. What is opaque reflects on both of its sides, but for [`Material::Plastic`], whose back is black.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Material {
+    /// Lambert's.
+    Diffuse {
+        /// ρ [1], 0 … 1.
+        reflectance: Triple,
+    },
+    /// Rough and diffuse (EON).
+    RoughDiffuse {
+        /// ρ [1], 0 … 1.
+        reflectance: Triple,
+        /// [1], 0 … 1.
+        roughness: f64,
+    },
+    /// A mirror that is the same at every angle.
+    Mirror {
+        /// [1], 0 … 1.
+        reflectance: Triple,
+    },
+    /// Polished metal.
+    Conductor {
+        /// Which.
+        metal: Metal,
+    },
+    /// Rough metal.
+    RoughConductor {
+        /// Which.
+        metal: Metal,
+        /// How its facets lie.
+        facets: Facets,
+        /// How masking from two sides goes together.
+        masking: Joint,
+        /// What becomes of light that meets several facets.
+        energy: Energy,
+    },
+    /// Polished glass.
+    Dielectric {
+        /// Index inside [1].
+        ior: f64,
+        /// Index outside [1].
+        outside: f64,
+        /// Absorption inside [m⁻¹]; radiance falls as e^(−aℓ).
+        absorption: Triple,
+    },
+    /// Rough glass.
+    RoughDielectric {
+        /// Index inside [1].
+        ior: f64,
+        /// Index outside [1].
+        outside: f64,
+        /// Absorption inside [m⁻¹].
+        absorption: Triple,
+        /// How its facets lie.
+        facets: Facets,
+        /// What becomes of light that meets several facets.
+        energy: Energy,
+    },
+    /// A diffuse body under a clear coat.
+    Plastic {
+        /// The coat's index [1].
+        ior: f64,
+        /// ρ of the body [1], 0 … 1.
+        reflectance: Triple,
+        /// Roughness [1] of the coat; None is polished.
+        alpha: Option<f64>,
+    },
+}
+
+/// Of what a conductor is made.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Metal {
+    /// By its name in [`crate::media`], at [`crate::media::CHANNELS`].
+    Named(String),
+    /// By channel.
+    Indices {
+        /// n [1].
+        eta: Triple,
+        /// κ [1].
+        k: Triple,
+    },
+}
+
+/// How the facets of a rough surface lie.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facets {
+    /// Roughness along the surface's two axes [1].
+    pub alpha: [f64; 2],
+    /// How slopes are distributed.
+    pub slopes: Slopes,
+}
+
+/// What becomes of light that meets several facets.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Energy {
+    /// A second lobe gives it back.
+    #[default]
+    Compensated,
+    /// It is lost.
+    Single,
+    /// It is walked.
+    Walk,
+}
