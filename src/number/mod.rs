@@ -12,14 +12,20 @@ mod scalar;
 #[cfg(test)]
 mod tests;
 mod vector;
+mod width;
 
 pub use dice::Dice;
 pub use elementary::{Erfcx, atan2, beta, erfcx, exp, ln, ln_1p, polynomial, sin_cos_turns};
 pub use lanes::{Eight, F32x8};
 pub use vector::Vector;
+pub use width::Width;
 
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use fearless_simd::{Level, Simd};
 use std::fmt::Debug;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use std::sync::LazyLock;
 
 /// A truth value for every lane.
 pub trait Mask: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
@@ -136,6 +142,9 @@ pub trait Number:
     }
 }
 
+/// The most lanes of any width.
+pub const MOST_LANES: usize = 8;
+
 /// Terms that a width's series need, so that what is left out is below its rounding.
 #[derive(Clone, Copy, Debug)]
 pub struct Terms {
@@ -157,5 +166,19 @@ pub struct Terms {
 /// vector code. The numbers are the same with and without.
 #[inline]
 pub fn vectorised<R>(work: impl FnOnce() -> R) -> R {
-    fearless_simd::dispatch!(fearless_simd::Level::new(), _simd => work())
+    // Two copies of the work, not three: what lies between the oldest machines and these gains little.
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    {
+        static WIDEST: LazyLock<Level> = LazyLock::new(Level::new);
+        if let Some(avx2) = WIDEST.as_avx2() {
+            return avx2.vectorize(work);
+        }
+    }
+    work()
+}
+
+/// The same where `N` has lanes.
+#[inline(always)]
+pub fn vectorised_lanes<N: Number, R>(work: impl FnOnce() -> R) -> R {
+    if N::LANES == 1 { work() } else { vectorised(work) }
 }

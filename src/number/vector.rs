@@ -38,6 +38,16 @@ impl<N: Number> Vector<N> {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
+    /// v × w.
+    #[inline(always)]
+    pub fn cross(self, other: Self) -> Self {
+        Self {
+            x: self.y * other.z - self.z * other.y,
+            y: self.z * other.x - self.x * other.z,
+            z: self.x * other.y - self.y * other.x,
+        }
+    }
+
     /// Times a number.
     #[inline(always)]
     pub fn scaled(self, factor: N) -> Self {
