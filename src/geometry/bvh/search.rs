@@ -1,0 +1,127 @@
+//! The way of a ray through the hierarchy: into the nearest box first, and never into one beyond what is met.
+
+use super::boxes::Slabs;
+use super::build::MOST_WAITING;
+use super::{Bvh, Kind, Link};
+use crate::geometry::triangle::Shear;
+use crate::geometry::{Hit, Meeting, Ray};
+use crate::number::Width;
+use crate::number::{Mask, Number, Vector};
+
+impl<P: Width> Bvh<P> {
+    /// The closest hit, or `best` if nothing is closer, or as close and lower in the list.
+    #[inline(always)]
+    pub fn closest(&self, ray: &Ray<P::Scalar>, best: Hit<P::Scalar>) -> Hit<P::Scalar> {
+        let mut best = best;
+        self.search::<false>(ray, &mut best);
+        best
+    }
+
+    /// Whether anything is met before `t_max`.
+    #[inline(always)]
+    pub fn is_blocked(&self, ray: &Ray<P::Scalar>, t_max: P::Scalar) -> bool {
+        self.search::<true>(ray, &mut Hit::nothing(t_max))
+    }
+
+    #[inline(always)]
+    fn search<const ANY: bool>(&self, ray: &Ray<P::Scalar>, best: &mut Hit<P::Scalar>) -> bool {
+        let slabs = Slabs::new(ray);
+        let (shear, order) = Shear::<P>::of_one(ray);
+        let wide = spread::<P>(ray);
+        let mut limit = above(best.t.lane(0));
+        // Where the ray enters what waits, as bits, which sort as the numbers do; and what it is.
+        let mut waiting = [0_u64; MOST_WAITING];
+        let mut count = 0;
+        let mut link = Link::node(0);
+        loop {
+            if link.is_leaf() {
+                let packs = link.packs();
+                macro_rules! search {
+                    ($list:ident, $item:ident => $meet:expr) => {
+                        for ($item, places) in &self.$list[packs] {
+                            if take::<P, ANY>($meet, *places, best) {
+                                if ANY {
+                                    return true;
+                                }
+                                limit = above(best.t.lane(0));
+                            }
+                        }
+                    };
+                }
+                match link.kind() {
+                    Kind::Triangle => search!(triangles, triangle => {
+                        triangle.meet_sheared(&shear, |corner| order.map(|axis| corner[axis]))
+                    }),
+                    Kind::Quad => search!(quads, quad => quad.meet(&wide)),
+                    Kind::Skew => search!(skew, quad => quad.meet(&wide)),
+                    Kind::Sphere => search!(spheres, sphere => sphere.meet(&wide)),
+                    Kind::Disc => search!(discs, disc => disc.meet(&wide)),
+                }
+            } else {
+                let node = &self.nodes[link.0 as usize];
+                let passed = slabs.pass(node, limit);
+                let (mut bits, from) = (passed.bits, count);
+                while bits != 0 {
+                    let child = bits.trailing_zeros() as usize & 7;
+                    bits &= bits - 1;
+                    let entry = u64::from(passed.enter[child].to_bits()) << 32 | u64::from(node.children[child].0);
+                    // The nearest comes to stand last.
+                    let mut at = count;
+                    while at > from && waiting[at - 1] < entry {
+                        waiting[at] = waiting[at - 1];
+                        at -= 1;
+                    }
+                    waiting[at] = entry;
+                    count += 1;
+                }
+            }
+            loop {
+                if count == 0 {
+                    return false;
+                }
+                count -= 1;
+                let entry = waiting[count];
+                if f32::from_bits((entry >> 32) as u32) <= limit {
+                    link = Link(entry as u32);
+                    break;
+                }
+            }
+        }
+    }
+}
+
+/// Takes the closest of a pack that is closer than `best`, or as close and lower in the list. Whether there is one.
+#[inline(always)]
+fn take<P: Width, const ANY: bool>(meeting: Meeting<P>, places: P, best: &mut Hit<P::Scalar>) -> bool {
+    let limit = P::all(best.t);
+    let is_closer = meeting.is_met & if ANY { meeting.t.lt(limit) } else { meeting.t.le(limit) };
+    if !is_closer.any() {
+        return false;
+    }
+    if ANY {
+        return true;
+    }
+    let mut is_taken = false;
+    for lane in 0..P::LANES {
+        let (t, place) = (meeting.t.get(lane), places.get(lane));
+        if is_closer.lane(lane) && (t < best.t || t == best.t && place < best.primitive) {
+            *best = Hit { t, u: meeting.u.get(lane), v: meeting.v.get(lane), primitive: place };
+            is_taken = true;
+        }
+    }
+    is_taken
+}
+
+/// The same ray in every lane.
+#[inline(always)]
+fn spread<P: Width>(ray: &Ray<P::Scalar>) -> Ray<P> {
+    let all = |v: Vector<P::Scalar>| Vector::new(P::all(v.x), P::all(v.y), P::all(v.z));
+    Ray { origin: all(ray.origin), direction: all(ray.direction) }
+}
+
+/// The least `f32` that is no less.
+#[inline(always)]
+fn above(x: f64) -> f32 {
+    let near = x as f32;
+    if f64::from(near) < x { near.next_up() } else { near }
+}
