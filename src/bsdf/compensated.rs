@@ -10,9 +10,10 @@ use super::losses::Losses;
 use super::microfacet::{Distribution, Joint};
 use super::rough_conductor::RoughConductor;
 use super::rough_dielectric::{RoughDielectric, Side, compression, held_off_one};
-use super::{Bsdf, Character, Energy, Rgb, Sample, cosine_weighted, grey, rgb};
+use super::{Bsdf, Character, Energy, Rgb, Sample, grey, rgb};
 use crate::number::{Mask, Number, Vector};
 use crate::optics::fresnel::diffuse_reflectance;
+use crate::sampling::warp::cosine_hemisphere;
 use std::f64::consts::FRAC_1_PI;
 
 /// A model of one bounce and the lobe that gives back what it loses.
@@ -173,7 +174,7 @@ impl<N: Number, S: Bsdf<N>> Bsdf<N> for Compensated<N, S> {
         let single = self.single.sample(wo, [u[0], u[1], choice.min(N::of(1.0 - N::EPSILON))]);
         let rest = (choice - one) / N::select(loss.gt(zero), loss, one);
         let is_through = rest.lt(self.through(wo));
-        let wi = cosine_weighted(u).flipped(wo.z.lt(zero)).flipped(is_through);
+        let wi = cosine_hemisphere([u[0], u[1]]).0.flipped(wo.z.lt(zero)).flipped(is_through);
         let wi = Vector::select(is_second, wi, single.wi);
         // Of the first lobe's own draws value and density come from the facet, which knows them better.
         let Side { is_inside, eta, .. } = Side::of(wo, self.index);

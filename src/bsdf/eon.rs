@@ -2,8 +2,9 @@
 //! energy-preserving rough diffuse BRDF*, JCGT 14(1) (2025): Fujii's Oren–Nayar, whose albedo has a closed form, and what
 //! it loses given back by a reciprocal lobe.
 
-use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, cosine_weighted, rgb};
+use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, rgb};
 use crate::number::{Number, Vector, atan2, sin_cos_turns};
+use crate::sampling::warp::cosine_hemisphere;
 use std::f64::consts::{FRAC_1_PI, PI};
 
 /// A rough diffuse surface.
@@ -45,7 +46,7 @@ impl<N: Number> Bsdf<N> for Eon<N> {
         let (sin, cos) = sin_cos_turns(u[1]);
         let sine = (u[0] * (N::of(2.0) - u[0])).sqrt();
         let evenly = Vector::new(sine * cos, sine * sin, N::of(1.0) - u[0]);
-        let wi = Vector::select(u[2].lt(N::of(0.5)), cosine_weighted(u), evenly);
+        let wi = Vector::select(u[2].lt(N::of(0.5)), cosine_hemisphere([u[0], u[1]]).0, evenly);
         let pdf = Self::density(wi);
         let f = self.value(wi, wo);
         let weight = rgb(|c| f[c] * wi.z / pdf);

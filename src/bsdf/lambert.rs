@@ -1,7 +1,8 @@
 //! The diffuse surface (J. H. Lambert, *Photometria* (1760)): f = ρ/π whatever the directions (E48).
 
-use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, cosine_weighted, rgb};
+use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, rgb};
 use crate::number::{Number, Vector};
+use crate::sampling::warp::cosine_hemisphere;
 use std::f64::consts::FRAC_1_PI;
 
 /// A surface of one radiance in all directions.
@@ -31,8 +32,8 @@ impl<N: Number> Bsdf<N> for Lambert<N> {
 
     #[inline(always)]
     fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
-        let wi = cosine_weighted(u);
-        Sample::reflected(wi, self.albedo, wi.z * N::of(FRAC_1_PI)).only(both_above(wi, wo))
+        let (wi, pdf) = cosine_hemisphere([u[0], u[1]]);
+        Sample::reflected(wi, self.albedo, pdf).only(both_above(wi, wo))
     }
 
     #[inline(always)]

@@ -12,8 +12,9 @@ use super::microfacet::{Distribution, Joint};
 use super::rough_conductor::RoughConductor;
 use super::rules::fejer;
 use super::smooth::SmoothConductor;
-use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, cosine_weighted, rgb};
+use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, rgb};
 use crate::number::{Number, Vector};
+use crate::sampling::warp::cosine_hemisphere;
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
 
 /// A coated body.
@@ -147,7 +148,7 @@ impl<N: Number, C: Bsdf<N>> Bsdf<N> for Plastic<N, C> {
         let share = Self::share(returned);
         let is_coat = u[2].lt(share);
         let drawn = self.coat.sample(wo, u);
-        let wi = Vector::select(is_coat, drawn.wi, cosine_weighted(u));
+        let wi = Vector::select(is_coat, drawn.wi, cosine_hemisphere([u[0], u[1]]).0);
         let is_delta = drawn.is_delta & is_coat;
         let cosine = wi.z * N::of(FRAC_1_PI);
         let (f, density) = self.coat.eval_pdf(wi, wo);

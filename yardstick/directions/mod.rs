@@ -16,7 +16,7 @@ mod tests;
 
 pub use domain::Domain;
 pub use lebedev::{TOP_LEVEL, lebedev};
-pub use points::{MOST_SOBOL, Points};
+pub use points::{MOST_SOBOL, Points, net, shuffled};
 pub use product::product;
 
 /// A unit vector; z is the local normal of a hemisphere.

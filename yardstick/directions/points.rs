@@ -56,12 +56,26 @@ fn sobol(n: usize, stream: &mut Stream) -> Vec<[f64; 2]> {
     assert!(n <= MOST_SOBOL, "Sobol's net has {MOST_SOBOL} points, not {n}");
     let scrambles: [u32; 2] = std::array::from_fn(|_| stream.next_u32());
     let point = |index: u32| {
-        // The crate keeps bits in reverse order, as the hash needs them.
-        let part = |axis: usize| owen_scramble_rev(sobol_rev(index.reverse_bits(), axis as u32), scrambles[axis]);
         // The middle of the 2⁻³² that is left open.
-        std::array::from_fn(|axis| (f64::from(part(axis).reverse_bits()) + 0.5) / 2f64.powi(32))
+        std::array::from_fn(|axis| (f64::from(net(index, axis as u32, scrambles[axis])) + 0.5) / 2f64.powi(32))
     };
     (0..n as u32).map(point).collect()
+}
+
+/// Along one of 256 axes the `index`-th point of Sobol's net, of [`MOST_SOBOL`], under Owen's scrambling by a hash:
+/// 32 bits after the point.
+///
+/// # Panics
+/// If there is no such axis.
+pub fn net(index: u32, axis: u32, scramble: u32) -> u32 {
+    // The crate keeps bits in reverse order, as the hash needs them.
+    owen_scramble_rev(sobol_rev(index.reverse_bits(), axis), scramble).reverse_bits()
+}
+
+/// `index` by a permutation that keeps every block of 2^k numbers together that begins at a multiple of 2^k: another order of
+/// the same net, for another pair of its axes.
+pub fn shuffled(index: u32, key: u32) -> u32 {
+    owen_scramble_rev(index.reverse_bits(), key).reverse_bits()
 }
 
 /// Rounding may carry the last cell's end to 1.
