@@ -34,12 +34,18 @@
 //! | conduction, a stiff equation, and its solver | [`waves::conduction`], [`waves::radau`] | `maxwell/conduction` |
 //! | what lamps of any shape send to a place | [`radiometry`] | `radiometry` |
 //! | rough surfaces as heights, and rays among them | [`relief`] | `brdf` |
+//! | points for paths, and how they become directions | [`sampling`] | `path-tracing`, to come |
+//! | how light gets from lamps to the picture | [`transport`] | `path-tracing`, to come |
+//! | from radiance to what a screen shows | [`tone`] | `path-tracing`, to come |
+//! | what is rendered, as data | [`scene`] | `path-tracing`, to come |
+//! | what a ray meets | [`geometry`] | `path-tracing`, to come |
 //! | s and p | [`Polarisation`] | everywhere |
 //! | references in arbitrary precision, condition numbers | `references` | every stress |
 
 pub mod bsdf;
 pub mod em;
 pub mod fields;
+pub mod geometry;
 pub mod media;
 pub mod number;
 pub mod optics;
@@ -48,6 +54,10 @@ pub mod radiometry;
 #[cfg(any(test, feature = "references"))]
 pub mod references;
 pub mod relief;
+pub mod sampling;
+pub mod scene;
+pub mod tone;
+pub mod transport;
 pub mod waves;
 mod wide;
 

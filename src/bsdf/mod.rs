@@ -79,6 +79,20 @@ impl<N: Number> Sample<N> {
         }
     }
 
+    /// `yes` where the mask is true, `no` elsewhere.
+    #[inline(always)]
+    pub fn select(mask: N::Mask, yes: Self, no: Self) -> Self {
+        let either = |yes: N::Mask, no: N::Mask| (mask & yes) | (!mask & no);
+        Self {
+            wi: Vector::select(mask, yes.wi, no.wi),
+            weight: rgb(|c| N::select(mask, yes.weight[c], no.weight[c])),
+            pdf: N::select(mask, yes.pdf, no.pdf),
+            is_delta: either(yes.is_delta, no.is_delta),
+            is_transmitted: either(yes.is_transmitted, no.is_transmitted),
+            compression: N::select(mask, yes.compression, no.compression),
+        }
+    }
+
     /// A reflected direction of a density.
     #[inline(always)]
     fn reflected(wi: Vector<N>, weight: Rgb<N>, pdf: N) -> Self {
@@ -160,14 +174,6 @@ pub fn rgb<N>(of: impl Fn(usize) -> N) -> Rgb<N> {
 #[inline(always)]
 pub fn grey<N: Number>(value: N) -> Rgb<N> {
     [value; 3]
-}
-
-/// A point of a disc of radius 1 [1] with equal areas for equal shares of u, by radius and angle.
-#[inline(always)]
-fn cosine_weighted<N: Number>(u: [N; 3]) -> Vector<N> {
-    let (sin, cos) = crate::number::sin_cos_turns(u[1]);
-    let (radius, height) = (u[0].sqrt(), (N::of(1.0) - u[0]).sqrt());
-    Vector::new(radius * cos, radius * sin, height)
 }
 
 /// Whether both are above the surface.

@@ -7,8 +7,8 @@ use super::plastic::Plastic;
 use super::rough_conductor::RoughConductor;
 use super::rough_dielectric::RoughDielectric;
 use super::walk::{Glass, Walk};
-use super::{Bsdf, Guarded, eon, lambert, oren_nayar, smooth};
-use crate::number::Number;
+use super::{Bsdf, Character, Guarded, Rgb, Sample, eon, lambert, oren_nayar, smooth};
+use crate::number::{Number, Vector, vectorised};
 use num_complex::Complex64;
 
 /// What models are made from; each takes what it needs and holds it within what it can do.
@@ -87,7 +87,41 @@ impl<N: Number> Entry<N> {
 }
 
 fn boxed<N: Number>(model: impl Bsdf<N> + 'static) -> Box<dyn Bsdf<N>> {
-    Box::new(Guarded(model))
+    match N::LANES {
+        1 => Box::new(Guarded(model)),
+        _ => Box::new(Dispatched(Guarded(model))),
+    }
+}
+
+/// A model whose every call runs with the widest instructions there are: a call through a pointer is not inlined into one
+/// that does already.
+struct Dispatched<M>(M);
+
+impl<N: Number, M: Bsdf<N>> Bsdf<N> for Dispatched<M> {
+    fn character(&self) -> Character {
+        self.0.character()
+    }
+
+    fn eval_pdf(&self, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
+        vectorised(
+            #[inline(always)]
+            || self.0.eval_pdf(wi, wo),
+        )
+    }
+
+    fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        vectorised(
+            #[inline(always)]
+            || self.0.sample(wo, u),
+        )
+    }
+
+    fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
+        vectorised(
+            #[inline(always)]
+            || self.0.albedo(wo),
+        )
+    }
 }
 
 /// A model of facets whose slopes are distributed as the setting says.

@@ -1,0 +1,30 @@
+//! How light gets from lamps to the picture.
+//!
+//! | idea | where |
+//! |---|---|
+//! | what a scene needs | [`Needs`] |
+//! | a scene made ready for rays | [`Stage`] |
+//! | the camera's rays | [`Lens`] |
+//! | lamps as a point sees them | [`lamp`] |
+//! | what surfaces are made of, lane by lane | [`surfaces`] |
+//! | integrators to read, one idea more in each | [`simple`] |
+//! | the fast one, eight paths at once | [`kernel`] |
+//! | all pixels | [`picture`] |
+//! | sums of samples that no order of rendering can change | [`film`] |
+
+pub mod film;
+pub mod frame;
+pub mod kernel;
+pub mod lamp;
+pub mod lens;
+pub mod needs;
+pub mod picture;
+pub mod simple;
+pub mod stage;
+pub mod surfaces;
+#[cfg(test)]
+mod tests;
+
+pub use lens::Lens;
+pub use needs::Needs;
+pub use stage::{Stage, Vertex};

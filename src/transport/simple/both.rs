@@ -1,0 +1,54 @@
+//! Both ways of meeting a lamp, each counted by its share of the density with which either would have found it (E. Veach and
+//! L. J. Guibas, *Optimally combining sampling techniques for Monte Carlo rendering*, SIGGRAPH '95, 419: the balance heuristic);
+//! and an end by chance instead of a depth.
+
+use super::{Numbers, carried, gathered};
+use crate::bsdf::{Rgb, rgb};
+use crate::geometry::Ray;
+use crate::transport::Stage;
+
+/// Vertices before a path may end by chance.
+const PATIENCE: u32 = 6;
+
+/// The radiance [W m⁻² sr⁻¹] that comes along a ray.
+// ANCHOR: both
+pub fn radiance(stage: &Stage<f64>, mut ray: Ray<f64>, numbers: &mut Numbers<'_>, depth: u32) -> Rgb<f64> {
+    let (mut light, mut carries) = ([0.0; 3], [1.0; 3]);
+    let mut pdf = f64::INFINITY;
+    let mut squeeze = 1.0;
+    for edge in 1..=depth {
+        let Some(vertex) = stage.meet(&ray) else {
+            return gathered(light, carries, stage.sky());
+        };
+        carries = carried(carries, vertex.clarity);
+        // How densely rays to this lamp would have come here, against the density of the one that did.
+        let weight = 1.0 / (1.0 + stage.density_to(&ray, &vertex, true) / pdf);
+        light = gathered(light, carries, vertex.emitted().map(|emitted| emitted * weight));
+        if edge == depth {
+            break;
+        }
+        let row = numbers.of_next_vertex();
+        for lamp in stage.lamps() {
+            let arrival = lamp.sample(vertex.start, row.lamp);
+            let wi = vertex.frame.inward(arrival.wi);
+            let (f, by_chance) = vertex.f_pdf(wi);
+            let weight = 1.0 / (1.0 + by_chance / arrival.pdf);
+            if f != [0.0; 3] && stage.sees(&vertex, &arrival) {
+                light = gathered(light, carries, rgb(|c| f[c] * wi.z.abs() * arrival.share[c] * weight));
+            }
+        }
+        let drawn = vertex.scatter(row.surface);
+        carries = carried(carries, drawn.weight);
+        pdf = if drawn.is_delta { f64::INFINITY } else { drawn.pdf };
+        squeeze *= drawn.compression;
+        ray = stage.leave(&vertex, vertex.frame.outward(drawn.wi));
+        // Whoever goes on stands for those who do not. Radiance that a medium squeezes is no more energy.
+        let chance = if edge < PATIENCE { 1.0 } else { carries.into_iter().fold(0.0, f64::max) / squeeze };
+        if row.survival >= chance {
+            break;
+        }
+        carries = carries.map(|carries| carries / chance.min(1.0));
+    }
+    light
+}
+// ANCHOR_END: both

@@ -1,0 +1,89 @@
+//! Integrators to read: one path at a time, one idea more in each.
+//!
+//! | idea | where |
+//! |---|---|
+//! | directions all alike, the lecture's own | [`hemisphere`] |
+//! | directions by their cosine and by the surface | [`surface`] |
+//! | rays to lamps | [`lamps`] |
+//! | both, weighed; and an end by chance | [`both`] |
+
+pub mod both;
+pub mod hemisphere;
+pub mod lamps;
+pub mod surface;
+
+use super::{Needs, Stage};
+use crate::bsdf::{Rgb, rgb};
+use crate::geometry::Ray;
+use crate::sampling::{Row, Stream};
+
+/// An integrator by name.
+#[derive(Clone, Copy)]
+pub struct Integrator {
+    /// Command-line word.
+    pub name: &'static str,
+    /// What it does, in a few words.
+    pub about: &'static str,
+    /// Whether it can do scenes that need this.
+    pub fits: fn(&Needs) -> bool,
+    /// The radiance [W m⁻² sr⁻¹] that comes along a ray, on average: from the numbers of a path, at most so many edges long.
+    pub radiance: fn(&Stage<f64>, Ray<f64>, &mut Numbers<'_>, u32) -> Rgb<f64>,
+}
+
+/// All of them.
+pub const INTEGRATORS: &[Integrator] = &[
+    Integrator {
+        name: "hemisphere",
+        about: "directions all alike over the hemisphere, to a fixed depth",
+        fits: |needs| !needs.specular && !needs.clear && !needs.bare_lights,
+        radiance: hemisphere::radiance,
+    },
+    Integrator {
+        name: "surface",
+        about: "directions as the surface scatters, to a fixed depth",
+        fits: |needs| !needs.bare_lights,
+        radiance: surface::radiance,
+    },
+    Integrator {
+        name: "lamps",
+        about: "rays to lamps; lamps met by chance count where rays cannot be sent",
+        fits: |_| true,
+        radiance: lamps::radiance,
+    },
+    Integrator {
+        name: "both",
+        about: "rays to lamps and lamps met by chance, weighed by their densities; roulette",
+        fits: |_| true,
+        radiance: both::radiance,
+    },
+];
+
+/// The numbers of one path, vertex after vertex.
+pub struct Numbers<'a> {
+    stream: &'a Stream<'a>,
+    sample: u32,
+    vertex: usize,
+}
+
+impl<'a> Numbers<'a> {
+    /// Of a sample of a pixel.
+    pub fn new(stream: &'a Stream<'a>, sample: u32) -> Self {
+        Self { stream, sample, vertex: 0 }
+    }
+
+    /// Those of the next vertex.
+    pub fn of_next_vertex(&mut self) -> Row<f64> {
+        self.vertex += 1;
+        self.stream.at(|_| self.sample, |_| self.vertex)
+    }
+}
+
+/// Light with more of it, as much as a path carries.
+pub fn gathered(light: Rgb<f64>, carried: Rgb<f64>, more: Rgb<f64>) -> Rgb<f64> {
+    rgb(|c| light[c] + carried[c] * more[c])
+}
+
+/// What a path carries, times a factor a channel.
+pub fn carried(before: Rgb<f64>, factor: Rgb<f64>) -> Rgb<f64> {
+    rgb(|c| before[c] * factor[c])
+}

@@ -1,0 +1,322 @@
+//! A scene made ready for rays: its shapes, lamps, surfaces and camera about the camera, in one unit of length.
+//!
+//! What is asked of it are calls, each vector code of its own: one long function of eight lanes would take a compiler minutes.
+
+use super::frame::{Frame, length_and_way};
+use super::lamp::{Arrival, Lamp, Piece};
+use super::surfaces::{Met, Surfaces};
+use super::{Lens, Needs};
+use crate::bsdf::{Rgb, Sample, grey, rgb};
+use crate::geometry::{Bounds, Ends, Hit, Owners, Primitive, Ray, Settings, Structure, Surface, World, flatten};
+use crate::number::{Mask, Vector, Width, exp, vectorised_lanes};
+use crate::scene::{Emission, Flaw, Light, Scene};
+
+/// A scene made ready.
+pub struct Stage<N: Width> {
+    world: World<N>,
+    owners: Owners,
+    lens: Lens<N>,
+    surfaces: Surfaces<N>,
+    lamps: Vec<Lamp<N>>,
+    shapes: Vec<[N::Scalar; 8]>,
+    environment: Option<Rgb<N>>,
+    max_depth: Option<u32>,
+    size: [u32; 2],
+    needs: Needs,
+}
+
+/// Where a path has met a shape.
+pub struct Vertex<'a, N: Width> {
+    /// How far the path came.
+    pub distance: N,
+    /// Where, and the shape's own normal.
+    pub surface: Surface<N>,
+    /// Where rays begin on the side that the path came from: off the surface, so that they do not meet it.
+    pub start: Vector<N>,
+    /// Axes about the normal that shades; z is on the side that was met, or where something gets in, outside.
+    pub frame: Frame<N>,
+    /// Where the path came from, along these axes.
+    pub wo: Vector<N>,
+    /// Of what the shape is made.
+    pub met: Met<'a, N>,
+    /// Which lamp it is; −1 for none.
+    pub lamp: N,
+    /// |cos| [1] of where the path came from to the shape's own normal.
+    pub cos: N,
+    /// What it sends back [W m⁻² sr⁻¹].
+    pub emitted: Rgb<N>,
+    /// What is left [1] of light on the way from here to where the path came from.
+    pub clarity: Rgb<N>,
+}
+
+impl<N: Width> Stage<N> {
+    /// Of a scene without a [`Flaw`], its rays met by a structure.
+    ///
+    /// # Errors
+    /// If a medium is not known.
+    pub fn new(scene: &Scene, structure: Structure) -> Result<Self, Flaw> {
+        let middle = scene.camera.origin;
+        let flat = flatten(scene);
+        let all = flat.primitives.iter().fold(Bounds::NOTHING, |all, one| all.union(&one.bounds()));
+        let about = Bounds { low: minus(all.low, middle), high: minus(all.high, middle) };
+        let extent = about.reach();
+        // A power of two changes no digit.
+        let scale = if extent > 0.0 { 2f64.powi(-(extent.log2().ceil() as i32)) } else { 1.0 };
+        let flat = flat.seen_from(middle, scale);
+
+        let number = |name: &str| scene.materials.iter().position(|(known, _)| known == name).unwrap_or(0);
+        let surfaces = Surfaces::new(scene.materials.iter().map(|(_, material)| material), scale)?;
+        let mut lamps = Vec::new();
+        let mut shapes = Vec::new();
+        for (at, shape) in scene.shapes.iter().enumerate() {
+            let material = number(&shape.material);
+            let lamp = shape.emission.and_then(|emission| shining(flat.of_shape(at), &emission));
+            let emission = shape.emission.filter(|_| lamp.is_some());
+            let [red, green, blue] = emission.map_or([0.0; 3], |emission| emission.radiance);
+            let flag = |holds: bool| f64::from(u8::from(holds));
+            let row = [
+                red,
+                green,
+                blue,
+                material as f64,
+                if lamp.is_some() { lamps.len() as f64 } else { -1.0 },
+                flag(surfaces.turns(material)),
+                flag(emission.is_some_and(|emission| emission.two_sided)),
+                0.0,
+            ];
+            shapes.push(row.map(|part| N::of(part).get(0)));
+            lamps.extend(lamp);
+        }
+        // Where rays end besides surfaces; nowhere if some come from infinitely far.
+        let mut ends = Some(Vec::new());
+        for light in &scene.lights {
+            let from_middle = |place: &[f64; 3]| std::array::from_fn(|k| (place[k] - middle[k]) * scale);
+            lamps.push(match light {
+                Light::Point { position, intensity } => {
+                    ends.iter_mut().for_each(|ends| ends.push(from_middle(position)));
+                    Lamp::point(from_middle(position), intensity.map(|i| i * scale * scale))
+                }
+                Light::Directional { direction, irradiance } => {
+                    ends = None;
+                    Lamp::sun(length_and_way(Vector::<f64>::of(*direction)).1.lane(0), *irradiance)
+                }
+            });
+        }
+        Ok(Self {
+            world: World::with(
+                &flat.primitives,
+                &Settings { structure, ends: ends.map_or(Ends::Anywhere, Ends::OnSurfaces) },
+            ),
+            owners: flat.owners,
+            lens: Lens::new(&scene.camera, scene.filter, middle, scale),
+            surfaces,
+            lamps,
+            shapes,
+            environment: scene.environment.map(|radiance| radiance.map(N::of)),
+            max_depth: scene.max_depth,
+            size: [scene.camera.width, scene.camera.height],
+            needs: Needs::of(scene),
+        })
+    }
+
+    /// What it needs.
+    pub fn needs(&self) -> &Needs {
+        &self.needs
+    }
+
+    /// The most edges of a path.
+    pub fn max_depth(&self) -> Option<u32> {
+        self.max_depth
+    }
+
+    /// Width and height of the picture [pixels].
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// The lamps.
+    pub fn lamps(&self) -> &[Lamp<N>] {
+        &self.lamps
+    }
+
+    /// Radiance from behind all shapes.
+    pub fn environment(&self) -> Option<Rgb<N>> {
+        self.environment
+    }
+
+    /// The ray through a pixel that belongs to four numbers.
+    #[inline(always)]
+    pub fn camera(&self, pixel: [u32; 2], u: [N; 4]) -> Ray<N> {
+        let [origin, direction] = self.lens.ray(pixel, u);
+        Ray { origin, direction }
+    }
+
+    /// What a ray meets first; t is infinite where it meets nothing, or the mask is false.
+    #[inline(never)]
+    pub fn closest(&self, ray: &Ray<N>, active: N::Mask) -> Hit<N> {
+        vectorised_lanes::<N, _>(
+            #[inline(always)]
+            || self.world.closest(ray, active),
+        )
+    }
+
+    /// Where anything is between a ray's origin and `distance`.
+    #[inline(never)]
+    pub fn is_blocked(&self, ray: &Ray<N>, distance: N, active: N::Mask) -> N::Mask {
+        vectorised_lanes::<N, _>(
+            #[inline(always)]
+            || self.world.is_blocked(ray, distance, active),
+        )
+    }
+
+    /// What is known of a place that was met; of lanes where the mask is false, nothing that means anything.
+    #[inline(never)]
+    pub fn vertex(&self, ray: &Ray<N>, hit: &Hit<N>, met: N::Mask) -> Vertex<'_, N> {
+        vectorised_lanes::<N, _>(
+            #[inline(always)]
+            || self.looked_at(ray, hit, met),
+        )
+    }
+
+    #[inline(always)]
+    fn looked_at(&self, ray: &Ray<N>, hit: &Hit<N>, met: N::Mask) -> Vertex<'_, N> {
+        let (zero, half) = (N::of(0.0), N::of(0.5));
+        let surface = self.world.surface(ray, hit);
+        let [red, green, blue, material, lamp, turns, two_sided, _] = N::columns(
+            #[inline(always)]
+            |lane| self.shapes[self.owners.shape(hit.primitive.lane(lane).max(0.0) as usize)],
+        );
+        let back = -ray.direction;
+        let cos = back.dot(surface.normal);
+        let is_back = cos.lt(zero);
+        // A normal between those of corners may look away from who looks, where the surface itself does not.
+        let agrees = (back.dot(surface.shading) * cos).gt(zero);
+        let frame =
+            Frame::about(Vector::select(agrees, surface.shading, surface.normal)).turned(is_back & turns.gt(half));
+        let wo = frame.inward(back);
+        let shines = met & lamp.ge(zero) & (!is_back | two_sided.gt(half));
+        let clarity =
+            if self.needs.absorption { self.clarity(material, wo.z.lt(zero), hit.t) } else { grey(N::of(1.0)) };
+        Vertex {
+            distance: hit.t,
+            surface,
+            start: surface.leave(back),
+            frame,
+            wo,
+            met: self.surfaces.met(material),
+            lamp: N::select(shines, lamp, N::of(-1.0)),
+            cos: cos.abs(),
+            emitted: [red, green, blue],
+            clarity,
+        }
+    }
+
+    /// What is left [1] of light after a way inside what the materials enclose.
+    #[inline(never)]
+    fn clarity(&self, material: N, is_inside: N::Mask, distance: N) -> Rgb<N> {
+        let a = N::columns(|lane| self.surfaces.absorption(material.lane(lane) as usize).map(|a| N::of(a).get(0)));
+        rgb(|c| N::select(is_inside & a[c].gt(N::of(0.0)), exp(-(a[c] * distance)), N::of(1.0)))
+    }
+
+    /// The ray that leaves a vertex along a direction.
+    #[inline(always)]
+    pub fn leave(&self, vertex: &Vertex<'_, N>, direction: Vector<N>) -> Ray<N> {
+        Ray { origin: vertex.surface.leave(direction), direction }
+    }
+
+    /// The density [sr⁻¹] with which a ray to the lamp that was met would have been sent this way; 0 where none was, or the mask
+    /// is false.
+    #[inline(always)]
+    pub fn density_to(&self, ray: &Ray<N>, vertex: &Vertex<'_, N>, active: N::Mask) -> N {
+        let mut density = N::of(0.0);
+        for (number, lamp) in self.lamps.iter().enumerate() {
+            let its = active & (vertex.lamp - N::of(number as f64)).abs().lt(N::of(0.5));
+            if its.any() {
+                density = N::select(its, lamp.pdf(ray.origin, vertex.distance, vertex.cos), density);
+            }
+        }
+        density
+    }
+
+    /// The ray to what arrives at a vertex, and how far it goes.
+    #[inline(always)]
+    pub fn towards(&self, vertex: &Vertex<'_, N>, arrival: &Arrival<N>) -> (Ray<N>, N) {
+        let surface = &vertex.surface;
+        let beside = (vertex.start - surface.point).dot(surface.normal);
+        let is_through = (beside * arrival.wi.dot(surface.normal)).lt(N::of(0.0));
+        let origin = Vector::select(is_through, surface.leave(arrival.wi), vertex.start);
+        // The arrival is before the lamp; what is left is the rounding of the way, and through a surface that of its start.
+        let reach = arrival.distance * N::of(1.0 - 4.0 * N::EPSILON);
+        let short = (N::of(4.0) * surface.slack).only(is_through);
+        (Ray { origin, direction: arrival.wi }, reach - short)
+    }
+}
+
+/// One path at a time, for who reads.
+impl Stage<f64> {
+    /// What a ray meets.
+    pub fn meet(&self, ray: &Ray<f64>) -> Option<Vertex<'_, f64>> {
+        let hit = self.closest(ray, true);
+        hit.t.is_finite().then(|| self.vertex(ray, &hit, true))
+    }
+
+    /// Radiance [W m⁻² sr⁻¹] from behind all shapes.
+    pub fn sky(&self) -> Rgb<f64> {
+        self.environment.unwrap_or_default()
+    }
+
+    /// Whether nothing is in the way of what arrives at a vertex.
+    pub fn sees(&self, vertex: &Vertex<'_, f64>, arrival: &Arrival<f64>) -> bool {
+        let (ray, distance) = self.towards(vertex, arrival);
+        !self.is_blocked(&ray, distance, true)
+    }
+}
+
+impl Vertex<'_, f64> {
+    /// What it sends back [W m⁻² sr⁻¹].
+    pub fn emitted(&self) -> Rgb<f64> {
+        if self.lamp < 0.0 { [0.0; 3] } else { self.emitted }
+    }
+
+    /// f [sr⁻¹] for light from a direction along the vertex's axes.
+    pub fn f(&self, wi: Vector<f64>) -> Rgb<f64> {
+        self.f_pdf(wi).0
+    }
+
+    /// f [sr⁻¹], and the density [sr⁻¹] with which [`Vertex::scatter`] draws that direction.
+    pub fn f_pdf(&self, wi: Vector<f64>) -> (Rgb<f64>, f64) {
+        self.met.eval_pdf(true, wi, self.wo)
+    }
+
+    /// A direction for light to come from.
+    pub fn scatter(&self, u: [f64; 3]) -> Sample<f64> {
+        self.met.sample(true, self.wo, u)
+    }
+}
+
+/// The lamp that a shape is; None if it has no area or sends out nothing.
+fn shining<N: Width>(its: &[Primitive], emission: &Emission) -> Option<Lamp<N>> {
+    if emission.radiance == [0.0; 3] {
+        return None;
+    }
+    let Emission { radiance, two_sided } = *emission;
+    let mut pieces = Vec::new();
+    for primitive in its {
+        match *primitive {
+            Primitive::Sphere { center, radius } => return Some(Lamp::ball(center, radius, radiance, two_sided)),
+            Primitive::Disc { center, normal, radius } => {
+                let normal = length_and_way(Vector::<f64>::of(normal)).1.lane(0);
+                return Some(Lamp::disc(center, normal, radius, radiance, two_sided));
+            }
+            Primitive::Quad { corner, edges } => pieces.push(Piece::new(corner, edges, false)),
+            Primitive::Triangle { corners: [a, b, c], .. } => {
+                pieces.push(Piece::new(a, [minus(b, a), minus(c, a)], true));
+            }
+        }
+    }
+    Lamp::flat(pieces, radiance, two_sided)
+}
+
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| a[k] - b[k])
+}

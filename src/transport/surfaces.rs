@@ -1,0 +1,196 @@
+//! What a scene's surfaces are made of, as models of [`crate::bsdf`], for lanes that meet different ones.
+
+use crate::bsdf::lambert::Lambert;
+use crate::bsdf::{self, Bsdf, Guarded, Rgb, Sample, rgb, zoo};
+use crate::media;
+use crate::number::{Mask, Vector, Width};
+use crate::scene::{Energy, Facets, Flaw, Material, Metal};
+use num_complex::Complex64;
+
+/// The materials of a scene.
+pub struct Surfaces<N: Width> {
+    models: Vec<Model<N>>,
+    /// ρ of every material, and 1 if it is Lambert's.
+    paints: Vec<[N::Scalar; 4]>,
+}
+
+struct Model<N: Width> {
+    bsdf: Box<dyn Bsdf<N>>,
+    /// Whether its back is like its front.
+    turns: bool,
+    /// Absorption inside [1 over the unit of length]; 0 for what nothing gets into.
+    absorption: [f64; 3],
+}
+
+impl Material {
+    /// The model's name in the [`zoo`], and what it is made from.
+    ///
+    /// # Errors
+    /// If there is no such metal.
+    pub fn model(&self) -> Result<(&'static str, bsdf::Setting), Flaw> {
+        let plain = bsdf::Setting::default();
+        let faceted = |facets: &Facets| bsdf::Setting { alpha: facets.alpha, slopes: facets.slopes, ..plain };
+        Ok(match self {
+            Self::Diffuse { reflectance } => ("lambert", bsdf::Setting { albedo: *reflectance, ..plain }),
+            Self::RoughDiffuse { reflectance, roughness } => {
+                ("eon", bsdf::Setting { albedo: *reflectance, roughness: *roughness, ..plain })
+            }
+            Self::Mirror { reflectance } => ("mirror", bsdf::Setting { albedo: *reflectance, ..plain }),
+            Self::Conductor { metal } => ("conductor", bsdf::Setting { metal: metal.indices()?, ..plain }),
+            Self::RoughConductor { metal, facets, masking, energy } => {
+                let name = match energy {
+                    Energy::Compensated => "conductor-compensated",
+                    Energy::Single => "rough-conductor",
+                    Energy::Walk => "conductor-walk",
+                };
+                (name, bsdf::Setting { metal: metal.indices()?, joint: *masking, ..faceted(facets) })
+            }
+            Self::Dielectric { ior, outside, .. } => ("dielectric", bsdf::Setting { index: ior / outside, ..plain }),
+            Self::RoughDielectric { ior, outside, facets, energy, .. } => {
+                let name = match energy {
+                    Energy::Compensated => "dielectric-compensated",
+                    Energy::Single => "rough-dielectric",
+                    Energy::Walk => "dielectric-walk",
+                };
+                (name, bsdf::Setting { index: ior / outside, ..faceted(facets) })
+            }
+            Self::Plastic { ior, reflectance, alpha } => {
+                let name = if alpha.is_some() { "rough-plastic" } else { "plastic" };
+                let alpha = alpha.map_or(plain.alpha, |alpha| [alpha; 2]);
+                (name, bsdf::Setting { index: *ior, albedo: *reflectance, alpha, ..plain })
+            }
+        })
+    }
+
+    /// Absorption [m⁻¹] inside what it encloses.
+    pub fn absorption(&self) -> [f64; 3] {
+        match self {
+            Self::Dielectric { absorption, .. } | Self::RoughDielectric { absorption, .. } => *absorption,
+            _ => [0.0; 3],
+        }
+    }
+
+    /// Whether light gets into it.
+    pub fn is_clear(&self) -> bool {
+        matches!(self, Self::Dielectric { .. } | Self::RoughDielectric { .. })
+    }
+
+    /// Whether any of its light has no choice of where to go.
+    pub fn is_specular(&self) -> bool {
+        match self {
+            Self::Mirror { .. } | Self::Conductor { .. } | Self::Dielectric { .. } => true,
+            Self::Plastic { alpha, .. } => alpha.is_none(),
+            _ => false,
+        }
+    }
+}
+
+impl Metal {
+    /// n + iκ [1] by channel.
+    ///
+    /// # Errors
+    /// If there is no metal of that name, or it is not known for light.
+    pub fn indices(&self) -> Result<[Complex64; 3], Flaw> {
+        match self {
+            Self::Indices { eta, k } => Ok(std::array::from_fn(|c| Complex64::new(eta[c], k[c]))),
+            Self::Named(name) => media::named(name)
+                .ok_or_else(|| format!("`{name}` is no known medium"))
+                .and_then(|medium| medium.colour().map_err(|error| error.to_string()))
+                .map_err(|why| Flaw { place: "metal".into(), why }),
+        }
+    }
+}
+
+impl<N: Width> Surfaces<N> {
+    /// Of a scene's materials, in a unit of length of which `scale` make a metre.
+    ///
+    /// # Errors
+    /// If one names a medium that there is not.
+    pub fn new<'a>(materials: impl IntoIterator<Item = &'a Material>, scale: f64) -> Result<Self, Flaw> {
+        let zoo = zoo::<N>();
+        let (mut models, mut paints) = (Vec::new(), Vec::new());
+        for material in materials {
+            let (name, setting) = material.model()?;
+            let entry = zoo.iter().find(|entry| entry.name == name).expect("a model of the zoo");
+            models.push(Model {
+                bsdf: entry.make(&setting),
+                turns: !material.is_clear() && !matches!(material, Material::Plastic { .. }),
+                absorption: material.absorption().map(|a| a / scale),
+            });
+            let is_lambert = f64::from(u8::from(matches!(material, Material::Diffuse { .. })));
+            let [red, green, blue] = setting.albedo;
+            paints.push([red, green, blue, is_lambert].map(|part| N::of(part).get(0)));
+        }
+        Ok(Self { models, paints })
+    }
+
+    /// Whether the back of a material is like its front, 1 or 0.
+    pub fn turns(&self, material: usize) -> bool {
+        self.models[material].turns
+    }
+
+    /// Absorption [1 over the unit of length] inside what a material encloses.
+    pub fn absorption(&self, material: usize) -> [f64; 3] {
+        self.models[material].absorption
+    }
+
+    /// What each lane has met, by the number of its material.
+    #[inline(always)]
+    pub fn met(&self, material: N) -> Met<'_, N> {
+        let [red, green, blue, is_lambert] = N::columns(
+            #[inline(always)]
+            |lane| self.paints[material.lane(lane) as usize],
+        );
+        let paint = Guarded(Lambert { albedo: [red, green, blue] });
+        Met { models: &self.models, material, paint, is_lambert: is_lambert.gt(N::of(0.5)) }
+    }
+}
+
+/// A material a lane.
+pub struct Met<'a, N: Width> {
+    models: &'a [Model<N>],
+    material: N,
+    /// All that are Lambert's at once, each of its own colour.
+    paint: Guarded<Lambert<N>>,
+    is_lambert: N::Mask,
+}
+
+impl<N: Width> Met<'_, N> {
+    /// f [sr⁻¹] and the density [sr⁻¹], 0 where the mask is false.
+    #[inline(always)]
+    pub fn eval_pdf(&self, active: N::Mask, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
+        let (f, pdf) = self.paint.eval_pdf(wi, wo);
+        let lambert = active & self.is_lambert;
+        let mut found = (rgb(|c| f[c].only(lambert)), pdf.only(lambert));
+        self.others(active, |mask, model| {
+            let (f, pdf) = model.eval_pdf(wi, wo);
+            found = (rgb(|c| N::select(mask, f[c], found.0[c])), N::select(mask, pdf, found.1));
+        });
+        found
+    }
+
+    /// A direction for light that goes to `wo` to come from, none where the mask is false.
+    #[inline(always)]
+    pub fn sample(&self, active: N::Mask, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        let mut found = Sample::select(active & self.is_lambert, self.paint.sample(wo, u), Sample::none(wo));
+        self.others(active, |mask, model| found = Sample::select(mask, model.sample(wo, u), found));
+        found
+    }
+
+    /// Each other model among the lanes once, and whose it is.
+    #[inline(always)]
+    fn others(&self, active: N::Mask, mut use_of: impl FnMut(N::Mask, &dyn Bsdf<N>)) {
+        let mut left = active & !self.is_lambert;
+        if !left.any() {
+            return;
+        }
+        for lane in 0..N::LANES {
+            if left.lane(lane) {
+                let number = self.material.lane(lane);
+                let same = left & (self.material - N::of(number)).abs().lt(N::of(0.5));
+                use_of(same, &*self.models[number as usize].bsdf);
+                left = left & !same;
+            }
+        }
+    }
+}

@@ -1,0 +1,310 @@
+//! Light through scenes: against closed forms, and one integrator against another.
+
+use super::film::Halves;
+use super::kernel::{Meeting, Tactics};
+use super::simple::{INTEGRATORS, Integrator};
+use super::{Stage, picture};
+use crate::geometry::Structure;
+use crate::number::{F32x8, Width};
+use crate::radiometry::{self, disc::Disc, polygon, sphere::Sphere};
+use crate::sampling::{Choice, Points};
+use crate::scene::{Camera, Emission, Filter, Geometry, Light, Material, Scene, Shape, Transform};
+use yardstick::statistics::{Moments, normal_two_sided, sidak, z_test};
+
+/// The chance that any one of these tests fails though nothing is wrong.
+const SIGNIFICANCE: f64 = 1e-4;
+
+fn shape(geometry: Geometry, material: &str) -> Shape {
+    Shape { geometry, material: material.into(), emission: None, transform: Transform::default() }
+}
+
+fn shining(shape: Shape, radiance: [f64; 3], two_sided: bool) -> Shape {
+    Shape { emission: Some(Emission { radiance, two_sided }), ..shape }
+}
+
+fn quad(vertices: [[f64; 3]; 4]) -> Geometry {
+    Geometry::Quad { vertices }
+}
+
+fn diffuse(name: &str, reflectance: [f64; 3]) -> (String, Material) {
+    (name.into(), Material::Diffuse { reflectance })
+}
+
+fn looking(origin: [f64; 3], target: [f64; 3], fov_y_deg: f64, pixels: u32) -> Camera {
+    Camera { origin, target, up: [0.0, 0.6, 0.8], fov_y_deg, width: pixels, height: pixels, aperture: 0.0, focus: None }
+}
+
+fn scene(camera: Camera, max_depth: u32, materials: Vec<(String, Material)>, shapes: Vec<Shape>) -> Scene {
+    Scene {
+        name: "test".into(),
+        max_depth: Some(max_depth),
+        filter: Filter::Box,
+        camera,
+        environment: None,
+        materials,
+        shapes,
+        lights: Vec::new(),
+    }
+}
+
+/// A room with a block in it, under a lamp.
+fn room(pixels: u32) -> Scene {
+    let [white, red] = [diffuse("white", [0.73; 3]), diffuse("red", [0.65, 0.05, 0.05])];
+    let wall = |vertices, material| shape(quad(vertices), material);
+    let shapes = vec![
+        wall([[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 0.0, 0.0]], "white"),
+        wall([[0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [1.0, 1.0, 1.0], [0.0, 1.0, 1.0]], "white"),
+        wall([[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 0.0, 1.0]], "white"),
+        wall([[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 1.0], [0.0, 0.0, 1.0]], "red"),
+        wall([[1.0, 0.0, 0.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.0, 0.0]], "white"),
+        shape(Geometry::Box { min: [0.5, 0.0, 0.4], max: [0.8, 0.4, 0.7] }, "white"),
+        shining(
+            shape(quad([[0.3, 0.99, 0.3], [0.7, 0.99, 0.3], [0.7, 0.99, 0.7], [0.3, 0.99, 0.7]]), "white"),
+            [8.0, 6.0, 4.0],
+            false,
+        ),
+    ];
+    scene(looking([0.5, 0.5, -1.3], [0.5, 0.5, 0.0], 40.0, pixels), 6, vec![white, red], shapes)
+}
+
+/// The pixels' halves, as means.
+fn fast<N: Width>(of: &Scene, tactics: &Tactics, pairs: u32, seed: u64) -> Vec<Halves> {
+    let stage = Stage::<N>::new(of, Structure::Best).expect("a scene without a flaw");
+    let points = Points::new(Choice::Net, pairs, 8, seed);
+    let sums = picture::fast(&stage, tactics, &points, 0..of.camera.height, 0..pairs);
+    means(&sums, pairs)
+}
+
+fn simple(of: &Scene, integrator: &Integrator, pairs: u32, seed: u64) -> Vec<Halves> {
+    let stage = Stage::<f64>::new(of, Structure::Best).expect("a scene without a flaw");
+    let points = Points::new(Choice::Net, pairs, 8, seed);
+    let depth = of.max_depth.expect("a depth");
+    means(&picture::simple(&stage, integrator, depth, &points, 0..of.camera.height, 0..pairs), pairs)
+}
+
+fn means(sums: &[Halves], pairs: u32) -> Vec<Halves> {
+    sums.iter().map(|halves| halves.map(|half| half.map(|sum| sum / pairs as f32))).collect()
+}
+
+/// The green of the whole picture, by halves of independent pixels.
+fn green(picture: &[Halves]) -> Moments {
+    let mut moments = Moments::default();
+    picture.iter().flatten().for_each(|half| moments.add(f64::from(half[1])));
+    moments
+}
+
+/// Runs of one pixel with different seeds: they are independent, whatever the points of each are.
+fn runs(count: u64, of: impl Fn(u64) -> Vec<Halves>) -> Moments {
+    let mut moments = Moments::default();
+    for seed in 0..count {
+        of(seed).iter().flatten().for_each(|half| moments.add(f64::from(half[1])));
+    }
+    moments
+}
+
+#[test]
+fn all_integrators_make_the_same_picture() {
+    let room = room(12);
+    let mut pictures = vec![("fast", fast::<F32x8>(&room, &Tactics::default(), 128, 1))];
+    for integrator in INTEGRATORS {
+        // What meets lamps by chance alone needs more.
+        let pairs = if matches!(integrator.name, "hemisphere" | "surface") { 2048 } else { 128 };
+        pictures.push((integrator.name, simple(&room, integrator, pairs, 2)));
+    }
+    let tests = pictures.len() * (pictures.len() - 1) / 2;
+    let least = sidak(SIGNIFICANCE, tests);
+    for (k, (name, one)) in pictures.iter().enumerate() {
+        for (other_name, other) in &pictures[..k] {
+            // Both halves of a pixel are of the same mean, and their difference is error: of the pixels' mean difference.
+            let (mut difference, mut variance) = (0.0, 0.0);
+            for (a, b) in one.iter().zip(other) {
+                let mean = |halves: &Halves| f64::from(halves[0][1] + halves[1][1]) / 2.0;
+                let error = |halves: &Halves| f64::from(halves[0][1] - halves[1][1]).powi(2) / 4.0;
+                difference += mean(a) - mean(b);
+                variance += error(a) + error(b);
+            }
+            let p = normal_two_sided(difference / variance.sqrt());
+            assert!(p > least, "{name} against {other_name}: p = {p:.1e}");
+        }
+    }
+}
+
+#[test]
+fn a_lamp_counted_twice_is_found() {
+    // The test above can fail: by the slip of adding both ways of meeting a lamp without weighing them.
+    let room = room(12);
+    let right = green(&fast::<F32x8>(&room, &Tactics::default(), 128, 1));
+    let by_lamps = fast::<F32x8>(&room, &Tactics { meeting: Meeting::Lamps, ..Tactics::default() }, 128, 2);
+    let by_chance = fast::<F32x8>(&room, &Tactics { meeting: Meeting::Chance, ..Tactics::default() }, 2048, 3);
+    let share = |picture: &[Halves]| green(picture).mean() / right.mean();
+    assert!((share(&by_lamps) - 1.0).abs() < 0.01, "{}", share(&by_lamps));
+    assert!((share(&by_chance) - 1.0).abs() < 0.05, "{}", share(&by_chance));
+    assert!(share(&by_lamps) + share(&by_chance) > 1.8);
+}
+
+#[test]
+fn eight_lanes_are_eight_single_paths() {
+    let room = room(8);
+    let (lanes, single) =
+        (fast::<F32x8>(&room, &Tactics::default(), 16, 5), fast::<f32>(&room, &Tactics::default(), 16, 5));
+    assert_eq!(lanes, single);
+    // In f64 the paths are the same but for rounding, which sends few of them elsewhere.
+    let double = fast::<f64>(&room, &Tactics::default(), 16, 5);
+    let same = |a: &Halves, b: &Halves| (0..2).all(|h| (a[h][1] - b[h][1]).abs() <= 1e-3 * b[h][1]);
+    let count = lanes.iter().zip(&double).filter(|(a, b)| same(a, b)).count();
+    assert!(count * 10 > lanes.len() * 9, "{count} of {}", lanes.len());
+}
+
+#[test]
+fn no_split_of_samples_can_be_told() {
+    let room = room(6);
+    let stage = Stage::<F32x8>::new(&room, Structure::Best).expect("a scene without a flaw");
+    let points = Points::new(Choice::Net, 1024, 8, 0);
+    let tactics = Tactics::default();
+    let part = |rows: std::ops::Range<u32>, pairs| picture::fast(&stage, &tactics, &points, rows, pairs);
+    let whole = part(0..6, 0..1024);
+    let halves = part(0..6, 0..512).into_iter().zip(part(0..6, 512..1024));
+    assert_eq!(whole, halves.map(|(a, b)| super::film::added(a, b)).collect::<Vec<_>>());
+    let rows = [part(0..2, 0..1024), part(2..6, 0..1024)].concat();
+    assert_eq!(whole, rows);
+}
+
+/// Light straight from a lamp onto a diffuse floor, seen through a needle's eye at a place of it.
+fn lit(lamp: Option<Shape>, light: Option<Light>, at: [f64; 2]) -> Scene {
+    let floor = quad([[-4.0, -4.0, 0.0], [4.0, -4.0, 0.0], [4.0, 4.0, 0.0], [-4.0, 4.0, 0.0]]);
+    // Close enough to see it below all of the lamps.
+    let camera = looking([at[0], at[1] - 0.006, 0.004], [at[0], at[1], 0.0], 1e-4, 1);
+    let materials = vec![diffuse("floor", [0.5; 3]), diffuse("black", [0.0; 3])];
+    let shapes = std::iter::once(shape(floor, "floor")).chain(lamp).collect();
+    Scene { lights: light.into_iter().collect(), ..scene(camera, 2, materials, shapes) }
+}
+
+#[test]
+fn lamps_light_a_floor_as_radiometry_says() {
+    // The lamp's radiance is 2; the floor sends on ρ E/π.
+    let two = [2.0; 3];
+    let places = [[0.0, 0.0], [0.9, 0.2], [3.0, -1.0]];
+    let mut tried = Vec::new();
+    for at @ [x, y] in places {
+        let aside = f64::hypot(x, y);
+        let seen = |p: [f64; 3]| [p[0] - x, p[1] - y, p[2]];
+        let corners = [[-0.5, -0.4, 1.0], [-0.5, 0.6, 1.0], [0.5, 0.6, 1.0], [0.5, -0.4, 1.0]];
+        let lamp = shining(shape(quad(corners), "black"), two, false);
+        tried.push((
+            at,
+            "a parallelogram",
+            lit(Some(lamp), None, at),
+            polygon::irradiance(&corners.map(seen), [0.0, 0.0, 1.0]),
+        ));
+        // Close above the floor, beside which a lamp's light is hardest to draw.
+        let low = corners.map(|[x, y, _]| [x, y, 0.05]);
+        let lamp = shining(shape(quad(low), "black"), two, false);
+        tried.push((at, "a low one", lit(Some(lamp), None, at), polygon::irradiance(&low.map(seen), [0.0, 0.0, 1.0])));
+        let round = Geometry::Disc { center: [0.0, 0.0, 0.7], normal: [0.0, 0.0, -3.0], radius: 0.6 };
+        let lamp = shining(shape(round, "black"), two, false);
+        let exact = Disc { radius: 0.6, height: 0.7, offset: aside, tilt: 0.0 }.irradiance();
+        tried.push((at, "a disc", lit(Some(lamp), None, at), exact));
+        // A ball that the floor cuts: its light comes from above the horizon alone.
+        for (name, height) in [("a ball", 0.8), ("a ball on the floor", 0.4), ("a sunk ball", 0.2)] {
+            let ball = Geometry::Sphere { center: [0.0, 0.0, height], radius: 0.39 };
+            let distance = f64::hypot(aside, height);
+            if distance > 0.39 {
+                let lamp = shining(shape(ball, "black"), two, false);
+                let exact = Sphere { radius: 0.39, distance, omega: (height / distance).acos() }.irradiance();
+                tried.push((at, name, lit(Some(lamp), None, at), exact));
+            }
+        }
+        let bulb = Light::Point { position: [0.1, 0.0, 0.9], intensity: [3.0; 3] };
+        let (dx, dy) = (0.1 - x, -y);
+        let distance = (dx * dx + dy * dy + 0.81).sqrt();
+        let exact = radiometry::point(3.0 * 4.0 * std::f64::consts::PI / 2.0, distance, (0.9 / distance).acos());
+        tried.push((at, "a point", lit(None, Some(bulb), at), exact));
+    }
+    let least = sidak(SIGNIFICANCE, 2 * tried.len());
+    for (at, name, scene, irradiance) in tried {
+        let exact = 0.5 / std::f64::consts::PI * 2.0 * irradiance.expect("a lamp");
+        // Seeds apart are independent; a seed's own points are not, and are the better for it.
+        let lanes = runs(64, |seed| fast::<F32x8>(&scene, &Tactics::default(), 64, seed));
+        let both = runs(32, |seed| simple(&scene, &INTEGRATORS[3], 64, seed));
+        for (how, found) in [("lanes", lanes), ("both", both)] {
+            let off = found.mean() / exact - 1.0;
+            // Besides noise: in f32 rays begin off this floor by 4 ε · 12 m, which is 3e-5 of the way to the nearest lamp's middle.
+            let test = z_test(found.mean(), found.standard_error().max(3e-5 * exact), exact);
+            assert!(test.p > least, "{name} at {at:?} by {how}: {off:.1e} off, p = {:.1e}", test.p);
+            assert!(
+                off.abs() < 1e-3 || found.standard_error() > 3e-4 * exact,
+                "{name} at {at:?} by {how}: {off:.1e} off"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_closed_room_that_glows_is_as_bright_as_its_series() {
+    // L = L_e (1 + ρ + … + ρ^(d − 1)) with paths of d edges, within a ball that shines inwards.
+    for (depth, rho) in [(1, 0.8), (2, 0.8), (5, 0.8), (40, 0.8)] {
+        let ball = shape(Geometry::Sphere { center: [0.0; 3], radius: 2.0 }, "wall");
+        let mut room = scene(
+            looking([0.3, 0.1, -0.4], [0.0, 0.0, 1.0], 60.0, 4),
+            depth,
+            vec![diffuse("wall", [rho; 3])],
+            vec![shining(ball, [1.0; 3], true)],
+        );
+        let exact = (1.0 - rho.powi(depth as i32)) / (1.0 - rho);
+        let found = runs(16, |seed| fast::<F32x8>(&room, &Tactics::default(), 32, seed));
+        let test = z_test(found.mean(), found.standard_error().max(1e-6), exact);
+        assert!(test.p > SIGNIFICANCE / 8.0, "{depth} edges: {} against {exact}", found.mean());
+        if depth == 40 {
+            // Without a limit chance alone ends paths, and takes nothing.
+            room.max_depth = None;
+            let found = runs(16, |seed| fast::<F32x8>(&room, &Tactics::default(), 32, seed));
+            let test = z_test(found.mean(), found.standard_error(), 1.0 / (1.0 - rho));
+            assert!(test.p > SIGNIFICANCE / 8.0, "without a limit: {} against {}", found.mean(), 1.0 / (1.0 - rho));
+        }
+    }
+}
+
+#[test]
+fn white_bodies_in_a_white_world_cannot_be_seen() {
+    use crate::bsdf::microfacet::{Joint, Slopes};
+    use crate::scene::{Energy, Facets, Metal};
+    let facets = Facets { alpha: [0.3; 2], slopes: Slopes::Ggx };
+    let white = Metal::Indices { eta: [0.0; 3], k: [1.0; 3] };
+    let bodies = [
+        ("diffuse", Material::Diffuse { reflectance: [1.0; 3] }, 1e-5),
+        ("rough diffuse", Material::RoughDiffuse { reflectance: [1.0; 3], roughness: 0.5 }, 1e-5),
+        ("mirror", Material::Mirror { reflectance: [1.0; 3] }, 1e-5),
+        ("conductor", Material::Conductor { metal: white.clone() }, 1e-5),
+        (
+            "rough conductor",
+            Material::RoughConductor { metal: white, facets, masking: Joint::Correlated, energy: Energy::Compensated },
+            // The compensation's own promise.
+            1e-3,
+        ),
+        ("glass", Material::Dielectric { ior: 1.5, outside: 1.0, absorption: [0.0; 3] }, 1e-5),
+        ("plastic", Material::Plastic { ior: 1.5, reflectance: [1.0; 3], alpha: None }, 1e-4),
+    ];
+    for (name, body, limit) in bodies {
+        let ball = shape(Geometry::Sphere { center: [0.0, 0.0, 3.0], radius: 1.0 }, "body");
+        let camera = looking([0.0; 3], [0.0, 0.0, 1.0], 40.0, 8);
+        let mut world = scene(camera, 64, vec![("body".into(), body)], vec![ball]);
+        world.environment = Some([1.0; 3]);
+        let found = green(&fast::<F32x8>(&world, &Tactics::default(), 64, 7));
+        let off = (found.mean() - 1.0).abs();
+        assert!(off < limit + 4.0 * found.standard_error(), "{name}: {} ± {}", found.mean(), found.standard_error());
+    }
+}
+
+#[test]
+fn absorption_is_that_of_the_way_through() {
+    // Seen along the diameter, glass of index 1 is a filter of its length, and nothing else.
+    let glass = Material::Dielectric { ior: 1.0, outside: 1.0, absorption: [0.2, 0.5, 1.0] };
+    let ball = shape(Geometry::Sphere { center: [0.0, 0.0, 3.0], radius: 0.7 }, "glass");
+    let camera = looking([0.0; 3], [0.0, 0.0, 1.0], 1e-3, 1);
+    let mut world = scene(camera, 8, vec![("glass".into(), glass)], vec![ball]);
+    world.environment = Some([1.0; 3]);
+    let [[half, _]] = fast::<F32x8>(&world, &Tactics::default(), 8, 0)[..] else { panic!("one pixel") };
+    for (seen, a) in half.into_iter().zip([0.2_f64, 0.5, 1.0]) {
+        assert!((f64::from(seen) - (-1.4 * a).exp()).abs() < 1e-5, "{seen}");
+    }
+}
