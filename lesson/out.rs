@@ -144,10 +144,14 @@ fn sweep(path: &Path) {
         let drafts = entry.path();
         // Killed between making the folder and its lock, the owner left none.
         let lock = File::options().write(true).create(true).truncate(false).open(drafts.join(LOCK));
+        // Out of the way in one step first: an owner that comes between making the folder and its lock finds no folder,
+        // where one taken away piece by piece would have let it put a new lock between the pieces.
+        let aside = path.join(drafts_name());
         if let Ok(lock) = lock
             && lock.try_lock().is_ok()
+            && fs::rename(&drafts, &aside).is_ok()
         {
-            let _ = fs::remove_dir_all(&drafts);
+            let _ = fs::remove_dir_all(&aside);
         }
     }
 }
