@@ -29,8 +29,8 @@ pub(crate) fn clear<N: Number>(cos_i: N, index2: N, contrast: N) -> (N, N) {
     // As in `normal_squared`: near grazing from the cosine, near the normal from the sine.
     let q2 = N::select(cos2.lt(N::of(0.5)), contrast + cos2, index2 - sin2);
     let q = q2.max(zero).sqrt();
-    // As in `brewster_balance`.
-    let balance = N::select(index2.lt(one), q2 - index2 * sin2, index2 * cos2 - sin2);
+    // Where this cancels, at Brewster's angle, s alone counts.
+    let balance = index2 * cos2 - sin2;
     let (s, p) = ((cos_i + q).squared(), (index2 * cos_i + q).squared());
     let share = N::of(0.5) * (contrast / (s * p)).squared() * (p.squared() + (balance * s).squared());
     // Asked so that a cosine that is no number gives none: a mean must not take it for total reflection.
