@@ -1,8 +1,8 @@
-//! Fresnel's reflectance of natural light, for every width: the products of [`crate::optics::fresnel`], whose module tells
-//! why, with a choice in place of each branch.
+//! Fresnel's reflectance of natural light, for every width. Between clear media it is that of [`crate::optics::fresnel`].
 
 use super::{Rgb, rgb};
 use crate::number::Number;
+use crate::optics::fresnel::clear;
 
 /// What a clear interface does to a ray.
 #[derive(Clone, Copy, Debug)]
@@ -16,20 +16,9 @@ pub struct Interface<N> {
 /// A clear interface of relative index `eta` = n_t/n_i > 0 at 0 ≤ `cos_i` ≤ 1.
 #[inline(always)]
 pub fn dielectric<N: Number>(cos_i: N, eta: N) -> Interface<N> {
-    let (one, zero) = (N::of(1.0), N::of(0.0));
-    let (cos2, sin2) = (cos_i.squared(), (one - cos_i) * (one + cos_i));
-    let (eta2, contrast) = (eta.squared(), (eta - one) * (eta + one));
-    // q_t²/n_i² by what loses less: near grazing from the cosine, near the normal from the sine.
-    let q2 = N::select(cos2.lt(N::of(0.5)), contrast + cos2, eta2 - sin2);
-    let is_through = q2.gt(zero);
-    let q = q2.max(zero).sqrt();
-    let balance = N::select(eta.lt(one), q2 - eta2 * sin2, eta2 * cos2 - sin2);
-    let (s, p) = ((cos_i + q).squared(), (eta2 * cos_i + q).squared());
-    // Into nothing else nothing is reflected, not even at grazing.
-    let some = N::of(f64::from(f32::MIN_POSITIVE));
-    let (r_s, r_p) = (contrast / s.max(some), contrast * balance / p.max(some));
-    let share = N::of(0.5) * (r_s.squared() + r_p.squared());
-    Interface { reflectance: N::select(is_through, share, one).min(one), cos_t: q / eta }
+    let one = N::of(1.0);
+    let (reflectance, q) = clear(cos_i, eta.squared(), (eta - one) * (eta + one));
+    Interface { reflectance: reflectance.min(one), cos_t: q / eta }
 }
 
 /// A metal: n + iκ over the index outside, in three channels.
@@ -72,8 +61,9 @@ impl<N: Number> Conductor<N> {
     }
 }
 
-/// |r|² of s and p by q = a + ib: r_s = (c − q)/(c + q), and r_p/r_s = (sin²/c − q)/(sin²/c + q), so that both differences
-/// are formed with the same q.
+/// R [1] by |r|² of s and p with q = a + ib: r_s = (c − q)/(c + q), and r_p/r_s = (sin²/c − q)/(sin²/c + q), so that both
+/// differences are formed with the same q. Not the products of [`crate::optics::fresnel`], which give a trace of absorption
+/// its digits by a detour with branches: a metal reflects so much that its differences keep theirs.
 #[inline(always)]
 fn absorbing<N: Number>(cos: N, cos2: N, sin2: N, n: N, k: N) -> N {
     let zero = N::of(0.0);

@@ -67,8 +67,7 @@ pub trait Distribution<N: Number>: Copy + Send + Sync + 'static {
     /// [`visible_density`].
     fn visible(&self, w: Vector<N>, u: [N; 2]) -> Vector<N>;
 
-    /// As [`Distribution::visible`], where facets that reflect downwards may be left out; and the projected area [1] that
-    /// takes the place of z + h in the density.
+    /// As [`Distribution::visible`] for w_z > 0, where facets that reflect downwards may be left out.
     #[inline(always)]
     fn visible_reflecting(&self, w: Vector<N>, u: [N; 2]) -> Vector<N> {
         self.visible(w, u)

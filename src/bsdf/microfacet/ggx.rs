@@ -95,7 +95,7 @@ impl<N: Number> Ggx<N> {
         Vector::new(along * w.x, across * w.y, w.z).normalised()
     }
 
-    /// Which part k of the ball's z bounds the cap from below, and 1 − k. For w_z > 0; below nothing is cut.
+    /// Which part k of the ball's z bounds the cap from below, and 1 − k, for w_z > 0.
     #[inline(always)]
     fn cut(&self, w: Vector<N>) -> (N, N) {
         let one = N::of(1.0);
@@ -104,8 +104,7 @@ impl<N: Number> Ggx<N> {
         let s2 = (one + w.sin2().sqrt()).squared();
         let z2 = w.z.squared();
         let whole = N::of(1.0) / (s2 + a2 * z2);
-        let is_above = w.z.gt(N::of(0.0));
-        (N::select(is_above, (one - a2) * s2 * whole, one), (a2 * (z2 + s2) * whole).only(is_above))
+        ((one - a2) * s2 * whole, a2 * (z2 + s2) * whole)
     }
 
     /// A direction of the cap of height `height` on the ball, at height `cut` above where it could begin, and halfway

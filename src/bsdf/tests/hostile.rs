@@ -52,6 +52,35 @@ fn setting() -> impl Strategy<Value = Setting> {
     })
 }
 
+#[test]
+fn what_is_not_fit_sees_nothing() {
+    let up = [0.6, 0.0, 0.8];
+    let unfit =
+        [[0.6, 0.0, 0.79], [1.0, 0.0, 5e-8], [0.6, f32::NAN, 0.8], [f32::NAN; 3], [0.0; 3], [f32::INFINITY, 0.0, 0.0]];
+    let of = |[x, y, z]: [f32; 3]| Vector::new(x, y, z);
+    for entry in zoo::<f32>() {
+        let model = entry.make(&Setting::default());
+        for unfit in unfit {
+            for (wi, wo) in [(unfit, up), (up, unfit), (unfit, unfit)] {
+                let (f, pdf) = model.eval_pdf(of(wi), of(wo));
+                assert_eq!((f, pdf), ([0.0; 3], 0.0), "{} {wi:?} {wo:?}", entry.name);
+            }
+            let drawn = model.sample(of(unfit), [0.3; 3]);
+            assert_eq!((drawn.weight, drawn.pdf), ([0.0; 3], 0.0), "{} {unfit:?}", entry.name);
+            assert!(model.albedo(of(unfit)).is_none_or(|albedo| albedo == [0.0; 3]), "{} {unfit:?}", entry.name);
+        }
+        // Numbers outside 0 ≤ u < 1 count as one half.
+        for outside in [1.0, -1e-9, f32::NAN, f32::INFINITY] {
+            for axis in 0..3 {
+                let (mut u, mut half) = ([0.3, 0.6, 0.2], [0.3, 0.6, 0.2]);
+                (u[axis], half[axis]) = (outside, 0.5);
+                let [found, expected] = [u, half].map(|u| format!("{:?}", model.sample(of(up), u)));
+                assert_eq!(found, expected, "{} {outside} at {axis}", entry.name);
+            }
+        }
+    }
+}
+
 proptest! {
     // Tables make models dear: few of them, asked often.
     #![proptest_config(ProptestConfig::with_cases(4))]

@@ -1,6 +1,9 @@
 mod audit;
 mod diffuse;
 mod digits;
+mod draws;
+mod forms;
+mod fresnel;
 mod hostile;
 mod rough;
 

@@ -2,43 +2,63 @@
 
 use super::direction;
 use crate::bsdf::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes, visible_density};
+use crate::bsdf::rules::golden;
 use crate::bsdf::{Bsdf, Sample, Setting, zoo};
-use crate::number::Vector;
+use crate::number::{Number, Vector};
 use yardstick::random::{stream, uniform};
-use yardstick::statistics::{chi_square, sidak};
-
-/// p of the claim that visible facets fill the sampler's own square as their density says: it is 1 there, so counts are even.
-/// The place comes back from the facet by another route than the drawing, through the view's azimuth and shares.
-fn evenness<D: Distribution<f64>>(alpha: [f64; 2], wo: Vector<f64>, address: &str) -> f64 {
-    const SIDE: usize = 16;
-    let (facets, mut random) = (D::new(alpha), stream(11, address));
-    let mut counts = vec![0_u64; SIDE * SIDE];
-    let draws = 100_000;
-    for _ in 0..draws {
-        let u = [uniform(&mut random, 0.0, 1.0), uniform(&mut random, 0.0, 1.0)];
-        let m = facets.visible(wo, u);
-        let at = facets.place(wo, m).map(|u| ((u.rem_euclid(1.0) * SIDE as f64) as usize).min(SIDE - 1));
-        counts[at[0] * SIDE + at[1]] += 1;
-    }
-    chi_square(&counts, &vec![draws as f64 / (SIDE * SIDE) as f64; SIDE * SIDE]).p
-}
 
 fn views() -> impl Iterator<Item = ([f64; 2], f64)> {
     let alphas = [[1e-4; 2], [0.01; 2], [0.3; 2], [1.0; 2], [1.0, 0.1]];
     alphas.into_iter().flat_map(|alpha| [0.99, 0.5, 0.1, 1e-3].map(|cos| (alpha, cos)))
 }
 
-#[test]
-fn visible_facets_fill_their_square() {
-    // Forty tests, at 1e−3 together.
-    for (alpha, cos) in views() {
-        let wo = direction(cos, 0.7);
-        for p in [
-            evenness::<Ggx<f64>>(alpha, wo, &format!("ggx {alpha:?} {cos}")),
-            evenness::<Beckmann<f64>>(alpha, wo, &format!("beckmann {alpha:?} {cos}")),
-        ] {
-            assert!(p > sidak(1e-3, 40), "α {alpha:?} μ {cos}: p {p}");
+/// The largest distance [ε] of a place from the numbers that the facet there was drawn by, and where.
+fn displacement<N: Number, D: Distribution<N>>() -> (f64, String) {
+    let mut worst = (0.0, String::new());
+    // From below too, where walks look from.
+    let below = [([1.0; 2], -0.5), ([0.3; 2], -0.1), ([1.0, 0.1], -0.05)];
+    for (alpha, cos) in views().chain(below) {
+        let up = direction(f64::abs(cos), 0.7).flipped(cos < 0.0);
+        let (facets, wo) = (D::new(alpha.map(N::of)), Vector::<N>::of(up.lane(0)));
+        // All over the square, and ever nearer to its corners.
+        let spread = (0..1000).map(|k| golden(k, 1000));
+        let ends = spread.clone().enumerate().map(|(k, [u, v])| {
+            let [near, far] = [u, v].map(|x| 10_f64.powf(-16.0 * x));
+            [if k % 2 == 0 { near } else { 1.0 - near }, if k % 3 == 0 { far } else { 1.0 - far }]
+        });
+        for u in spread.chain(ends) {
+            let u = u.map(|u| N::of(u).min(N::of(1.0 - N::EPSILON)));
+            let m = facets.visible(wo, u);
+            let place = facets.place(wo, m);
+            let [off, turn] = [0, 1].map(|axis| place[axis].lane(0) - u[axis].lane(0));
+            // A whole turn is none, and about the top of a cap, or its nadir, a turn is little.
+            let part = u[0].lane(0);
+            let turn = (turn - turn.round()) * (part * (1.0 - part)).sqrt();
+            // The half vector of a cap's directions cancels where the facet is seen edge-on.
+            let seen = if D::SLOPES == Slopes::Ggx { seen_cosine(alpha, up, m.lane(0)) } else { 1.0 };
+            let off = off.abs().max(turn.abs()) * seen / N::EPSILON;
+            if !(off.is_finite() && off <= worst.0) {
+                worst = (off, format!("α {alpha:?} μ {cos} u {u:?}: {place:?}"));
+            }
         }
+    }
+    worst
+}
+
+/// The cosine [1] at which a facet is seen once the surface is stretched so that α = 1.
+fn seen_cosine([along, across]: [f64; 2], w: Vector<f64>, [x, y, z]: [f64; 3]) -> f64 {
+    let ball = Vector::new(along * w.x, across * w.y, w.z).normalised();
+    ball.dot(Vector::new(x / along, y / across, z).normalised()).abs()
+}
+
+#[test]
+fn visible_facets_come_from_their_place() {
+    // The place comes back from the facet by another route than the drawing, through the view's azimuth and shares; that it
+    // does makes facets of even numbers fill the square evenly. A dozen roundings lie between.
+    let ggx = [displacement::<f64, Ggx<f64>>(), displacement::<f32, Ggx<f32>>()];
+    let beckmann = [displacement::<f64, Beckmann<f64>>(), displacement::<f32, Beckmann<f32>>()];
+    for (off, place) in ggx.into_iter().chain(beckmann) {
+        assert!(off <= 16.0, "{off} at {place}");
     }
 }
 

@@ -11,6 +11,7 @@ mod angles;
 mod natural;
 
 pub use angles::{Dip, brewster_angle, critical_angle, dip, evanescent_depth, refract};
+pub(crate) use natural::clear;
 pub use natural::{diffuse_reflectance, natural_reflectance, natural_reflectance_absorbing};
 
 use super::incidence::{Incidence, brewster_balance, normal_squared, outgoing_root};

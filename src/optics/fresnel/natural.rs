@@ -1,6 +1,7 @@
 //! Natural light: its reflectance at many angles at once, and at all of them together.
 
 use super::{powers, square};
+use crate::number::Number;
 use crate::optics::incidence::Incidence;
 use num_complex::Complex64;
 
@@ -16,12 +17,40 @@ pub fn diffuse_reflectance(n: f64) -> f64 {
         + 8.0 * n2 * n2 * (n2 * n2 + 1.0) / (sum * fourth * fourth) * n.ln()
 }
 
+/// R_n [1] between clear media and q_t/n_i [1], 0 beyond the critical angle, by the products of [`powers`] over n_i²: at
+/// one 0 ≤ `cos_i` ≤ 1, from (n_t/n_i)² [1] and that less 1, which the caller knows with more digits.
+///
+/// One division, of a quotient that `f32` can hold before it is squared, and no branch, so that the compiler can work on
+/// several at a time.
+#[inline(always)]
+pub(crate) fn clear<N: Number>(cos_i: N, index2: N, contrast: N) -> (N, N) {
+    let (one, zero) = (N::of(1.0), N::of(0.0));
+    let (cos2, sin2) = (cos_i.squared(), (one - cos_i) * (one + cos_i));
+    // As in `normal_squared`: near grazing from the cosine, near the normal from the sine.
+    let q2 = N::select(cos2.lt(N::of(0.5)), contrast + cos2, index2 - sin2);
+    let q = q2.max(zero).sqrt();
+    // Where this cancels, at Brewster's angle, s alone counts.
+    let balance = index2 * cos2 - sin2;
+    let (s, p) = ((cos_i + q).squared(), (index2 * cos_i + q).squared());
+    let share = N::of(0.5) * (contrast / (s * p)).squared() * (p.squared() + (balance * s).squared());
+    // Asked so that a cosine that is no number gives none: a mean must not take it for total reflection.
+    (N::select(q2.le(zero), one, share), q)
+}
+
 /// R_n [1] of natural light between clear media, for many cosines of incidence (0 … 1) at once.
 ///
 /// # Panics
 /// If the slices differ in length.
 pub fn natural_reflectance(cos_i: &[f64], n_i: f64, n_t: f64, out: &mut [f64]) {
-    fill::<false>(cos_i, n_i, n_t.into(), out);
+    assert_eq!(cos_i.len(), out.len());
+    let contrast = ((n_t - n_i) / n_i) * ((n_t + n_i) / n_i);
+    if contrast == 0.0 {
+        return out.fill(0.0);
+    }
+    let index2 = (n_t / n_i).squared();
+    for (out, &cos) in out.iter_mut().zip(cos_i) {
+        (*out, _) = clear(cos, index2, contrast);
+    }
 }
 
 /// R_n [1] of natural light into an absorbing medium, for many cosines of incidence (0 … 1) at once.
@@ -29,20 +58,11 @@ pub fn natural_reflectance(cos_i: &[f64], n_i: f64, n_t: f64, out: &mut [f64]) {
 /// # Panics
 /// If the slices differ in length.
 pub fn natural_reflectance_absorbing(cos_i: &[f64], n_i: f64, n_t: Complex64, out: &mut [f64]) {
-    fill::<true>(cos_i, n_i, n_t, out);
-}
-
-/// The products of [`powers`] over n_i², with one division each and no branch, so that the compiler can work on
-/// several at a time. A clear medium leaves out what absorption would add.
-fn fill<const ABSORBING: bool>(cos_i: &[f64], n_i: f64, n_t: Complex64, out: &mut [f64]) {
     assert_eq!(cos_i.len(), out.len());
     let index2 = square(n_t / n_i);
     let kappa = n_t.im / n_i;
     let contrast = Complex64::new(((n_t.re - n_i) / n_i) * ((n_t.re + n_i) / n_i) - kappa * kappa, index2.im);
     let contrast2 = contrast.norm_sqr();
-    if contrast2 == 0.0 && !ABSORBING {
-        return out.fill(0.0);
-    }
     // As in `normal_squared`.
     let normal_squared = |cos2: f64, sin2: f64| if cos2 < 0.5 { contrast.re + cos2 } else { index2.re - sin2 };
     let outwards = 0.0 < index2.re && index2.re < 1.0;
@@ -51,36 +71,25 @@ fn fill<const ABSORBING: bool>(cos_i: &[f64], n_i: f64, n_t: Complex64, out: &mu
         let q2 = normal_squared(cos2, sin2);
         // As in `brewster_balance`.
         let balance = if outwards { q2 - index2.re * sin2 } else { index2.re * cos2 - sin2 };
-        let (s, p, balance2);
-        if ABSORBING {
-            let modulus = (q2 * q2 + index2.im * index2.im).sqrt();
-            let larger = ((q2.abs() + modulus) * 0.5).sqrt();
-            let smaller = 0.5 * index2.im / larger.max(f64::MIN_POSITIVE);
-            let q = if q2 >= 0.0 { (larger, smaller) } else { (smaller, larger) };
-            let (s_re, p_re, p_im) = (cos + q.0, index2.re * cos + q.0, index2.im * cos + q.1);
-            (s, p) = (s_re * s_re + q.1 * q.1, p_re * p_re + p_im * p_im);
-            let turned = index2.im * cos2;
-            balance2 = balance * balance + turned * turned;
-        } else {
-            let root = q2.max(0.0).sqrt();
-            let (s_re, p_re) = (cos + root, index2.re * cos + root);
-            (s, p, balance2) = (s_re * s_re, p_re * p_re, balance * balance);
-        }
+        let modulus = (q2 * q2 + index2.im * index2.im).sqrt();
+        let larger = ((q2.abs() + modulus) * 0.5).sqrt();
+        let smaller = 0.5 * index2.im / larger.max(f64::MIN_POSITIVE);
+        let q = if q2 >= 0.0 { (larger, smaller) } else { (smaller, larger) };
+        let (s_re, p_re, p_im) = (cos + q.0, index2.re * cos + q.0, index2.im * cos + q.1);
+        let (s, p) = (s_re * s_re + q.1 * q.1, p_re * p_re + p_im * p_im);
+        let turned = index2.im * cos2;
+        let balance2 = balance * balance + turned * turned;
         let both = s * p;
-        let share = 0.5 * contrast2 * (p * p + balance2 * (s * s)) / (both * both);
-        // Asked so that a cosine that is no number gives none: a mean must not take it for total reflection.
-        *out = if !ABSORBING && q2 <= 0.0 { 1.0 } else { share };
+        *out = 0.5 * contrast2 * (p * p + balance2 * (s * s)) / (both * both);
     }
-    if ABSORBING {
-        // A trace of absorption near the critical angle, or at the faintest grazing contrast, needs the care that
-        // a batch has no room for.
-        for (out, &cos) in out.iter_mut().zip(cos_i) {
-            let (cos2, sin2) = (cos * cos, (1.0 - cos) * (1.0 + cos));
-            let q2 = normal_squared(cos2, sin2).abs();
-            let size = if cos2 < 0.5 { contrast.re.abs() } else { index2.re.abs() };
-            if q2 < size / 64.0 || q2 + cos2 < 1e-60 {
-                *out = powers(Incidence::from_cos(cos), n_i, n_t).r_n();
-            }
+    // A trace of absorption near the critical angle, or at the faintest grazing contrast, needs the care that a batch has
+    // no room for.
+    for (out, &cos) in out.iter_mut().zip(cos_i) {
+        let (cos2, sin2) = (cos * cos, (1.0 - cos) * (1.0 + cos));
+        let q2 = normal_squared(cos2, sin2).abs();
+        let size = if cos2 < 0.5 { contrast.re.abs() } else { index2.re.abs() };
+        if q2 < size / 64.0 || q2 + cos2 < 1e-60 {
+            *out = powers(Incidence::from_cos(cos), n_i, n_t).r_n();
         }
     }
 }
