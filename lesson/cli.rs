@@ -40,6 +40,12 @@ pub enum Request {
     Functions { json: bool },
     /// Whether one expression or equation leads to another.
     Prove(Question),
+    /// The lecture's scenes.
+    Scenes,
+    /// A scene as a file.
+    Print { scene: String, out: Option<PathBuf> },
+    /// A picture of a scene.
+    Render { scene: String },
     /// A script for the shell.
     Completions(Vec<u8>),
 }
@@ -88,6 +94,7 @@ pub fn parse() -> Result<Request, Stop> {
         Some(Command::Coverage { json, .. }) => Ok(Request::Coverage { json }),
         Some(Command::Eval(eval)) => eval.into_request(),
         Some(Command::Prove(prove)) => Ok(Request::Prove(prove.into())),
+        Some(Command::Render(render)) => render.into_request(),
         Some(Command::Completions { shell, .. }) => Ok(Request::Completions(completions(shell))),
     }
 }
@@ -232,6 +239,9 @@ enum Command {
     /// Prove that two expressions are equal, or that one equation follows from another; or find where it fails.
     #[command(after_help = PROVE_EXAMPLES)]
     Prove(ProveArgs),
+    /// The scenes of the lecture, and those of files.
+    #[command(after_help = RENDER_EXAMPLES)]
+    Render(RenderArgs),
     /// Print a completion script for a shell.
     ///
     /// For bash: lesson completions bash > ~/.local/share/bash-completion/completions/lesson
@@ -459,6 +469,48 @@ impl EvalArgs {
             Some(function) if self.json_lines => Request::EvalLines { function },
             Some(function) => Request::Eval { function, arguments: self.arguments, json: self.json },
             None => return Err(Stop::at("function", "missing; `lesson eval --list` names them")),
+        })
+    }
+}
+
+const RENDER_EXAMPLES: &str = "\
+Examples:
+  lesson render --list
+  lesson render cornell --print            the scene as a file
+  lesson render cornell --print > my.toml
+  lesson render mesh --print --out scenes  with the mesh that it names
+  lesson render my.toml
+
+Scenes are TOML or JSON: metres, linear RGB, radiance in W m⁻² sr⁻¹; --print
+shows the keys. What is wrong with one is told with its line.";
+
+#[derive(Debug, Args)]
+struct RenderArgs {
+    /// A scene of the lecture, or a file that ends in .toml or .json.
+    #[arg(required_unless_present = "list", value_hint = ValueHint::FilePath)]
+    scene: Option<String>,
+    /// The scenes of the lecture, one line each.
+    #[arg(long, conflicts_with_all = ["scene", "print", "out"])]
+    list: bool,
+    /// Print the scene as a TOML file.
+    #[arg(long)]
+    print: bool,
+    /// With --print: a folder for the file and its meshes.
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    help: HelpArg,
+}
+
+impl RenderArgs {
+    fn into_request(self) -> Result<Request, Stop> {
+        let Self { scene, list, print, out, help: _ } = self;
+        Ok(match scene {
+            _ if list => Request::Scenes,
+            Some(scene) if print => Request::Print { scene, out },
+            Some(_) if out.is_some() => return Err(Stop::at("--out", "needs --print")),
+            Some(scene) => Request::Render { scene },
+            None => return Err(Stop::at("scene", "missing; `lesson render --list` names those of the lecture")),
         })
     }
 }

@@ -7,6 +7,7 @@ mod out;
 mod progress;
 mod prove;
 mod run;
+mod scene;
 mod select;
 mod stop;
 mod walk;
@@ -46,6 +47,12 @@ fn serve(request: Request) -> Result<ExitCode, Stop> {
         Request::Functions { json: true } => out::print(eval::list_json().as_bytes())?,
         Request::Functions { json: false } => out::show(&teller.functions(eval::functions()))?,
         Request::Prove(question) => return prove::serve(&question),
+        Request::Scenes => out::show(&scene::list())?,
+        Request::Print { scene, out } => scene::serve_print(&scene, out.as_deref())?,
+        Request::Render { scene } => {
+            let scene = scene::load(&scene)?;
+            return Err(Stop::at(scene.name, "cannot be rendered yet; --print shows what it is"));
+        }
         Request::Completions(script) => out::print(&script)?,
     }
     Ok(ExitCode::SUCCESS)

@@ -39,7 +39,7 @@ pub mod walk;
 mod zoo;
 
 pub use guard::Guarded;
-pub use zoo::{Entry, Setting, zoo};
+pub use zoo::{Entry, INDEX, METAL_INDEX, Setting, zoo};
 
 use crate::number::{Mask, Number, Vector};
 

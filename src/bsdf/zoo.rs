@@ -45,6 +45,12 @@ impl Default for Setting {
     }
 }
 
+/// Ends of the index [1] of what is clear, over that outside.
+pub const INDEX: [f64; 2] = [0.1, 10.0];
+
+/// Ends of n and κ [1] of a metal, over the index outside.
+pub const METAL_INDEX: [f64; 2] = [0.0, 1e3];
+
 /// x between the ends; the lower one if it is not a number.
 fn within(x: f64, low: f64, high: f64) -> f64 {
     if x >= low { x.min(high) } else { low }
@@ -53,12 +59,12 @@ fn within(x: f64, low: f64, high: f64) -> f64 {
 impl Setting {
     /// The nearest setting that models can be made from.
     pub fn held(self) -> Self {
-        let part = |x: f64| within(x, 0.0, 1e3);
+        let part = |x: f64| within(x, METAL_INDEX[0], METAL_INDEX[1]);
         Self {
             albedo: self.albedo.map(|albedo| within(albedo, 0.0, 1.0)),
             alpha: self.alpha.map(|alpha| within(alpha, 1e-4, 1.0)),
             roughness: within(self.roughness, 0.0, 1.0),
-            index: within(self.index, 0.1, 10.0),
+            index: within(self.index, INDEX[0], INDEX[1]),
             metal: self.metal.map(|index| Complex64::new(part(index.re), part(index.im))),
             ..self
         }

@@ -2,6 +2,7 @@
 
 use super::Triple;
 use crate::bsdf::microfacet::{Joint, Slopes};
+use crate::media::{self, Substance};
 
 /// A material. What is opaque reflects on both of its sides, but for [`Material::Plastic`], whose back is black.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +28,8 @@ pub enum Material {
     Conductor {
         /// Which.
         metal: Metal,
+        /// A film upon it.
+        coating: Option<Coating>,
     },
     /// Rough metal.
     RoughConductor {
@@ -47,6 +50,8 @@ pub enum Material {
         outside: f64,
         /// Absorption inside [m⁻¹]; radiance falls as e^(−aℓ).
         absorption: Triple,
+        /// A film upon it.
+        coating: Option<Coating>,
     },
     /// Rough glass.
     RoughDielectric {
@@ -75,7 +80,7 @@ pub enum Material {
 /// Of what a conductor is made.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Metal {
-    /// By its name in [`crate::media`], at [`crate::media::CHANNELS`].
+    /// By its name in [`media`], at [`media::CHANNELS`]: one of [`metals`].
     Named(String),
     /// By channel.
     Indices {
@@ -105,4 +110,41 @@ pub enum Energy {
     Single,
     /// It is walked.
     Walk,
+}
+
+impl Energy {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Compensated, Self::Single, Self::Walk];
+
+    /// Its word in a scene file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Compensated => "compensated",
+            Self::Single => "single",
+            Self::Walk => "walk",
+        }
+    }
+}
+
+/// The least κ [1] of a metal: what is clear has 1e−7 and less, what shines 1 and more.
+const METALLIC: f64 = 0.5;
+
+/// The media that are metals at [`media::CHANNELS`].
+pub fn metals() -> impl Iterator<Item = &'static Substance> {
+    let shines = |known: &Substance| known.colour().is_ok_and(|index| index.iter().all(|index| index.im > METALLIC));
+    media::optical().filter(move |known| shines(known))
+}
+
+/// The media that films are made of: all that are known at [`media::CHANNELS`].
+pub fn films() -> impl Iterator<Item = &'static Substance> {
+    media::optical().filter(|known| known.colour().is_ok())
+}
+
+/// A film of a named medium.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coating {
+    /// Its name in [`media`]: one of [`films`].
+    pub medium: String,
+    /// [nm].
+    pub thickness_nm: f64,
 }

@@ -1,20 +1,23 @@
 //! What is rendered, as data: a camera, shapes, what they are made of, and lights.
 //!
-//! Metres, right-handed, linear RGB, radiance in [W m⁻² sr⁻¹]; angles in degrees, as scene files have them. What makes
-//! pictures of a scene takes its numbers as they are; each says here what it may be.
+//! Metres, right-handed, linear RGB, radiance in [W m⁻² sr⁻¹]; angles in degrees, as scene files have them. A scene is
+//! looked at once, by [`Scene::flaw`]; what makes pictures of it takes only scenes without one.
 //!
 //! | idea | where |
 //! |---|---|
 //! | what surfaces are made of | [`material`] |
 //! | what there is to see | [`shape`] |
-//! | why there can be no picture of a scene | [`Flaw`] |
+//! | what is wrong with a scene, and where | [`flaw`] |
+//! | the scenes of the lecture | [`builtin`] |
 
-mod flaw;
+pub mod builtin;
+pub mod flaw;
 pub mod material;
 pub mod shape;
+mod triple;
 
-pub use flaw::Flaw;
-pub use material::{Energy, Facets, Material, Metal};
+pub use flaw::{Flaw, Part, Place, Unknown};
+pub use material::{Coating, Energy, Facets, Material, Metal};
 pub use shape::{Emission, Geometry, Mesh, Normals, Shape, Transform};
 
 /// A point [m], a direction, or a size along each axis.
@@ -53,6 +56,20 @@ pub enum Filter {
     Gaussian,
 }
 
+impl Filter {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Box, Self::Tent, Self::Gaussian];
+
+    /// Its word in a scene file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Box => "box",
+            Self::Tent => "tent",
+            Self::Gaussian => "gaussian",
+        }
+    }
+}
+
 /// A thin lens, or a pinhole where its aperture is 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
@@ -60,7 +77,7 @@ pub struct Camera {
     pub origin: Triple,
     /// What it looks at [m].
     pub target: Triple,
-    /// What is up in the picture: any direction but the one of view.
+    /// What is up in the picture: any direction but the one of view. The picture's right is view × up.
     pub up: Triple,
     /// The full angle [deg] that the picture spans vertically, 0 … 180 excluded.
     pub fov_y_deg: f64,
@@ -91,6 +108,11 @@ pub enum Light {
         /// Irradiance [W m⁻²] on a plane square to it.
         irradiance: Triple,
     },
+}
+
+impl Camera {
+    /// [`Camera::up`] unless it is said otherwise.
+    pub const UP: Triple = [0.0, 1.0, 0.0];
 }
 
 impl Scene {

@@ -1,0 +1,113 @@
+//! Scenes: the lecture's own by name, others from files; and back into files.
+
+mod fields;
+mod json;
+mod meshes;
+mod obj;
+mod ply;
+mod print;
+mod read;
+mod source;
+#[cfg(test)]
+mod tests;
+mod toml;
+mod tree;
+
+use crate::out::{self, Folder};
+use crate::stop::{Stop, plain};
+use chapters::parameter::{Fault, excerpt};
+use chapters::text::Phrase;
+use light::scene::Scene;
+use light::scene::builtin::{self, BUILTIN};
+use meshes::{Files, Meshes};
+use source::{Snag, Source, bounded};
+use std::path::Path;
+use tree::{Malformed, Node};
+use views::block::{Block, Span, Term, Terms, Tone};
+
+/// The scene called `name`, or that of a file of that name. It has no flaw; what was left out of its files is said on
+/// standard error.
+pub fn load(name: &str) -> Result<Scene, Stop> {
+    let path = Path::new(name);
+    match format(path)? {
+        None => Ok((known(name)?.make)()),
+        Some(parse) => {
+            let folder = path.parent().unwrap_or(Path::new(""));
+            let files = |file: &Path| bounded(&folder.join(file), meshes::LARGEST);
+            let (scene, notes) = read(&Source::open(path)?, parse, &files)?;
+            notes.iter().for_each(|note| out::say(&format!("note: {note}")));
+            Ok(scene)
+        }
+    }
+}
+
+/// Makes a tree of a text.
+type Parse = fn(&str) -> Result<Node, Malformed>;
+
+/// The format of a file by its name; None if that is no file's.
+fn format(path: &Path) -> Result<Option<Parse>, Stop> {
+    const FILES: &str = "valid: .toml, .json, or the name of a scene of the lecture";
+    let extension = match path.extension() {
+        Some(extension) => plain(&extension.to_string_lossy()),
+        None if path.components().count() > 1 => {
+            return Err(Stop::at(path.display(), format!("is no file of a scene; {FILES}")));
+        }
+        None => return Ok(None),
+    };
+    match extension.as_str() {
+        "toml" => Ok(Some(toml::parse)),
+        "json" => Ok(Some(json::parse)),
+        "gltf" | "glb" => Err(Stop::at(path.display(), format!("not yet: glTF cannot be read so far; {FILES}"))),
+        _ => Err(Stop::at(path.display(), format!("scenes are not read from files of that kind; {FILES}"))),
+    }
+}
+
+/// The lecture's scene of that name.
+fn known(name: &str) -> Result<&'static builtin::Builtin, Stop> {
+    let wanted = plain(name);
+    BUILTIN.iter().find(|builtin| plain(builtin.name) == wanted).ok_or_else(|| {
+        let names = BUILTIN.iter().map(|builtin| builtin.name);
+        Fault::unknown(excerpt(name), name, "no such scene, and no file, which ends in .toml or .json", names).into()
+    })
+}
+
+/// Reads a text, and what was left out of the files it names.
+fn read(source: &Source, parse: Parse, files: Files) -> Result<(Scene, Vec<String>), Stop> {
+    let root = parse(&source.text).map_err(|Malformed { why, span }| {
+        source.refuse(Snag { span: Some(span), fault: Fault::new("cannot be read", why) })
+    })?;
+    let name = source.path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
+    let mut meshes = Meshes::new(files);
+    let scene = read::scene(&root, &name, &mut meshes).map_err(|snag| source.refuse(snag))?;
+    Ok((scene, meshes.notes))
+}
+
+/// The lecture's scenes.
+pub fn list() -> Vec<Block> {
+    let item = |builtin: &builtin::Builtin| Term {
+        name: Span::verbatim(Tone::Code, builtin.name),
+        says: vec![Span::new(Tone::Plain, Phrase::verbatim(builtin.about))],
+        note: None,
+    };
+    vec![Block::section(vec![Block::Terms(Terms { width: Some(12), items: BUILTIN.iter().map(item).collect() })])]
+}
+
+/// Writes a scene as TOML to standard output; or into a `folder`, with its meshes.
+pub fn serve_print(name: &str, folder: Option<&Path>) -> Result<(), Stop> {
+    let scene = load(name)?;
+    let printed = print::print(&scene, folder.is_some());
+    let Some(folder) = folder else {
+        out::print(printed.text.as_bytes())?;
+        for (file, _) in &printed.meshes {
+            out::say(&format!("note: {file} is made by the program; --out DIR writes it beside the scene"));
+        }
+        return Ok(());
+    };
+    let folder = Folder::open(folder)?;
+    let scene = folder.draft(&format!("{}.toml", print::stem(&scene.name)), printed.text.as_bytes())?;
+    let meshes = printed.meshes.iter().map(|(file, mesh)| folder.draft(file, &ply::write(mesh)));
+    let drafts = std::iter::once(Ok(scene)).chain(meshes).collect::<Result<Vec<_>, _>>()?;
+    out::publish(&drafts)?;
+    let paths: String = drafts.iter().map(|draft| format!("{}\n", draft.path().display())).collect();
+    out::print(paths.as_bytes())
+}

@@ -1,0 +1,295 @@
+//! From a tree to a scene: one reader for every format.
+
+use super::fields::{Fields, Item, Later};
+use super::meshes::Meshes;
+use super::source::Snag;
+use super::tree::Node;
+use chapters::parameter::Fault;
+use light::bsdf::microfacet::{Joint, Slopes};
+use light::scene::{
+    Camera, Coating, Emission, Energy, Facets, Filter, Flaw, Geometry, Light, Material, Metal, Normals, Scene, Shape,
+    Transform, Triple,
+};
+use std::path::PathBuf;
+
+/// How slopes are distributed unless it is said.
+pub const SLOPES: Slopes = Slopes::Ggx;
+/// How masking goes together unless it is said.
+pub const MASKING: Joint = Joint::Correlated;
+/// The index outside unless it is said: empty space.
+pub const OUTSIDE: f64 = 1.0;
+
+const IMAGES: &[Later] = &[("image", "an image as reflectance"), ("checker", "a checkerboard as reflectance")];
+const ENVIRONMENTS: &[Later] = &[
+    ("image", "an image as environment"),
+    ("scale", "an image as environment"),
+    ("rotate_deg", "an image as environment"),
+];
+const GLASSES: &[Later] = &[("glass", "a glass by name, whose index depends on the wavelength,")];
+const ROUGH_GLASSES: &[Later] = &[GLASSES[0], COATED];
+const COATED: Later = ("coating", "a film on a rough surface");
+
+/// Reads a scene called `name` unless it says otherwise. It has no flaw.
+pub fn scene(root: &Node, name: &str, meshes: &mut Meshes) -> Result<Scene, Snag> {
+    let keys = ["name", "max_depth", "filter", "camera", "environment", "materials", "shapes", "lights"];
+    let fields = Item::root(root).fields("a scene", &keys)?;
+    let list = |key: &str| fields.get(key).map_or(Ok(Vec::new()), |item| item.list());
+    let scene = Scene {
+        name: fields.may("name", Item::text)?.unwrap_or(name).to_owned(),
+        max_depth: fields.may("max_depth", Item::count)?,
+        filter: fields
+            .may("filter", |item| item.word("pixel filter", &words(Filter::ALL, Filter::name)))?
+            .unwrap_or_default(),
+        camera: camera(fields.must("camera")?)?,
+        environment: fields.get("environment").filter(|item| !item.is_null()).map(environment).transpose()?,
+        materials: fields.get("materials").map_or(Ok(Vec::new()), materials)?,
+        shapes: list("shapes")?.into_iter().map(|item| shape(item, meshes)).collect::<Result<_, _>>()?,
+        lights: list("lights")?.into_iter().map(light).collect::<Result<_, _>>()?,
+    };
+    match scene.flaw() {
+        None => Ok(scene),
+        Some(flaw) => Err(flawed(root, flaw)),
+    }
+}
+
+/// Where a flaw of the scene stands in its text.
+fn flawed(root: &Node, flaw: Flaw) -> Snag {
+    let (span, place) = (root.find(&flaw.place), flaw.place.to_string());
+    let fault = match flaw.unknown {
+        Some(unknown) => Fault::unknown(place, unknown.word, flaw.why, unknown.names),
+        None => Fault::new(place, flaw.why),
+    };
+    Snag { span: (span != root.span).then_some(span), fault }
+}
+
+/// Each of `all` by its name.
+fn words<T: Copy, const N: usize>(all: [T; N], name: fn(T) -> &'static str) -> [(&'static str, T); N] {
+    all.map(|each| (name(each), each))
+}
+
+fn camera(item: Item) -> Result<Camera, Snag> {
+    let keys = ["origin", "target", "up", "fov_y_deg", "width", "height", "aperture", "focus"];
+    let fields = item.fields("a camera", &keys)?;
+    Ok(Camera {
+        origin: fields.triple("origin")?,
+        target: fields.triple("target")?,
+        up: fields.may("up", Item::triple)?.unwrap_or(Camera::UP),
+        fov_y_deg: fields.number("fov_y_deg")?,
+        width: fields.must("width")?.count()?,
+        height: fields.must("height")?.count()?,
+        aperture: fields.may("aperture", Item::number)?.unwrap_or_default(),
+        focus: fields.may("focus", Item::number)?,
+    })
+}
+
+fn environment(item: Item) -> Result<Triple, Snag> {
+    let fields = item.table("an environment")?;
+    fields.only(&["radiance"], ENVIRONMENTS)?;
+    fields.triple("radiance")
+}
+
+fn materials(item: Item) -> Result<Vec<(String, Material)>, Snag> {
+    let table = item.table("the materials")?;
+    table.items().map(|(name, item)| Ok((name.to_owned(), material(item)?))).collect()
+}
+
+/// Reads the fields of a kind of material or shape.
+type Read<T> = fn(&Fields) -> Result<T, Snag>;
+
+const MATERIALS: &[(&str, Read<Material>)] = &[
+    ("diffuse", |fields| {
+        fields.only(&["type", "reflectance"], &[])?;
+        Ok(Material::Diffuse { reflectance: reflectance(fields)? })
+    }),
+    ("rough_diffuse", |fields| {
+        fields.only(&["type", "reflectance", "roughness"], &[])?;
+        Ok(Material::RoughDiffuse { reflectance: reflectance(fields)?, roughness: fields.number("roughness")? })
+    }),
+    ("mirror", |fields| {
+        fields.only(&["type", "reflectance"], &[])?;
+        Ok(Material::Mirror { reflectance: reflectance(fields)? })
+    }),
+    ("conductor", |fields| {
+        fields.only(&["type", "metal", "eta", "k", "coating"], &[])?;
+        Ok(Material::Conductor { metal: metal(fields)?, coating: fields.may("coating", coating)? })
+    }),
+    ("rough_conductor", |fields| {
+        let keys = [&["type", "metal", "eta", "k", "masking", "energy"], &FACETS[..]].concat();
+        fields.only(&keys, &[COATED])?;
+        let masking = fields.may("masking", |item| item.word("kind of masking", &words(Joint::ALL, Joint::name)))?;
+        Ok(Material::RoughConductor {
+            metal: metal(fields)?,
+            facets: facets(fields)?,
+            masking: masking.unwrap_or(MASKING),
+            energy: energy(fields)?,
+        })
+    }),
+    ("dielectric", |fields| {
+        fields.only(&["type", "ior", "outside", "absorption", "coating"], GLASSES)?;
+        let (ior, outside, absorption) = clear(fields)?;
+        Ok(Material::Dielectric { ior, outside, absorption, coating: fields.may("coating", coating)? })
+    }),
+    ("rough_dielectric", |fields| {
+        let keys = [&["type", "ior", "outside", "absorption", "energy"], &FACETS[..]].concat();
+        fields.only(&keys, ROUGH_GLASSES)?;
+        let (ior, outside, absorption) = clear(fields)?;
+        Ok(Material::RoughDielectric { ior, outside, absorption, facets: facets(fields)?, energy: energy(fields)? })
+    }),
+    ("plastic", |fields| {
+        fields.only(&["type", "ior", "reflectance", "alpha"], GLASSES)?;
+        Ok(Material::Plastic {
+            ior: fields.number("ior")?,
+            reflectance: reflectance(fields)?,
+            alpha: fields.may("alpha", Item::number)?,
+        })
+    }),
+];
+
+fn material(item: Item) -> Result<Material, Snag> {
+    let (fields, read) = item.table("a material")?.of_type(MATERIALS)?;
+    read(&fields)
+}
+
+fn reflectance(fields: &Fields) -> Result<Triple, Snag> {
+    let item = fields.must("reflectance")?;
+    match item.under(IMAGES) {
+        Some(later) => Err(later),
+        None => item.triple(),
+    }
+}
+
+fn metal(fields: &Fields) -> Result<Metal, Snag> {
+    match fields.may("metal", Item::text)? {
+        Some(name) => {
+            ["eta", "k"].iter().try_for_each(|key| fields.idle(key, "given beside metal, which has its own"))?;
+            Ok(Metal::Named(name.to_owned()))
+        }
+        None if fields.get("eta").is_none() && fields.get("k").is_none() => Err(fields.missing("metal")),
+        None => Ok(Metal::Indices { eta: fields.triple("eta")?, k: fields.triple("k")? }),
+    }
+}
+
+/// The keys of [`facets`].
+const FACETS: [&str; 4] = ["alpha", "alpha_x", "alpha_y", "distribution"];
+
+fn facets(fields: &Fields) -> Result<Facets, Snag> {
+    let alpha = match fields.may("alpha", Item::number)? {
+        Some(alpha) => {
+            ["alpha_x", "alpha_y"].iter().try_for_each(|key| fields.idle(key, "given beside alpha, which is both"))?;
+            [alpha; 2]
+        }
+        None if fields.get("alpha_x").is_some() || fields.get("alpha_y").is_some() => {
+            [fields.number("alpha_x")?, fields.number("alpha_y")?]
+        }
+        None => [fields.number("alpha")?; 2],
+    };
+    let slopes = fields.may("distribution", |item| item.word("distribution", &words(Slopes::ALL, Slopes::name)))?;
+    Ok(Facets { alpha, slopes: slopes.unwrap_or(SLOPES) })
+}
+
+fn energy(fields: &Fields) -> Result<Energy, Snag> {
+    let energy = fields.may("energy", |item| item.word("way to treat energy", &words(Energy::ALL, Energy::name)))?;
+    Ok(energy.unwrap_or_default())
+}
+
+/// Index, index outside, and absorption.
+fn clear(fields: &Fields) -> Result<(f64, f64, Triple), Snag> {
+    let outside = fields.may("outside", Item::number)?.unwrap_or(OUTSIDE);
+    Ok((fields.number("ior")?, outside, fields.may("absorption", Item::triple)?.unwrap_or_default()))
+}
+
+fn coating(item: &Item) -> Result<Coating, Snag> {
+    let fields = item.clone().fields("a coating", &["medium", "thickness_nm"])?;
+    Ok(Coating { medium: fields.must("medium")?.text()?.to_owned(), thickness_nm: fields.number("thickness_nm")? })
+}
+
+/// The keys that every shape may have.
+const ANY_SHAPE: [&str; 5] = ["type", "material", "emission", "two_sided", "transform"];
+
+/// Refuses keys that are neither `own` nor those of any shape.
+fn shaped(fields: &Fields, own: &[&str]) -> Result<(), Snag> {
+    fields.only(&[&ANY_SHAPE[..1], own, &ANY_SHAPE[1..]].concat(), &[])
+}
+
+type ReadShape = fn(&Fields, &mut Meshes) -> Result<Geometry, Snag>;
+
+const SHAPES: &[(&str, ReadShape)] = &[
+    ("quad", |fields, _| {
+        shaped(fields, &["vertices"])?;
+        let item = fields.must("vertices")?;
+        let vertices = item.list()?.iter().map(Item::triple).collect::<Result<Vec<_>, _>>()?;
+        let four = <[Triple; 4]>::try_from(vertices);
+        let vertices = four.map_err(|found| item.wrong(format!("must be four corners, found {}", found.len())))?;
+        Ok(Geometry::Quad { vertices })
+    }),
+    ("sphere", |fields, _| {
+        shaped(fields, &["center", "radius"])?;
+        Ok(Geometry::Sphere { center: fields.triple("center")?, radius: fields.number("radius")? })
+    }),
+    ("disc", |fields, _| {
+        shaped(fields, &["center", "normal", "radius"])?;
+        let (center, normal) = (fields.triple("center")?, fields.triple("normal")?);
+        Ok(Geometry::Disc { center, normal, radius: fields.number("radius")? })
+    }),
+    ("box", |fields, _| {
+        shaped(fields, &["min", "max"])?;
+        Ok(Geometry::Box { min: fields.triple("min")?, max: fields.triple("max")? })
+    }),
+    ("mesh", |fields, meshes| {
+        shaped(fields, &["file", "normals"])?;
+        let item = fields.must("file")?;
+        let file = PathBuf::from(item.text()?);
+        let normals =
+            fields.may("normals", |item| item.word("kind of normals", &words(Normals::ALL, Normals::name)))?;
+        let normals = normals.unwrap_or_default();
+        let mesh = meshes.read(&file, normals).map_err(|why| item.wrong(why))?;
+        Ok(Geometry::Mesh { file: Some(file), normals, mesh })
+    }),
+];
+
+fn shape(item: Item, meshes: &mut Meshes) -> Result<Shape, Snag> {
+    let (fields, read) = item.table("a shape")?.of_type(SHAPES)?;
+    let geometry = read(&fields, meshes)?;
+    let two_sided = fields.may("two_sided", Item::flag)?;
+    let emission = fields.may("emission", Item::triple)?;
+    if emission.is_none() {
+        fields.idle("two_sided", "says nothing without emission")?;
+    }
+    Ok(Shape {
+        geometry,
+        material: fields.must("material")?.text()?.to_owned(),
+        emission: emission.map(|radiance| Emission { radiance, two_sided: two_sided.unwrap_or_default() }),
+        transform: fields.may("transform", transform)?.unwrap_or_default(),
+    })
+}
+
+fn transform(item: &Item) -> Result<Transform, Snag> {
+    let fields = item.clone().fields("a transform", &["scale", "rotate_deg", "translate"])?;
+    let own = Transform::default();
+    let scale = |item: &Item| match (item.number(), item.list()) {
+        (Ok(scale), _) => Ok([scale; 3]),
+        (_, Ok(_)) => item.triple(),
+        _ => Err(item.must_be("a number or a list of three")),
+    };
+    Ok(Transform {
+        scale: fields.may("scale", scale)?.unwrap_or(own.scale),
+        rotate_deg: fields.may("rotate_deg", Item::triple)?.unwrap_or(own.rotate_deg),
+        translate: fields.may("translate", Item::triple)?.unwrap_or(own.translate),
+    })
+}
+
+const LIGHTS: &[(&str, Read<Light>)] = &[
+    ("point", |fields| {
+        fields.only(&["type", "position", "intensity"], &[])?;
+        Ok(Light::Point { position: fields.triple("position")?, intensity: fields.triple("intensity")? })
+    }),
+    ("directional", |fields| {
+        fields.only(&["type", "direction", "irradiance"], &[])?;
+        Ok(Light::Directional { direction: fields.triple("direction")?, irradiance: fields.triple("irradiance")? })
+    }),
+];
+
+fn light(item: Item) -> Result<Light, Snag> {
+    let (fields, read) = item.table("a light")?.of_type(LIGHTS)?;
+    read(&fields)
+}

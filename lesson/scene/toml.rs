@@ -1,0 +1,98 @@
+//! A tree from TOML.
+
+use super::tree::{Entry, Malformed, Node, Value};
+use toml::Spanned;
+use toml::de::{DeFloat, DeInteger, DeTable, DeValue};
+
+/// Reads a document.
+pub fn parse(text: &str) -> Result<Node, Malformed> {
+    match DeTable::parse(text) {
+        Ok(table) => Ok(Node { span: 0..0, value: self::table(table.into_inner()) }),
+        Err(error) => Err(Malformed { why: error.message().to_owned(), span: error.span().unwrap_or_default() }),
+    }
+}
+
+fn node(value: Spanned<DeValue>) -> Node {
+    let span = value.span();
+    let value = match value.into_inner() {
+        DeValue::String(text) => Value::Text(text.into_owned()),
+        DeValue::Integer(number) => Value::Number(whole(&number)),
+        DeValue::Float(number) => Value::Number(float(&number)),
+        DeValue::Boolean(flag) => Value::Flag(flag),
+        DeValue::Datetime(_) => Value::Date,
+        DeValue::Array(list) => Value::List(list.into_iter().map(node).collect()),
+        DeValue::Table(of) => table(of),
+    };
+    Node { span, value }
+}
+
+/// Entries in the order of the text, which the parser's are not.
+fn table(table: DeTable) -> Value {
+    let entry = |(key, value): (Spanned<_>, _)| {
+        let span = key.span();
+        let key: std::borrow::Cow<str> = key.into_inner();
+        Entry { key: key.into_owned(), span, node: node(value) }
+    };
+    let mut entries: Vec<_> = table.into_iter().map(entry).collect();
+    entries.sort_by_key(|entry| entry.span.start);
+    Value::Table(entries)
+}
+
+/// A whole number; beyond 128 bits it is as good as infinite.
+fn whole(number: &DeInteger) -> f64 {
+    let text = number.as_str();
+    match i128::from_str_radix(text, number.radix()) {
+        Ok(number) => number as f64,
+        Err(_) if text.starts_with('-') => f64::NEG_INFINITY,
+        Err(_) => f64::INFINITY,
+    }
+}
+
+fn float(number: &DeFloat) -> f64 {
+    // The parser has taken out what `f64` cannot read.
+    number.as_str().parse().unwrap_or(f64::NAN)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Shows a tree without its places.
+    pub fn shown(node: &Node) -> String {
+        match &node.value {
+            Value::List(list) => format!("[{}]", list.iter().map(shown).collect::<Vec<_>>().join(", ")),
+            Value::Table(entries) => {
+                let entry = |entry: &Entry| format!("{}: {}", entry.key, shown(&entry.node));
+                format!("{{{}}}", entries.iter().map(entry).collect::<Vec<_>>().join(", "))
+            }
+            Value::Text(text) => format!("{text:?}"),
+            Value::Number(number) => number.to_string(),
+            other => format!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn every_kind_of_value_is_read_in_the_order_of_the_text() {
+        let text = "z = [1, -0, 0xff, 1_000]\na = +1.5e3\n[m.\"b c\"]\nt = 'x'\n[m.a]\nd = 2020-01-01\nf = true\n[[s]]\n[[s]]\nn = nan\n";
+        let tree = parse(text).unwrap();
+        let expected =
+            "{z: [1, 0, 255, 1000], a: 1500, m: {b c: {t: \"x\"}, a: {d: Date, f: Flag(true)}}, s: [{}, {n: NaN}]}";
+        assert_eq!(shown(&tree), expected);
+    }
+
+    #[test]
+    fn numbers_too_large_are_infinite() {
+        let text = format!("a = 1e999\nb = -{}\nc = 170141183460469231731687303715884105728", "9".repeat(100));
+        assert_eq!(shown(&parse(&text).unwrap()), "{a: inf, b: -inf, c: inf}");
+    }
+
+    #[test]
+    fn what_is_no_toml_is_refused_where_it_shows() {
+        let refused = |text: &str| parse(text).unwrap_err().span;
+        assert_eq!(refused("a = 1\na = 2"), 6..7);
+        assert_eq!(refused("[a]\n[a]"), 5..6);
+        assert_eq!(refused("a = 1.\n"), 6..6);
+        // As deep as no scene is; the parser's own stack is safe.
+        assert!(parse(&format!("a = {}", "[".repeat(100_000))).is_err());
+    }
+}
