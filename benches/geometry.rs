@@ -79,13 +79,26 @@ fn anywhere(reach: f64) -> Vec<Ray<F32x8>> {
 fn bounced(world: &World<F32x8>) -> Vec<Ray<F32x8>> {
     let mut dice = Dice::new(5.0_f64, 6.0);
     let mut draw = || Eight(std::array::from_fn(|_| (2.0 * dice.throw() - 1.0) as f32));
-    let rays = camera().into_iter().map(|ray| {
-        let hit = world.closest(&ray, hits(&ray));
-        let surface = world.surface(&ray, &hit);
+    let mut found = Vec::new();
+    for ray in camera().iter().cycle() {
+        let hit = world.closest(ray, hits(ray));
+        let surface = world.surface(ray, &hit);
         let out = Vector::new(draw(), draw(), draw());
         let length = out.dot(out).sqrt();
         let out = surface.normal.scaled(Eight([1.05; 8])) + out.scaled(Eight([1.0; 8]) / length);
-        Ray { origin: surface.leave(out), direction: out.normalised() }
+        let (origin, direction) = (surface.leave(out), out.normalised());
+        let is_hit = |lane: &usize| hit.primitive.0[*lane] >= 0.0;
+        found.extend((0..8).filter(is_hit).map(|lane| [origin.lane(lane), direction.lane(lane)]));
+        if found.len() >= RAYS {
+            break;
+        }
+    }
+    let rays = (0..RAYS / 8).map(|at| {
+        let [origin, direction] = [0, 1].map(|which| {
+            let [x, y, z] = [0, 1, 2].map(|axis| F32x8::from_lanes(|lane| found[8 * at + lane][which][axis]));
+            Vector::new(x, y, z)
+        });
+        Ray { origin, direction }
     });
     rays.collect()
 }
@@ -144,14 +157,28 @@ fn blocked(bencher: Bencher, world: &World<F32x8>, rays: &[Ray<F32x8>]) {
 /// Quads in a room, one by one and through the hierarchy: where the second wins.
 #[divan::bench(args = [8, 16, 24, 32, 40, 48, 64, 96], consts = [false, true])]
 fn few_closest<const BVH: bool>(bencher: Bencher, count: usize) {
-    let world = world(&room(count), if BVH { Structure::Bvh } else { Structure::Brute });
-    closest(bencher, &world, &anywhere(0.95));
+    closest(bencher, &world(&room(count), if BVH { Structure::Bvh } else { Structure::Brute }), &anywhere(0.95));
 }
 
 #[divan::bench(args = [8, 16, 24, 32, 40, 48, 64, 96], consts = [false, true])]
 fn few_blocked<const BVH: bool>(bencher: Bencher, count: usize) {
-    let world = world(&room(count), if BVH { Structure::Bvh } else { Structure::Brute });
-    blocked(bencher, &world, &anywhere(0.95));
+    blocked(bencher, &world(&room(count), if BVH { Structure::Bvh } else { Structure::Brute }), &anywhere(0.95));
+}
+
+#[divan::bench(args = [8, 12, 16, 24], consts = [false, true])]
+fn few_closest_single<const BVH: bool>(bencher: Bencher, count: usize) {
+    let settings =
+        Settings { structure: if BVH { Structure::Bvh } else { Structure::Brute }, ends: Ends::OnSurfaces(vec![]) };
+    let world = World::<f64>::with(&room(count), &settings);
+    let one = |v: Vector<F32x8>, lane: usize| Vector::of(v.lane(lane));
+    let of = |ray: &Ray<F32x8>, lane| Ray { origin: one(ray.origin, lane), direction: one(ray.direction, lane) };
+    let rays: Vec<Ray<f64>> = anywhere(0.95).iter().flat_map(|ray| (0..8).map(|lane| of(ray, lane))).collect();
+    bencher.counter(ItemsCount::new(RAYS)).bench_local(|| {
+        vectorised(
+            #[inline(always)]
+            || rays.iter().map(|ray| world.closest(ray, true).t).sum::<f64>(),
+        )
+    });
 }
 
 #[divan::bench]

@@ -69,7 +69,7 @@ impl<N: Width> Brute<N> {
         search!(discs, disc => disc.meet(ray));
         if !self.triangles.is_empty() {
             let (shear, turn) = Shear::of(ray);
-            search!(triangles, triangle => triangle.meet_sheared(&shear, |corner| turn.apply(corner)));
+            search!(triangles, triangle => triangle.meet_sheared(&shear, #[inline(always)] |corner| turn.apply(corner)));
         }
     }
 
@@ -91,7 +91,7 @@ impl<N: Width> Brute<N> {
         search!(discs, disc => disc.meet(ray));
         if !self.triangles.is_empty() {
             let (shear, turn) = Shear::of(ray);
-            search!(triangles, triangle => triangle.meet_sheared(&shear, |corner| turn.apply(corner)));
+            search!(triangles, triangle => triangle.meet_sheared(&shear, #[inline(always)] |corner| turn.apply(corner)));
         }
         blocked
     }

@@ -52,7 +52,7 @@ impl Flat {
     }
 }
 
-/// What a scene without a flaw is made of, [m].
+/// What a scene without a flaw is made of, [m]. What is outside stays outside where a scale mirrors.
 pub fn flatten(scene: &Scene) -> Flat {
     let mut flat = Flat::default();
     for shape in &scene.shapes {
@@ -62,11 +62,20 @@ pub fn flatten(scene: &Scene) -> Flat {
     flat
 }
 
+/// Those of one shape.
+#[cfg(test)]
+pub(super) fn primitives(shape: &Shape) -> Vec<Primitive> {
+    let mut all = Vec::new();
+    add(shape, &mut all);
+    all
+}
+
 fn add(shape: &Shape, primitives: &mut Vec<Primitive>) {
     let map = Map::new(&shape.transform);
     match &shape.geometry {
         Geometry::Quad { vertices: [a, b, _, d] } => {
-            let edges = [b, d].map(|corner| map.turned(minus(*corner, *a)));
+            let [u, v] = [b, d].map(|corner| map.turned(minus(*corner, *a)));
+            let edges = if map.is_mirror { [v, u] } else { [u, v] };
             primitives.push(Primitive::Quad { corner: map.moved(*a), edges });
         }
         Geometry::Sphere { center, radius } => {
@@ -98,9 +107,10 @@ fn add(shape: &Shape, primitives: &mut Vec<Primitive>) {
             let position = |at: u32| map.moved(mesh.positions[at as usize].map(f64::from));
             let is_smooth = *normals == Normals::Smooth && mesh.normals.len() == mesh.positions.len();
             let normal = |at: u32| map.upright(mesh.normals[at as usize].map(f64::from)).map(|part| part as f32);
-            primitives.extend(mesh.triangles.iter().map(|&corners| Primitive::Triangle {
-                corners: corners.map(position),
-                normals: is_smooth.then(|| corners.map(normal)),
+            primitives.extend(mesh.triangles.iter().map(|&[a, b, c]| {
+                let corners = if map.is_mirror { [a, c, b] } else { [a, b, c] };
+                let normals = is_smooth.then(|| corners.map(normal));
+                Primitive::Triangle { corners: corners.map(position), normals }
             }));
         }
     }

@@ -70,7 +70,7 @@ impl<N: Number> Ray<N> {
 impl<N: Width> Ray<N> {
     /// That of one lane.
     #[inline(always)]
-    fn single(&self, lane: usize) -> Ray<N::Scalar> {
+    pub(super) fn single(&self, lane: usize) -> Ray<N::Scalar> {
         let one = |v: Vector<N>| Vector::new(v.x.get(lane), v.y.get(lane), v.z.get(lane));
         Ray { origin: one(self.origin), direction: one(self.direction) }
     }

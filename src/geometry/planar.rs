@@ -68,7 +68,7 @@ pub(super) fn packed<N: Width>(of: impl Fn(usize) -> Vector<N::Scalar>) -> Vecto
 }
 
 /// The most that a parallelogram grows [1] so that its neighbours overlap: no measurable light.
-const MOST_EASE: f64 = 1e-5;
+const MOST_EASE: f64 = 1e-4;
 
 /// A parallelogram: |u| ≤ 1 and |v| ≤ 1 of its plane.
 ///

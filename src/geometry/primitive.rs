@@ -1,6 +1,7 @@
 //! What a world is made of.
 
 use super::Bounds;
+use super::planar::unit;
 use crate::number::Vector;
 use crate::scene::Triple;
 use std::f64::consts::PI;
@@ -65,10 +66,8 @@ impl Primitive {
             Self::Sphere { center, radius } => around(center, [radius; 3]),
             Self::Disc { center, normal, radius } => {
                 // A circle reaches r sin(its normal, axis) along an axis.
-                let n = vector(normal);
-                let square = n.dot(n);
-                let [x, y, z] = normal.map(|part| part * part);
-                around(center, [y + z, x + z, x + y].map(|across| radius * (across / square).sqrt()))
+                let [x, y, z] = triple(unit(vector(normal)).0).map(|part| part * part);
+                around(center, [y + z, x + z, x + y].map(|across| radius * across.sqrt()))
             }
             Self::Triangle { corners, .. } => Bounds::of(corners),
         }

@@ -27,7 +27,8 @@ const SLACK: f64 = 4.0;
 
 impl<N: Number> Surface<N> {
     /// Where a ray in `direction` starts so that it does not meet the surface it leaves: off the point, on that side of
-    /// the surface to which it goes, as far as rounding asks.
+    /// the surface to which it goes, as far as rounding asks. Between two surfaces a segment runs from what leaves the one
+    /// to what leaves the other, its direction the whole way, and ends at t = 1.
     #[inline(always)]
     pub fn leave(&self, direction: Vector<N>) -> Vector<N> {
         let side = N::select(self.normal.dot(direction).lt(N::of(0.0)), -self.slack, self.slack);
@@ -87,7 +88,7 @@ impl<N: Width> Rows<N> {
     pub fn surface(&self, many: Option<&Bvh<N::Pack>>, ray: &Ray<N>, hit: &Hit<N>) -> Surface<N> {
         let columns = N::columns(|lane| self.row(many, hit.primitive.get(lane)));
         let [ox, oy, oz, radius, ux, uy, uz, power, vx, vy, vz, is_triangle, nx, ny, nz, _] = columns;
-        let [origin, along, aside] = [Vector::new(ox, oy, oz), Vector::new(ux, uy, uz), Vector::new(vx, vy, vz)];
+        let (origin, along, aside) = (Vector::new(ox, oy, oz), Vector::new(ux, uy, uz), Vector::new(vx, vy, vz));
         let (zero, one) = (N::of(0.0), N::of(1.0));
         let flat = origin + (along.scaled(hit.u) + aside.scaled(hit.v));
         // On a sphere the point of the ray, moved along the normal until its power is 0.
@@ -123,7 +124,7 @@ impl<N: Width> Rows<N> {
     fn shading(&self, hit: &Hit<N>, normal: Vector<N>) -> Vector<N> {
         let corners = N::columns(|lane| {
             let at = (hit.primitive.get(lane).lane(0) as usize).min(self.smooth.len() - 1);
-            unpacked(self.smooth[at]).map(N::Scalar::of)
+            unpacked::<N::Scalar>(self.smooth[at])
         });
         let [ax, ay, bx, by, cx, cy, is_smooth] = corners;
         let [a, b, c] = [from_square([ax, ay]), from_square([bx, by]), from_square([cx, cy])];
@@ -137,8 +138,7 @@ impl<N: Width> Rows<N> {
 /// The direction of u × v, whatever their size; that of z if they have no area.
 #[inline(always)]
 fn across<N: Number>(u: Vector<N>, v: Vector<N>) -> Vector<N> {
-    let shrink = |v: Vector<N>| v.scaled(N::of(1.0) / largest(v));
-    let normal = shrink(u).cross(shrink(v));
+    let normal = u.scaled(N::of(1.0) / largest(u)).cross(v.scaled(N::of(1.0) / largest(v)));
     let square = normal.dot(normal);
     let unit = normal.scaled(N::of(1.0) / square.sqrt());
     Vector::select(square.gt(N::of(0.0)), unit, Vector::of([0.0, 0.0, 1.0]))
@@ -171,7 +171,7 @@ fn row<N: Width>(primitive: &Primitive) -> [N::Scalar; 16] {
 #[inline(always)]
 fn triangle_row<N: Width>([a, b, c]: [[N::Scalar; 3]; 3]) -> [N::Scalar; 16] {
     let (zero, one) = (N::Scalar::of(0.0), N::Scalar::of(1.0));
-    let [u, v] = [b, c].map(|corner| [corner[0] - a[0], corner[1] - a[1], corner[2] - a[2]]);
+    let (u, v) = ([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
     [a[0], a[1], a[2], zero, u[0], u[1], u[2], zero, v[0], v[1], v[2], one, zero, zero, zero, zero]
 }
 
@@ -201,12 +201,23 @@ fn packed_normals(primitive: &Primitive) -> [u32; 4] {
 
 /// The six coordinates, −1 … 1, and whether there are any.
 #[inline(always)]
-fn unpacked(bits: [u32; 4]) -> [f64; 7] {
-    let bits = bits.iter().rev().fold(0_u128, |all, &word| all << 32 | u128::from(word));
-    std::array::from_fn(|at| match at {
-        6 => f64::from((bits >> 127) as u32),
-        _ => f64::from((bits >> (21 * at)) as u32 & 0x1f_ffff) / STEPS - 1.0,
-    })
+fn unpacked<S: Number>([a, b, c, d]: [u32; 4]) -> [S; 7] {
+    let (low, high) = (u64::from(a) | u64::from(b) << 32, u64::from(c) | u64::from(d) << 32);
+    [
+        coordinate(low),
+        coordinate(low >> 21),
+        coordinate(low >> 42),
+        coordinate(low >> 63 | high << 1),
+        coordinate(high >> 20),
+        coordinate(high >> 41),
+        S::of(f64::from((high >> 63) as u32)),
+    ]
+}
+
+/// Of the lowest 21 bits.
+#[inline(always)]
+fn coordinate<S: Number>(bits: u64) -> S {
+    S::of(f64::from((bits & 0x1f_ffff) as u32)) * S::of(1.0 / STEPS) - S::of(1.0)
 }
 
 /// Back from the square to the sphere.
@@ -215,6 +226,7 @@ fn from_square<N: Number>([x, y]: [N; 2]) -> Vector<N> {
     let zero = N::of(0.0);
     let z = N::of(1.0) - x.abs() - y.abs();
     let fold = (-z).max(zero);
-    let folded = |part: N| N::select(part.lt(zero), part + fold, part - fold);
-    Vector::new(folded(x), folded(y), z).normalised()
+    let x = N::select(x.lt(zero), x + fold, x - fold);
+    let y = N::select(y.lt(zero), y + fold, y - fold);
+    Vector::new(x, y, z).normalised()
 }

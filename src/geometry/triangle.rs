@@ -33,17 +33,47 @@ pub(super) struct Shear<N> {
 impl<N: Number> Shear<N> {
     #[inline(always)]
     fn new(origin: [N; 3], [x, y, z]: [N; 3]) -> Self {
-        Self { origin, slant: [x / z, y / z], pace: [x, y, z].map(|part| N::of(1.0) / part) }
+        Self { origin, slant: [x / z, y / z], pace: [N::of(1.0) / x, N::of(1.0) / y, N::of(1.0) / z] }
+    }
+
+    /// From the ray's origin to a corner.
+    #[inline(always)]
+    fn relative(&self, [x, y, z]: [N; 3]) -> [N; 3] {
+        [x - self.origin[0], y - self.origin[1], z - self.origin[2]]
+    }
+
+    /// How far beside the ray.
+    #[inline(always)]
+    fn apply(&self, [x, y, z]: [N; 3]) -> (N, N) {
+        (x - self.slant[0] * z, y - self.slant[1] * z)
+    }
+
+    /// Between which t the ray is inside the box of corners relative to its origin, made larger by what the shear rounds
+    /// off.
+    #[inline(always)]
+    fn crossing(&self, corners: [[N; 3]; 3]) -> (N, N) {
+        let far = reach(range(corners, 2));
+        let x = self.slab(0, range(corners, 0), far);
+        let y = self.slab(1, range(corners, 1), far);
+        let z = self.slab(2, range(corners, 2), far);
+        (x.0.max(y.0).max(z.0), x.1.min(y.1).min(z.1))
+    }
+
+    #[inline(always)]
+    fn slab(&self, axis: usize, (low, high): (N, N), far: N) -> (N, N) {
+        let slack = (reach((low, high)) + far) * N::of(SLACK * N::EPSILON);
+        let (one, other) = ((low - slack) * self.pace[axis], (high + slack) * self.pace[axis]);
+        (one.min(other), one.max(other))
     }
 
     /// Of many rays.
     #[inline(always)]
     pub fn of(ray: &Ray<N>) -> (Self, Turn<N>) {
-        let [o, d] = [ray.origin, ray.direction].map(|v| [v.x, v.y, v.z]);
-        let [x, y, z] = d.map(N::abs);
+        let (o, d) = (ray.origin, ray.direction);
+        let (x, y, z) = (d.x.abs(), d.y.abs(), d.z.abs());
         let is_x = x.gt(y) & x.gt(z);
         let turn = Turn { is_x, is_y: y.gt(z) & !is_x };
-        (Self::new(turn.apply(&o), turn.apply(&d)), turn)
+        (Self::new(turn.apply(&[o.x, o.y, o.z]), turn.apply(&[d.x, d.y, d.z])), turn)
     }
 }
 
@@ -51,8 +81,9 @@ impl<N: Width> Shear<N> {
     /// Of one ray, for as many triangles as there are lanes; and the axes' order.
     #[inline(always)]
     pub fn of_one(ray: &Ray<N::Scalar>) -> (Self, [usize; 3]) {
-        let [o, d] = [ray.origin, ray.direction].map(|v| [v.x, v.y, v.z]);
-        let [x, y, z] = d.map(Number::abs);
+        let (o, d) = (ray.origin, ray.direction);
+        let (o, d) = ([o.x, o.y, o.z], [d.x, d.y, d.z]);
+        let (x, y, z) = (d[0].abs(), d[1].abs(), d[2].abs());
         let order = if x > y && x > z {
             [1, 2, 0]
         } else if y > z {
@@ -60,9 +91,33 @@ impl<N: Width> Shear<N> {
         } else {
             [0, 1, 2]
         };
-        let one = Shear::<N::Scalar>::new(order.map(|axis| o[axis]), order.map(|axis| d[axis]));
-        (Self { origin: one.origin.map(N::all), slant: one.slant.map(N::all), pace: one.pace.map(N::all) }, order)
+        let Shear { origin, slant, pace } = Shear::<N::Scalar>::new(ordered(&o, order), ordered(&d, order));
+        let [origin, pace] = [all(origin), all(pace)];
+        (Self { origin, slant: [N::all(slant[0]), N::all(slant[1])], pace }, order)
     }
+}
+
+/// The least and the largest of three corners along an axis.
+#[inline(always)]
+fn range<N: Number>([a, b, c]: [[N; 3]; 3], axis: usize) -> (N, N) {
+    (a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis]))
+}
+
+/// How far a range is from 0 at most.
+#[inline(always)]
+fn reach<N: Number>((low, high): (N, N)) -> N {
+    high.max(-low)
+}
+
+#[inline(always)]
+fn all<N: Width>([x, y, z]: [N::Scalar; 3]) -> [N; 3] {
+    [N::all(x), N::all(y), N::all(z)]
+}
+
+/// The same in another order of axes.
+#[inline(always)]
+pub(super) fn ordered<T: Copy>(v: &[T; 3], [x, y, z]: [usize; 3]) -> [T; 3] {
+    [v[x], v[y], v[z]]
 }
 
 /// How the axes are turned in each lane.
@@ -75,8 +130,12 @@ pub(super) struct Turn<N: Number> {
 impl<N: Number> Turn<N> {
     #[inline(always)]
     pub fn apply(&self, &[x, y, z]: &[N; 3]) -> [N; 3] {
-        let choice = |for_x: N, for_y: N, for_z: N| N::select(self.is_x, for_x, N::select(self.is_y, for_y, for_z));
-        [choice(y, z, x), choice(z, x, y), choice(x, y, z)]
+        [self.choice(y, z, x), self.choice(z, x, y), self.choice(x, y, z)]
+    }
+
+    #[inline(always)]
+    fn choice(&self, for_x: N, for_y: N, for_z: N) -> N {
+        N::select(self.is_x, for_x, N::select(self.is_y, for_y, for_z))
     }
 }
 
@@ -90,20 +149,20 @@ impl<N: Number> Triangle<N> {
     #[inline(always)]
     pub fn meet(&self, ray: &Ray<N>) -> Meeting<N> {
         let (shear, turn) = Shear::of(ray);
-        self.meet_sheared(&shear, |corner| turn.apply(corner))
+        self.meet_sheared(
+            &shear,
+            #[inline(always)]
+            |corner| turn.apply(corner),
+        )
     }
 
     /// The same, with what does not depend on the triangle given.
     #[inline(always)]
     pub(super) fn meet_sheared(&self, shear: &Shear<N>, turn: impl Fn(&[N; 3]) -> [N; 3]) -> Meeting<N> {
-        let [ox, oy, oz] = shear.origin;
-        let relative = |corner: &[N; 3]| {
-            let [x, y, z] = turn(corner);
-            [x - ox, y - oy, z - oz]
-        };
-        let [a, b, c] = [relative(&self.corners[0]), relative(&self.corners[1]), relative(&self.corners[2])];
-        let sheared = |[x, y, z]: [N; 3]| (x - shear.slant[0] * z, y - shear.slant[1] * z);
-        let ((ax, ay), (bx, by), (cx, cy)) = (sheared(a), sheared(b), sheared(c));
+        let a = shear.relative(turn(&self.corners[0]));
+        let b = shear.relative(turn(&self.corners[1]));
+        let c = shear.relative(turn(&self.corners[2]));
+        let ((ax, ay), (bx, by), (cx, cy)) = (shear.apply(a), shear.apply(b), shear.apply(c));
         let (of_a, of_b, of_c) = (cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax);
         let zero = N::of(0.0);
         let is_right = of_a.lt(zero) | of_b.lt(zero) | of_c.lt(zero);
@@ -116,24 +175,9 @@ impl<N: Number> Triangle<N> {
         }
         let share = N::of(1.0) / (of_a + of_b + of_c);
         let t = (of_a * a[2] + of_b * b[2] + of_c * c[2]) * share * shear.pace[2];
-        let (enter, leave) = Self::crossing(shear, [a, b, c]);
+        let (enter, leave) = shear.crossing([a, b, c]);
         let t = enter.max(leave.min(t));
         Meeting { is_met: is_met & t.gt(zero) & enter.le(leave), t, u: of_b * share, v: of_c * share }
-    }
-
-    /// Between which t the ray is inside the triangle's box, made larger by what the shear rounds off.
-    #[inline(always)]
-    fn crossing(shear: &Shear<N>, [a, b, c]: [[N; 3]; 3]) -> (N, N) {
-        let range = |axis: usize| (a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis]));
-        let reach = |(low, high): (N, N)| high.max(-low);
-        let far = reach(range(2));
-        let [x, y, z] = [0, 1, 2].map(|axis| {
-            let (low, high) = range(axis);
-            let slack = (reach((low, high)) + far) * N::of(SLACK * N::EPSILON);
-            let (one, other) = ((low - slack) * shear.pace[axis], (high + slack) * shear.pace[axis]);
-            (one.min(other), one.max(other))
-        });
-        (x.0.max(y.0).max(z.0), x.1.min(y.1).min(z.1))
     }
 
     /// t of the hit within `t_min` < t < `t_max`; infinite if there is none.

@@ -67,7 +67,9 @@ fn is_one_sided(primitives: &[Primitive], also: &[Triple], wall: &Primitive, sla
     };
     let points = also.iter().map(|&point| (height(point), height(point)));
     let (mut is_below, mut is_above) = (false, false);
-    for (low, high) in points.chain(primitives.iter().map(range)) {
+    // A few from everywhere first: neighbours in the list are so in space, and most planes are soon found to cut through.
+    let few = primitives.iter().step_by(primitives.len() / 64 + 1);
+    for (low, high) in points.chain(few.chain(primitives).map(range)) {
         // What is not a number is on both sides.
         is_below |= low.is_nan() || low < -slack;
         is_above |= high.is_nan() || high > slack;

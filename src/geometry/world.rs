@@ -5,9 +5,9 @@ use super::bvh::Bvh;
 use super::surface::Rows;
 use super::walls::walls;
 use super::{Bounds, Primitive, Ray, Surface};
-use crate::number::Width;
-use crate::number::{Mask, Number};
+use crate::number::{Number, Vector, Width};
 use crate::scene::Triple;
+use fearless_simd::{Level, dispatch};
 
 /// What a ray met.
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +49,7 @@ impl<N: Number> Hit<N> {
 impl<N: Width> Hit<N> {
     /// That of one lane.
     #[inline(always)]
-    fn single(&self, lane: usize) -> Hit<N::Scalar> {
+    pub(super) fn single(&self, lane: usize) -> Hit<N::Scalar> {
         Hit { t: self.t.get(lane), u: self.u.get(lane), v: self.v.get(lane), primitive: self.primitive.get(lane) }
     }
 }
@@ -67,7 +67,7 @@ pub enum Structure {
 }
 
 /// Between what points [`World::is_blocked`] will be asked. What has all of them on one side of its plane cannot come
-/// between them and is left out: the walls of a room.
+/// between them and is left out: the walls of a room. A ray to infinity ends nowhere.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Ends {
     /// Any; nothing is left out.
@@ -86,11 +86,11 @@ pub struct Settings {
     pub ends: Ends,
 }
 
-/// Up to as many primitives trying all is faster, eight rays at a time: measured on cubes in a room by
+/// Up to as many primitives trying all is faster, one ray at a time and eight: measured on cubes in a room by
 /// `cargo bench -p light --bench geometry -- few`.
-pub const MOST_BRUTE: usize = 40;
+const MOST_BRUTE: [usize; 2] = [12, 40];
 
-/// The most walls that are tried before the hierarchy: as many as a pack holds.
+/// The most walls that are tried before the hierarchy.
 const MOST_WALLS: usize = 8;
 
 /// Surfaces, to be asked what a ray meets.
@@ -119,7 +119,7 @@ impl<N: Width> World<N> {
     pub fn with(primitives: &[Primitive], settings: &Settings) -> Self {
         debug_assert!(primitives.len() <= Self::MOST);
         let is_brute = match settings.structure {
-            Structure::Best => primitives.len() <= MOST_BRUTE,
+            Structure::Best => primitives.len() <= MOST_BRUTE[usize::from(N::LANES > 1)],
             Structure::Brute => true,
             Structure::Bvh => false,
         };
@@ -156,12 +156,8 @@ impl<N: Width> World<N> {
         self.few.closest(ray, &mut hit);
         self.walls.closest(ray, &mut hit);
         if let Some(many) = &self.many {
-            let [t, u, v, primitive] = N::columns(|lane| {
-                let hit = hit.single(lane);
-                let hit = if active.lane(lane) { many.closest(&ray.single(lane), hit) } else { hit };
-                [hit.t, hit.u, hit.v, hit.primitive]
-            });
-            hit = Hit { t, u, v, primitive };
+            // By a call of its own, which is little beside the search and keeps it out of whoever asks.
+            hit = dispatch!(Level::new(), machine => many.closest_of(machine, ray, hit, active));
         }
         Hit { t: N::select(active, hit.t, infinite), ..hit }
     }
@@ -172,13 +168,16 @@ impl<N: Width> World<N> {
         let t_max = t_max.only(active);
         let mut blocked = self.few.is_blocked(ray, t_max);
         if let Some(many) = &self.many {
-            let found = N::each(|lane| {
-                let is_blocked = active.lane(lane) && many.is_blocked(&ray.single(lane), t_max.get(lane));
-                N::Scalar::of(f64::from(u8::from(is_blocked)))
-            });
-            blocked = blocked | found.gt(N::of(0.0));
+            blocked = blocked | dispatch!(Level::new(), machine => many.is_blocked_of(machine, ray, t_max, active));
         }
         blocked
+    }
+
+    /// What the surface is like at a place of a flat primitive, as [`Hit`] has it.
+    #[inline(always)]
+    pub fn at(&self, primitive: N, [u, v]: [N; 2]) -> Surface<N> {
+        let null = Vector::of([0.0; 3]);
+        self.surface(&Ray { origin: null, direction: null }, &Hit { t: N::of(0.0), u, v, primitive })
     }
 
     /// What the surface is like where `ray` has met it; of lanes without a hit, some numbers.

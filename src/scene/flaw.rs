@@ -33,7 +33,7 @@ pub struct Unknown {
 
 impl Flaw {
     /// A flaw of a part of what is looked at.
-    fn of(part: impl Into<Part>, why: impl Into<String>) -> Self {
+    pub(crate) fn of(part: impl Into<Part>, why: impl Into<String>) -> Self {
         Self { place: Place::default().within(part), why: why.into(), unknown: None }
     }
 

@@ -36,7 +36,7 @@ impl Material {
                 ("eon", bsdf::Setting { albedo: *reflectance, roughness: *roughness, ..plain })
             }
             Self::Mirror { reflectance } => ("mirror", bsdf::Setting { albedo: *reflectance, ..plain }),
-            Self::Conductor { metal } => ("conductor", bsdf::Setting { metal: metal.indices()?, ..plain }),
+            Self::Conductor { metal, .. } => ("conductor", bsdf::Setting { metal: metal.indices()?, ..plain }),
             Self::RoughConductor { metal, facets, masking, energy } => {
                 let name = match energy {
                     Energy::Compensated => "conductor-compensated",
@@ -96,7 +96,7 @@ impl Metal {
             Self::Named(name) => media::named(name)
                 .ok_or_else(|| format!("`{name}` is no known medium"))
                 .and_then(|medium| medium.colour().map_err(|error| error.to_string()))
-                .map_err(|why| Flaw { place: "metal".into(), why }),
+                .map_err(|why| Flaw::of("metal", why)),
         }
     }
 }

@@ -274,14 +274,14 @@ fn white_bodies_in_a_white_world_cannot_be_seen() {
         ("diffuse", Material::Diffuse { reflectance: [1.0; 3] }, 1e-5),
         ("rough diffuse", Material::RoughDiffuse { reflectance: [1.0; 3], roughness: 0.5 }, 1e-5),
         ("mirror", Material::Mirror { reflectance: [1.0; 3] }, 1e-5),
-        ("conductor", Material::Conductor { metal: white.clone() }, 1e-5),
+        ("conductor", Material::Conductor { metal: white.clone(), coating: None }, 1e-5),
         (
             "rough conductor",
             Material::RoughConductor { metal: white, facets, masking: Joint::Correlated, energy: Energy::Compensated },
             // The compensation's own promise.
             1e-3,
         ),
-        ("glass", Material::Dielectric { ior: 1.5, outside: 1.0, absorption: [0.0; 3] }, 1e-5),
+        ("glass", Material::Dielectric { ior: 1.5, outside: 1.0, absorption: [0.0; 3], coating: None }, 1e-5),
         ("plastic", Material::Plastic { ior: 1.5, reflectance: [1.0; 3], alpha: None }, 1e-4),
     ];
     for (name, body, limit) in bodies {
@@ -298,7 +298,7 @@ fn white_bodies_in_a_white_world_cannot_be_seen() {
 #[test]
 fn absorption_is_that_of_the_way_through() {
     // Seen along the diameter, glass of index 1 is a filter of its length, and nothing else.
-    let glass = Material::Dielectric { ior: 1.0, outside: 1.0, absorption: [0.2, 0.5, 1.0] };
+    let glass = Material::Dielectric { ior: 1.0, outside: 1.0, absorption: [0.2, 0.5, 1.0], coating: None };
     let ball = shape(Geometry::Sphere { center: [0.0, 0.0, 3.0], radius: 0.7 }, "glass");
     let camera = looking([0.0; 3], [0.0, 0.0, 1.0], 1e-3, 1);
     let mut world = scene(camera, 8, vec![("glass".into(), glass)], vec![ball]);

@@ -2,7 +2,7 @@
 
 use super::direction;
 use crate::bsdf::audit::throw;
-use crate::bsdf::{Bsdf, Setting, zoo};
+use crate::bsdf::{Setting, zoo};
 use crate::number::Vector;
 use crate::optics::Incidence;
 use crate::optics::fresnel::powers;

@@ -13,9 +13,11 @@ const BINS: usize = 16;
 /// Levels of nodes below which ranges are halved: what keeps pathological scenes from growing a list.
 const MOST_LEVELS: usize = 14;
 
-/// The most that a search may have to come back to: 7 of each of those levels, and of 10 more: 8 for 2²⁴ = 8⁸ items
-/// by eighths, one for uneven ones, one for the kinds in a leaf.
-pub(super) const MOST_WAITING: usize = 7 * (MOST_LEVELS + 10) + 1;
+/// The most levels there are: 8 more for 2²⁴ = 8⁸ items by eighths, one for uneven ones, one for the kinds in a leaf.
+pub(in crate::geometry) const DEEPEST: usize = MOST_LEVELS + 10;
+
+/// The most that a search may have to come back to: all but one child of a node on each level.
+pub(super) const MOST_WAITING: usize = 7 * DEEPEST + 1;
 
 /// A box of `f32`.
 #[derive(Clone, Copy, Debug)]

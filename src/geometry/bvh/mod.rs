@@ -12,6 +12,9 @@ mod boxes;
 mod build;
 mod search;
 
+#[cfg(test)]
+pub(super) use build::DEEPEST;
+
 use super::planar::Skew;
 use super::{Disc, Primitive, Quad, Sphere, Triangle};
 use crate::number::F32x8;
@@ -101,6 +104,19 @@ impl<P: Width> Bvh<P> {
             + size_of_val(&*self.discs)
     }
 
+    /// How many levels of nodes there are.
+    #[cfg(test)]
+    pub fn depth(&self) -> usize {
+        let below =
+            |node: &Node| node.children.iter().filter(|link| !link.is_leaf()).map(|link| link.0 as usize).collect();
+        let (mut level, mut depth): (Vec<usize>, usize) = (vec![0], 0);
+        while !level.is_empty() {
+            level = level.iter().flat_map(|&at| -> Vec<usize> { below(&self.nodes[at]) }).collect();
+            depth += 1;
+        }
+        depth
+    }
+
     /// The place of every triangle: in the list, and in the packs, counted through.
     pub fn slots(&self) -> impl Iterator<Item = (usize, usize)> {
         let of_pack = |(pack, (_, places)): (usize, &(Triangle<P>, P))| {
@@ -115,6 +131,13 @@ impl<P: Width> Bvh<P> {
     #[inline(always)]
     pub fn corners(&self, slot: usize) -> [[P::Scalar; 3]; 3] {
         let (triangle, _) = &self.triangles[slot / P::LANES];
-        triangle.corners.map(|corner| corner.map(|part| part.get(slot % P::LANES)))
+        let ([a, b, c], lane) = (&triangle.corners, slot % P::LANES);
+        [one(a, lane), one(b, lane), one(c, lane)]
     }
+}
+
+/// One lane of a corner.
+#[inline(always)]
+fn one<P: Width>([x, y, z]: &[P; 3], lane: usize) -> [P::Scalar; 3] {
+    [x.get(lane), y.get(lane), z.get(lane)]
 }

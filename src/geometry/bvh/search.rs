@@ -3,35 +3,74 @@
 use super::boxes::Slabs;
 use super::build::MOST_WAITING;
 use super::{Bvh, Kind, Link};
-use crate::geometry::triangle::Shear;
+use crate::geometry::triangle::{Shear, ordered};
 use crate::geometry::{Hit, Meeting, Ray};
-use crate::number::Width;
-use crate::number::{Mask, Number, Vector};
+use crate::number::{MOST_LANES, Mask, Number, Vector, Width};
+use fearless_simd::Simd;
+
+/// Where the ray enters what it has yet to look into, as bits, which sort as the numbers do; and what that is.
+type Waiting = [u64; MOST_WAITING];
 
 impl<P: Width> Bvh<P> {
-    /// The closest hit, or `best` if nothing is closer, or as close and lower in the list.
+    /// Of every active lane the closest hit, or `best` if nothing is closer, or as close and lower in the list.
     #[inline(always)]
-    pub fn closest(&self, ray: &Ray<P::Scalar>, best: Hit<P::Scalar>) -> Hit<P::Scalar> {
-        let mut best = best;
-        self.search::<false>(ray, &mut best);
-        best
+    pub fn closest_of<N, M>(&self, machine: M, ray: &Ray<N>, best: Hit<N>, active: N::Mask) -> Hit<N>
+    where
+        N: Width<Scalar = P::Scalar, Pack = P>,
+        M: Simd,
+    {
+        let mut waiting = [0; MOST_WAITING];
+        let mut all = [[P::Scalar::of(0.0); 4]; MOST_LANES];
+        for (lane, found) in all.iter_mut().enumerate().take(N::LANES) {
+            let mut hit = best.single(lane);
+            if active.lane(lane) {
+                self.search::<M, false>(machine, &mut waiting, &ray.single(lane), &mut hit);
+            }
+            *found = [hit.t, hit.u, hit.v, hit.primitive];
+        }
+        let [t, u, v, primitive] = N::columns(
+            #[inline(always)]
+            |lane| all[lane],
+        );
+        Hit { t, u, v, primitive }
     }
 
-    /// Whether anything is met before `t_max`.
+    /// Of every active lane whether anything is met before `t_max`.
     #[inline(always)]
-    pub fn is_blocked(&self, ray: &Ray<P::Scalar>, t_max: P::Scalar) -> bool {
-        self.search::<true>(ray, &mut Hit::nothing(t_max))
+    pub fn is_blocked_of<N, M>(&self, machine: M, ray: &Ray<N>, t_max: N, active: N::Mask) -> N::Mask
+    where
+        N: Width<Scalar = P::Scalar, Pack = P>,
+        M: Simd,
+    {
+        let mut waiting = [0; MOST_WAITING];
+        let mut all = [P::Scalar::of(0.0); MOST_LANES];
+        for (lane, found) in all.iter_mut().enumerate().take(N::LANES) {
+            let mut hit = Hit::nothing(t_max.get(lane));
+            if active.lane(lane) && self.search::<M, true>(machine, &mut waiting, &ray.single(lane), &mut hit) {
+                *found = P::Scalar::of(1.0);
+            }
+        }
+        let found = N::each(
+            #[inline(always)]
+            |lane| all[lane],
+        );
+        found.gt(N::of(0.0))
     }
 
+    /// Whether anything is met before `best`, which is then replaced by the closest; if `ANY`, by nothing.
     #[inline(always)]
-    fn search<const ANY: bool>(&self, ray: &Ray<P::Scalar>, best: &mut Hit<P::Scalar>) -> bool {
+    fn search<M: Simd, const ANY: bool>(
+        &self,
+        machine: M,
+        waiting: &mut Waiting,
+        ray: &Ray<P::Scalar>,
+        best: &mut Hit<P::Scalar>,
+    ) -> bool {
         let slabs = Slabs::new(ray);
         let (shear, order) = Shear::<P>::of_one(ray);
         let wide = spread::<P>(ray);
         let mut limit = above(best.t.lane(0));
-        // Where the ray enters what waits, as bits, which sort as the numbers do; and what it is.
-        let mut waiting = [0_u64; MOST_WAITING];
-        let mut count = 0;
+        let (mut count, mut is_met) = (0, false);
         let mut link = Link::node(0);
         loop {
             if link.is_leaf() {
@@ -44,13 +83,14 @@ impl<P: Width> Bvh<P> {
                                     return true;
                                 }
                                 limit = above(best.t.lane(0));
+                                is_met = true;
                             }
                         }
                     };
                 }
                 match link.kind() {
                     Kind::Triangle => search!(triangles, triangle => {
-                        triangle.meet_sheared(&shear, |corner| order.map(|axis| corner[axis]))
+                        triangle.meet_sheared(&shear, #[inline(always)] |corner| ordered(corner, order))
                     }),
                     Kind::Quad => search!(quads, quad => quad.meet(&wide)),
                     Kind::Skew => search!(skew, quad => quad.meet(&wide)),
@@ -59,7 +99,7 @@ impl<P: Width> Bvh<P> {
                 }
             } else {
                 let node = &self.nodes[link.0 as usize];
-                let passed = slabs.pass(node, limit);
+                let passed = slabs.pass(machine, node, limit);
                 let (mut bits, from) = (passed.bits, count);
                 while bits != 0 {
                     let child = bits.trailing_zeros() as usize & 7;
@@ -77,7 +117,7 @@ impl<P: Width> Bvh<P> {
             }
             loop {
                 if count == 0 {
-                    return false;
+                    return is_met;
                 }
                 count -= 1;
                 let entry = waiting[count];
@@ -115,8 +155,11 @@ fn take<P: Width, const ANY: bool>(meeting: Meeting<P>, places: P, best: &mut Hi
 /// The same ray in every lane.
 #[inline(always)]
 fn spread<P: Width>(ray: &Ray<P::Scalar>) -> Ray<P> {
-    let all = |v: Vector<P::Scalar>| Vector::new(P::all(v.x), P::all(v.y), P::all(v.z));
-    Ray { origin: all(ray.origin), direction: all(ray.direction) }
+    let Ray { origin: o, direction: d } = ray;
+    Ray {
+        origin: Vector::new(P::all(o.x), P::all(o.y), P::all(o.z)),
+        direction: Vector::new(P::all(d.x), P::all(d.y), P::all(d.z)),
+    }
 }
 
 /// The least `f32` that is no less.
