@@ -27,4 +27,5 @@ mod tests;
 
 pub use lens::Lens;
 pub use needs::Needs;
+pub use picture::{Manner, Method, Renderer};
 pub use stage::{Stage, Vertex};
