@@ -69,6 +69,11 @@ impl Film {
         ranges
     }
 
+    /// The branches that make it up, in order, and their sums.
+    pub fn branches(&self) -> impl ExactSizeIterator<Item = (Range<u32>, &[Halves])> {
+        self.branches.iter().map(|branch| (branch.start..branch.start + branch.span, &branch.sums[..]))
+    }
+
     /// With the sums over one more branch, row by row.
     ///
     /// # Errors

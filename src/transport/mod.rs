@@ -11,7 +11,9 @@
 //! | the fast one, eight paths at once | [`kernel`] |
 //! | all pixels | [`picture`] |
 //! | sums of samples that no order of rendering can change | [`film`] |
+//! | how wrong a picture is, by its own halves | [`estimate`] |
 
+pub mod estimate;
 pub mod film;
 pub mod frame;
 pub mod kernel;
@@ -27,5 +29,5 @@ mod tests;
 
 pub use lens::Lens;
 pub use needs::Needs;
-pub use picture::{Manner, Method, Renderer};
+pub use picture::{Feature, Manner, Method, Renderer};
 pub use stage::{Stage, Vertex};

@@ -4,9 +4,9 @@ use super::film::{Halves, tree};
 use super::kernel::{Tactics, Work};
 use super::simple::{Integrator, Numbers};
 use super::{Needs, Stage};
-use crate::bsdf::rgb;
+use crate::bsdf::{Rgb, rgb};
 use crate::geometry::Structure;
-use crate::number::{F32x8, Width, vectorised_lanes};
+use crate::number::{F32x8, Mask, Vector, Width, vectorised_lanes};
 use crate::sampling::{Choice, Points};
 use crate::scene::{Flaw, Scene};
 use std::ops::Range;
@@ -43,6 +43,10 @@ impl Default for Method {
 pub struct Renderer {
     engine: Engine,
     points: Points,
+    /// Where numbers come from, and of how many vertices.
+    numbers: (Choice, usize, u64),
+    /// Pairs that the points are made for.
+    pairs: u32,
 }
 
 enum Engine {
@@ -67,7 +71,25 @@ impl Renderer {
             Method::Simple(integrator) => Engine::Simple(Box::new(Stage::new(scene, manner.structure)?), integrator),
         };
         let vertices = scene.max_depth.unwrap_or(VERTICES).min(VERTICES) as usize;
-        Ok(Self { engine, points: Points::new(manner.choice, pairs, vertices, manner.seed) })
+        let points = Points::new(manner.choice, pairs, vertices, manner.seed);
+        Ok(Self { engine, points, numbers: (manner.choice, vertices, manner.seed), pairs })
+    }
+
+    /// Makes it ready for samples of numbers below 2·`pairs`; those it was ready for stay what they are.
+    pub fn expect(&mut self, pairs: u32) {
+        if pairs > self.pairs {
+            let (choice, vertices, seed) = self.numbers;
+            self.points = Points::new(choice, pairs, vertices, seed);
+            self.pairs = pairs;
+        }
+    }
+
+    /// What the scene ready for rays occupies in memory [B].
+    pub fn bytes(&self) -> usize {
+        match &self.engine {
+            Engine::Fast(stage, _) => stage.bytes(),
+            Engine::Simple(stage, _) => stage.bytes(),
+        }
     }
 
     /// What the scene needs.
@@ -88,6 +110,57 @@ impl Renderer {
             }
         }
     }
+}
+
+impl Renderer {
+    /// What the camera sees of the scene's surfaces, pixel by pixel of some rows, without any light.
+    pub fn features(&self, rows: Range<u32>) -> Vec<Feature> {
+        match &self.engine {
+            Engine::Fast(stage, _) => features(stage, &self.points, rows),
+            Engine::Simple(stage, _) => features(stage, &self.points, rows),
+        }
+    }
+}
+
+/// What a pixel shows of surfaces, a mean over [`LOOKS`] rays; 0 where there are none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Feature {
+    /// Distance from the camera [m].
+    pub distance: f32,
+    /// The normal that shades, on the side that is seen; a mean of unit vectors.
+    pub normal: [f32; 3],
+    /// The share [1] of light from all around that goes to the camera.
+    pub albedo: Rgb<f32>,
+}
+
+/// Rays that tell what a pixel shows.
+const LOOKS: u32 = 16;
+
+fn features<N: Width>(stage: &Stage<N>, points: &Points, rows: Range<u32>) -> Vec<Feature> {
+    let of = |pixel| {
+        let stream = points.of_pixel(pixel);
+        let mut sums = [0.0; 7];
+        for start in (0..LOOKS).step_by(N::LANES) {
+            let sample = |lane: usize| start + lane as u32;
+            let u = stream.row::<N>(sample, |_| 0);
+            let ray = stage.camera(pixel, [u[0], u[1], u[2], u[3]]);
+            let hit = stage.closest(&ray, N::Mask::of(true));
+            let met = hit.is_some();
+            let vertex = stage.vertex(&ray, &hit, met);
+            let back = -ray.direction;
+            let albedo = vertex.met.sample(met, vertex.wo, stream.at(sample, |_| 1).surface).weight;
+            let normal = vertex.frame.z;
+            let normal = Vector::select(normal.dot(back).lt(N::of(0.0)), -normal, normal);
+            let seen = [hit.t, normal.x, normal.y, normal.z, albedo[0], albedo[1], albedo[2]];
+            for lane in (0..N::LANES).filter(|lane| met.lane(*lane)) {
+                sums = std::array::from_fn(|k| sums[k] + seen[k].lane(lane));
+            }
+        }
+        let [distance, x, y, z, red, green, blue] = sums.map(|sum| (sum / f64::from(LOOKS)) as f32);
+        let distance = (f64::from(distance) / stage.scale()) as f32;
+        Feature { distance, normal: [x, y, z], albedo: [red, green, blue] }
+    };
+    by_pixel(stage.size()[0], rows, of)
 }
 
 /// Sums over a branch of pairs of samples ([`super::film`]) of some rows of a picture, row by row.

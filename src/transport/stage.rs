@@ -22,6 +22,7 @@ pub struct Stage<N: Width> {
     environment: Option<Rgb<N>>,
     max_depth: Option<u32>,
     size: [u32; 2],
+    scale: f64,
     needs: Needs,
 }
 
@@ -115,8 +116,19 @@ impl<N: Width> Stage<N> {
             environment: scene.environment.map(|radiance| radiance.map(N::of)),
             max_depth: scene.max_depth,
             size: [scene.camera.width, scene.camera.height],
+            scale,
             needs: Needs::of(scene),
         })
+    }
+
+    /// Its units of length in a metre [m⁻¹].
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// What it occupies in memory [B], but for materials and lamps.
+    pub fn bytes(&self) -> usize {
+        self.world.bytes()
     }
 
     /// What it needs.

@@ -1,0 +1,127 @@
+//! How wrong a picture is, told from its own two halves.
+//!
+//! The halves A and B of a pixel know nothing of each other ([`crate::sampling`]), whatever the points within each, so that
+//! ⟨(A − B)²⟩/4 is the variance of their mean (A + B)/2. Independent samples would say as much by their spread; those of a net
+//! would say too much by it, since they make up for each other.
+
+use super::film::Halves;
+use crate::bsdf::Rgb;
+
+/// What keeps the relative error of black finite: the square of a tenth of white [W² m⁻⁴ sr⁻²].
+pub const DARK: f64 = 0.01;
+
+/// How much the relative error of a picture is, as a rule, above what its halves tell: where few samples carry much, a pixel
+/// without them is thought to be dark and sure. [`tests`] measure it on the lecture's scenes.
+pub const TAILS: f64 = 1.2;
+
+/// What is known of a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Estimate {
+    /// The relative mean square error [1]: the mean over pixels and channels of (x − truth)²/(truth² + [`DARK`]).
+    pub relative_mse: f64,
+    /// The standard error [1] of that, by how pixels differ.
+    pub deviation: f64,
+    /// The picture's mean [W m⁻² sr⁻¹].
+    pub mean: Rgb<f64>,
+    /// Pixels that are not numbers: left out of everything here.
+    pub broken: usize,
+}
+
+impl Estimate {
+    /// Of the means of the halves of every pixel.
+    pub fn of(halves: &[Halves]) -> Self {
+        let (mut sum, mut squares, mut mean, mut count) = (0.0, 0.0, [0.0; 3], 0_usize);
+        for pixel in halves {
+            let error = pixel_error(pixel);
+            if !error.is_finite() {
+                continue;
+            }
+            count += 1;
+            sum += error;
+            squares += error * error;
+            let colour = colour(pixel);
+            mean = std::array::from_fn(|c| mean[c] + colour[c]);
+        }
+        let n = count.max(1) as f64;
+        let variance = (squares / n - (sum / n) * (sum / n)).max(0.0);
+        Self {
+            relative_mse: TAILS * sum / n,
+            deviation: TAILS * (variance / n).sqrt(),
+            mean: mean.map(|sum| sum / n),
+            broken: halves.len() - count,
+        }
+    }
+
+    /// The relative error [1], as a root of a mean square.
+    pub fn relative_error(&self) -> f64 {
+        self.relative_mse.sqrt()
+    }
+}
+
+/// The mean of the halves of a pixel [W m⁻² sr⁻¹].
+pub fn colour(halves: &Halves) -> Rgb<f64> {
+    std::array::from_fn(|c| 0.5 * (f64::from(halves[0][c]) + f64::from(halves[1][c])))
+}
+
+/// The variance [W² m⁻⁴ sr⁻²] of that mean, by one degree of freedom.
+pub fn variance(halves: &Halves) -> Rgb<f64> {
+    std::array::from_fn(|c| 0.25 * (f64::from(halves[0][c]) - f64::from(halves[1][c])).powi(2))
+}
+
+/// The relative square error [1] of a pixel, the mean of its channels.
+pub fn pixel_error(halves: &Halves) -> f64 {
+    let (mean, variance) = (colour(halves), variance(halves));
+    (0..3).map(|c| variance[c] / (mean[c] * mean[c] + DARK)).sum::<f64>() / 3.0
+}
+
+/// The relative mean square error [1] of a picture against the truth, pixel by pixel.
+///
+/// # Panics
+/// If they are not of one size.
+pub fn relative_mse(picture: &[Rgb<f64>], truth: &[Rgb<f64>]) -> f64 {
+    assert_eq!(picture.len(), truth.len(), "a truth a pixel");
+    let error = |(x, truth): (&Rgb<f64>, &Rgb<f64>)| -> f64 {
+        (0..3).map(|c| (x[c] - truth[c]).powi(2) / (truth[c] * truth[c] + DARK)).sum()
+    };
+    picture.iter().zip(truth).map(error).sum::<f64>() / (3 * picture.len().max(1)) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use yardstick::random::{stream, uniform};
+
+    /// Pixels of a mean and a standard deviation of their halves.
+    fn pixels(count: usize, mean: f64, deviation: f64) -> Vec<Halves> {
+        let mut stream = stream(1, "estimate/pixels");
+        let reach = deviation * 3f64.sqrt();
+        let mut half = || std::array::from_fn(|_| uniform(&mut stream, mean - reach, mean + reach) as f32);
+        (0..count).map(|_| [half(), half()]).collect()
+    }
+
+    #[test]
+    fn the_error_is_that_of_the_mean_of_both_halves() {
+        // Of halves of variance s² the mean has s²/2.
+        let (mean, deviation) = (2.0, 0.01);
+        let found = Estimate::of(&pixels(20_000, mean, deviation));
+        let expected = TAILS * deviation * deviation / 2.0 / (mean * mean + DARK);
+        assert!((found.relative_mse - expected).abs() < 5.0 * found.deviation, "{found:?}, expected {expected}");
+        // 60 000 numbers whose squares differ by less than twice their size.
+        assert!(found.deviation < 0.02 * expected && found.broken == 0);
+        assert!(found.mean.iter().all(|x| (x - mean).abs() < 5.0 * deviation / 200.0));
+        let truth = vec![[mean; 3]; 20_000];
+        let picture: Vec<_> = pixels(20_000, mean, deviation).iter().map(colour).collect();
+        assert!((relative_mse(&picture, &truth) * TAILS / expected - 1.0).abs() < 0.05);
+    }
+
+    #[test]
+    fn a_pixel_that_is_no_number_is_counted_and_left_out() {
+        let mut halves = pixels(100, 1.0, 0.1);
+        let without = Estimate::of(&halves[1..]);
+        for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+            halves[0][1][2] = bad;
+            assert_eq!(Estimate::of(&halves), Estimate { broken: 1, ..without });
+        }
+        assert_eq!(Estimate::of(&[]), Estimate::default());
+    }
+}
