@@ -11,7 +11,7 @@ use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes, stretched2};
 use super::rough_conductor::RoughConductor;
 use super::rough_dielectric::RoughDielectric;
 use super::rules::golden;
-use crate::number::{F32x8, Number, Vector, vectorised};
+use crate::number::{F32x8, Number, Table, Vector, vectorised};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Losses {
     alpha: [f64; 2],
-    table: Arc<[f64]>,
+    table: Table,
     azimuths: usize,
     mean: f64,
     largest: f64,
@@ -105,7 +105,7 @@ impl Losses {
         };
         let table: Arc<[f64]> = (0..azimuths * NODES).map(loss).collect();
         let largest = table.iter().copied().fold(0.0, f64::max);
-        let mut losses = Self { alpha, table, azimuths, mean: 0.0, largest };
+        let mut losses = Self { alpha, table: Table::new(table), azimuths, mean: 0.0, largest };
         losses.mean = losses.average();
         losses
     }
@@ -150,8 +150,9 @@ impl Losses {
         let row = |row: N| {
             let from = row * N::of(NODES as f64) + first;
             let mut sum = zero;
-            for (k, weight) in weights.into_iter().enumerate() {
-                sum = sum + weight * (from + N::of(k as f64)).look_up(&self.table);
+            let nodes = from.look_up_four(&self.table);
+            for k in 0..4 {
+                sum = sum + weights[k] * nodes[k];
             }
             sum
         };

@@ -118,11 +118,9 @@ impl<N: Width> Work<'_, N> {
             let before = paths.alive;
             self.step(&mut paths);
             let ended = before & !paths.alive;
-            if ended.any() {
-                for lane in (0..N::LANES).filter(|lane| ended.lane(*lane)) {
-                    let at = paths.sample[lane] - 2 * start;
-                    pairs[at as usize / 2][at as usize % 2] = rgb(|c| paths.gathered[c].lane(lane) as f32);
-                }
+            for lane in ended.lanes() {
+                let at = paths.sample[lane] - 2 * start;
+                pairs[at as usize / 2][at as usize % 2] = rgb(|c| paths.gathered[c].lane(lane) as f32);
             }
         }
     }
@@ -147,15 +145,20 @@ impl<N: Width> Paths<N> {
     /// Gives idle lanes the next samples; which have one.
     #[inline(always)]
     fn take(&mut self, next: &mut u32, end: u32) -> N::Mask {
-        let fresh = N::from_lanes(|lane| {
-            if self.alive.lane(lane) || *next >= end {
-                return 0.0;
+        let mut fresh = [0.0; MOST_LANES];
+        for lane in (!self.alive).lanes() {
+            if *next >= end {
+                break;
             }
             self.sample[lane] = *next;
             *next += 1;
-            1.0
-        });
-        fresh.gt(N::of(0.5))
+            fresh[lane] = 1.0;
+        }
+        N::from_lanes(
+            #[inline(always)]
+            |lane| fresh[lane],
+        )
+        .gt(N::of(0.5))
     }
 
     /// Begins the paths of some lanes.
@@ -219,7 +222,7 @@ impl<N: Width> Work<'_, N> {
             }
         }
 
-        let row: Row<N> = self.stream.at(|lane| paths.sample[lane], |lane| paths.edges.lane(lane) as usize);
+        let row: Row<N> = self.stream.at(|lane| paths.sample[lane], |lane| paths.edges.place(lane));
         if !stage.lamps().is_empty() && tactics.meeting != Meeting::Chance {
             self.join(paths, &vertex, &row);
         }

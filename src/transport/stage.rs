@@ -18,7 +18,7 @@ pub struct Stage<N: Width> {
     lens: Lens<N>,
     surfaces: Surfaces<N>,
     lamps: Vec<Lamp<N>>,
-    shapes: Vec<[N::Scalar; 8]>,
+    shapes: Vec<[N::Scalar; 16]>,
     environment: Option<Rgb<N>>,
     max_depth: Option<u32>,
     size: [u32; 2],
@@ -75,6 +75,7 @@ impl<N: Width> Stage<N> {
             let emission = shape.emission.filter(|_| lamp.is_some());
             let [red, green, blue] = emission.map_or([0.0; 3], |emission| emission.radiance);
             let flag = |holds: bool| f64::from(u8::from(holds));
+            let [rho_red, rho_green, rho_blue, is_lambert] = surfaces.paint(material);
             let row = [
                 red,
                 green,
@@ -83,6 +84,14 @@ impl<N: Width> Stage<N> {
                 if lamp.is_some() { lamps.len() as f64 } else { -1.0 },
                 flag(surfaces.turns(material)),
                 flag(emission.is_some_and(|emission| emission.two_sided)),
+                0.0,
+                rho_red,
+                rho_green,
+                rho_blue,
+                is_lambert,
+                0.0,
+                0.0,
+                0.0,
                 0.0,
             ];
             shapes.push(row.map(|part| N::of(part).get(0)));
@@ -194,10 +203,11 @@ impl<N: Width> Stage<N> {
     fn looked_at(&self, ray: &Ray<N>, hit: &Hit<N>, met: N::Mask) -> Vertex<'_, N> {
         let (zero, half) = (N::of(0.0), N::of(0.5));
         let surface = self.world.surface(ray, hit);
-        let [red, green, blue, material, lamp, turns, two_sided, _] = N::columns(
+        let row = N::columns(
             #[inline(always)]
-            |lane| self.shapes[self.owners.shape(hit.primitive.lane(lane).max(0.0) as usize)],
+            |lane| self.shapes[self.owners.shape(hit.primitive.place(lane))],
         );
+        let [red, green, blue, material, lamp, turns, two_sided, _, rho_red, rho_green, rho_blue, is_lambert, ..] = row;
         let back = -ray.direction;
         let cos = back.dot(surface.normal);
         let is_back = cos.lt(zero);
@@ -215,7 +225,7 @@ impl<N: Width> Stage<N> {
             start: surface.leave(back),
             frame,
             wo,
-            met: self.surfaces.met(material),
+            met: self.surfaces.met(material, [rho_red, rho_green, rho_blue, is_lambert]),
             lamp: N::select(shines, lamp, N::of(-1.0)),
             cos: cos.abs(),
             emitted: [red, green, blue],

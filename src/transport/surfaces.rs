@@ -1,7 +1,7 @@
 //! What a scene's surfaces are made of, as models of [`crate::bsdf`], for lanes that meet different ones.
 
 use crate::bsdf::lambert::Lambert;
-use crate::bsdf::{self, Bsdf, Guarded, Rgb, Sample, rgb, zoo};
+use crate::bsdf::{self, Bsdf, Rgb, Sample, rgb, zoo};
 use crate::media;
 use crate::number::{Mask, Vector, Width};
 use crate::scene::{Energy, Facets, Flaw, Material, Metal};
@@ -11,7 +11,7 @@ use num_complex::Complex64;
 pub struct Surfaces<N: Width> {
     models: Vec<Model<N>>,
     /// ρ of every material, and 1 if it is Lambert's.
-    paints: Vec<[N::Scalar; 4]>,
+    paints: Vec<[f64; 4]>,
 }
 
 struct Model<N: Width> {
@@ -119,7 +119,7 @@ impl<N: Width> Surfaces<N> {
             });
             let is_lambert = f64::from(u8::from(matches!(material, Material::Diffuse { .. })));
             let [red, green, blue] = setting.albedo;
-            paints.push([red, green, blue, is_lambert].map(|part| N::of(part).get(0)));
+            paints.push([red, green, blue, is_lambert]);
         }
         Ok(Self { models, paints })
     }
@@ -134,14 +134,15 @@ impl<N: Width> Surfaces<N> {
         self.models[material].absorption
     }
 
-    /// What each lane has met, by the number of its material.
+    /// ρ [1] of a material, and 1 if it is Lambert's, else 0.
+    pub fn paint(&self, material: usize) -> [f64; 4] {
+        self.paints[material]
+    }
+
+    /// What each lane has met, by the number of its material and its [`Surfaces::paint`].
     #[inline(always)]
-    pub fn met(&self, material: N) -> Met<'_, N> {
-        let [red, green, blue, is_lambert] = N::columns(
-            #[inline(always)]
-            |lane| self.paints[material.lane(lane) as usize],
-        );
-        let paint = Guarded(Lambert { albedo: [red, green, blue] });
+    pub fn met(&self, material: N, [red, green, blue, is_lambert]: [N; 4]) -> Met<'_, N> {
+        let paint = Lambert { albedo: [red, green, blue] };
         Met { models: &self.models, material, paint, is_lambert: is_lambert.gt(N::of(0.5)) }
     }
 }
@@ -151,7 +152,7 @@ pub struct Met<'a, N: Width> {
     models: &'a [Model<N>],
     material: N,
     /// All that are Lambert's at once, each of its own colour.
-    paint: Guarded<Lambert<N>>,
+    paint: Lambert<N>,
     is_lambert: N::Mask,
 }
 
@@ -184,13 +185,11 @@ impl<N: Width> Met<'_, N> {
         if !left.any() {
             return;
         }
-        for lane in 0..N::LANES {
-            if left.lane(lane) {
-                let number = self.material.lane(lane);
-                let same = left & (self.material - N::of(number)).abs().lt(N::of(0.5));
-                use_of(same, &*self.models[number as usize].bsdf);
-                left = left & !same;
-            }
+        while let Some(lane) = left.lanes().next() {
+            let number = self.material.get(lane);
+            let same = left & (self.material - N::all(number)).abs().lt(N::of(0.5));
+            use_of(same, &*self.models[self.material.place(lane)].bsdf);
+            left = left & !same;
         }
     }
 }
