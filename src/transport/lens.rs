@@ -16,6 +16,12 @@ pub struct Lens<N> {
     /// The lens's radius along both axes; None for a pinhole.
     aperture: Option<[Vector<N>; 2]>,
     filter: Filter,
+    /// Where it looks.
+    forward: Vector<N>,
+    /// How far away a pixel has length 1.
+    reach: N,
+    /// What gives the pixels to the right and down of a vector in the sharp plane.
+    duals: [Vector<N>; 2],
 }
 
 impl<N: Number> Lens<N> {
@@ -36,7 +42,40 @@ impl<N: Number> Lens<N> {
             pixel: [of(right.scaled(pixel)), of(up.scaled(-pixel))],
             aperture: (camera.aperture > 0.0).then(|| [right, up].map(|axis| of(axis.scaled(camera.aperture * scale)))),
             filter,
+            forward: of(forward),
+            reach: N::of(focus / pixel),
+            duals: [of(right.scaled(1.0 / pixel)), of(up.scaled(-1.0 / pixel))],
         }
+    }
+
+    /// Whether the picture is that of a pinhole, and each of its places counts for one pixel alone.
+    pub fn is_plain(&self) -> bool {
+        self.aperture.is_none() && self.filter == Filter::Box
+    }
+
+    /// Where the pinhole is.
+    pub fn origin(&self) -> Vector<N> {
+        self.origin
+    }
+
+    /// The density [sr⁻¹] with which rays through a pixel go in a direction of length 1 that lies within it: pixels of area
+    /// 1 as far away as they seem so large.
+    #[inline(always)]
+    pub fn density(&self, direction: Vector<N>) -> N {
+        let cos = self.forward.dot(direction);
+        self.reach.squared() / (cos.squared() * cos).max(N::of(f64::from(f32::MIN_POSITIVE)))
+    }
+
+    /// The place in the picture, in pixels right and down of its corner, where a direction from the pinhole lies; outside it
+    /// if that is behind.
+    #[inline(always)]
+    pub fn place(&self, direction: Vector<N>) -> [N; 2] {
+        let cos = self.forward.dot(direction);
+        let is_ahead = cos.gt(N::of(0.0));
+        let focus = self.forward.dot(self.corner);
+        let from_corner = direction.scaled(focus / N::select(is_ahead, cos, N::of(1.0))) - self.corner;
+        let along = |dual: Vector<N>| N::select(is_ahead, dual.dot(from_corner), N::of(-1.0));
+        [along(self.duals[0]), along(self.duals[1])]
     }
 
     /// Origin and direction of the ray through a pixel that belongs to four numbers: the place in the pixel, and that on the

@@ -9,10 +9,12 @@
 //! | what surfaces are made of, lane by lane | [`surfaces`] |
 //! | integrators to read, one idea more in each | [`simple`] |
 //! | the fast one, eight paths at once | [`kernel`] |
+//! | light by way of mirrors and glass, from the lamp on | [`caustics`] |
 //! | all pixels | [`picture`] |
 //! | sums of samples that no order of rendering can change | [`film`] |
 //! | how wrong a picture is, by its own halves | [`estimate`] |
 
+pub mod caustics;
 pub mod estimate;
 pub mod film;
 pub mod frame;

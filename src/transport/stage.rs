@@ -2,6 +2,7 @@
 //!
 //! What is asked of it are calls, each vector code of its own: one long function of eight lanes would take a compiler minutes.
 
+use super::caustics::Caustics;
 use super::frame::{Frame, length_and_way};
 use super::lamp::{Arrival, Lamp, Piece};
 use super::surfaces::{Met, Surfaces};
@@ -9,7 +10,7 @@ use super::{Lens, Needs};
 use crate::bsdf::{Rgb, Sample, grey, rgb};
 use crate::geometry::{Bounds, Ends, Hit, Owners, Primitive, Ray, Settings, Structure, Surface, World, flatten};
 use crate::number::{Mask, Vector, Width, exp, vectorised_lanes};
-use crate::scene::{Emission, Flaw, Light, Scene};
+use crate::scene::{Emission, Flaw, Light, Material, Scene};
 
 /// A scene made ready.
 pub struct Stage<N: Width> {
@@ -18,12 +19,16 @@ pub struct Stage<N: Width> {
     lens: Lens<N>,
     surfaces: Surfaces<N>,
     lamps: Vec<Lamp<N>>,
-    shapes: Vec<[N::Scalar; 16]>,
+    /// What all lanes ask of what they have met: material, lamp, whether it turns, whether it shines on both sides, paint.
+    shapes: Vec<[N::Scalar; 8]>,
+    /// What lamps send out; by shape.
+    emission: Vec<[N::Scalar; 8]>,
     environment: Option<Rgb<N>>,
     max_depth: Option<u32>,
     size: [u32; 2],
     scale: f64,
     needs: Needs,
+    caustics: Option<Caustics<N>>,
 }
 
 /// Where a path has met a shape.
@@ -68,7 +73,7 @@ impl<N: Width> Stage<N> {
         let number = |name: &str| scene.materials.iter().position(|(known, _)| known == name).unwrap_or(0);
         let surfaces = Surfaces::new(scene.materials.iter().map(|(_, material)| material), scale)?;
         let mut lamps = Vec::new();
-        let mut shapes = Vec::new();
+        let (mut shapes, mut shining_out) = (Vec::new(), Vec::new());
         for (at, shape) in scene.shapes.iter().enumerate() {
             let material = number(&shape.material);
             let lamp = shape.emission.and_then(|emission| shining(flat.of_shape(at), &emission));
@@ -77,24 +82,18 @@ impl<N: Width> Stage<N> {
             let flag = |holds: bool| f64::from(u8::from(holds));
             let [rho_red, rho_green, rho_blue, is_lambert] = surfaces.paint(material);
             let row = [
-                red,
-                green,
-                blue,
                 material as f64,
                 if lamp.is_some() { lamps.len() as f64 } else { -1.0 },
                 flag(surfaces.turns(material)),
                 flag(emission.is_some_and(|emission| emission.two_sided)),
-                0.0,
                 rho_red,
                 rho_green,
                 rho_blue,
                 is_lambert,
-                0.0,
-                0.0,
-                0.0,
-                0.0,
             ];
-            shapes.push(row.map(|part| N::of(part).get(0)));
+            let number = |part: f64| N::of(part).get(0);
+            shapes.push(row.map(number));
+            shining_out.push([red, green, blue, 0.0, 0.0, 0.0, 0.0, 0.0].map(number));
             lamps.extend(lamp);
         }
         // Where rays end besides surfaces; nowhere if some come from infinitely far.
@@ -112,16 +111,33 @@ impl<N: Width> Stage<N> {
                 }
             });
         }
+        let lens = Lens::new(&scene.camera, scene.filter, middle, scale);
+        let specular: Vec<Bounds> = scene
+            .shapes
+            .iter()
+            .enumerate()
+            .filter(|(_, shape)| scene.material(&shape.material).is_some_and(Material::is_specular))
+            .map(|(at, _)| flat.of_shape(at).iter().fold(Bounds::NOTHING, |all, one| all.union(&one.bounds())))
+            .collect();
+        let [width, height] = [scene.camera.width, scene.camera.height];
+        let caustics =
+            if lens.is_plain() { Caustics::new(&lamps, &specular, 1.0, width.saturating_mul(height)) } else { None };
+        if caustics.is_some() {
+            // Their light is joined to the camera, which is the origin.
+            ends.iter_mut().for_each(|ends| ends.push([0.0; 3]));
+        }
         Ok(Self {
+            caustics,
             world: World::with(
                 &flat.primitives,
                 &Settings { structure, ends: ends.map_or(Ends::Anywhere, Ends::OnSurfaces) },
             ),
             owners: flat.owners,
-            lens: Lens::new(&scene.camera, scene.filter, middle, scale),
+            lens,
             surfaces,
             lamps,
             shapes,
+            emission: shining_out,
             environment: scene.environment.map(|radiance| radiance.map(N::of)),
             max_depth: scene.max_depth,
             size: [scene.camera.width, scene.camera.height],
@@ -143,6 +159,17 @@ impl<N: Width> Stage<N> {
     /// What it needs.
     pub fn needs(&self) -> &Needs {
         &self.needs
+    }
+
+    /// The camera.
+    pub fn lens(&self) -> &Lens<N> {
+        &self.lens
+    }
+
+    /// The paths from lamps that it asks for; None if nothing specular could throw their light on anything, or the picture is
+    /// not that of a pinhole with a box filter.
+    pub fn caustics(&self) -> Option<&Caustics<N>> {
+        self.caustics.as_ref()
     }
 
     /// The most edges of a path.
@@ -207,7 +234,7 @@ impl<N: Width> Stage<N> {
             #[inline(always)]
             |lane| self.shapes[self.owners.shape(hit.primitive.place(lane))],
         );
-        let [red, green, blue, material, lamp, turns, two_sided, _, rho_red, rho_green, rho_blue, is_lambert, ..] = row;
+        let [material, lamp, turns, two_sided, rho_red, rho_green, rho_blue, is_lambert] = row;
         let back = -ray.direction;
         let cos = back.dot(surface.normal);
         let is_back = cos.lt(zero);
@@ -217,6 +244,7 @@ impl<N: Width> Stage<N> {
             Frame::about(Vector::select(agrees, surface.shading, surface.normal)).turned(is_back & turns.gt(half));
         let wo = frame.inward(back);
         let shines = met & lamp.ge(zero) & (!is_back | two_sided.gt(half));
+        let emitted = if shines.any() { self.emitted(hit) } else { grey(zero) };
         let clarity =
             if self.needs.absorption { self.clarity(material, wo.z.lt(zero), hit.t) } else { grey(N::of(1.0)) };
         Vertex {
@@ -228,9 +256,19 @@ impl<N: Width> Stage<N> {
             met: self.surfaces.met(material, [rho_red, rho_green, rho_blue, is_lambert]),
             lamp: N::select(shines, lamp, N::of(-1.0)),
             cos: cos.abs(),
-            emitted: [red, green, blue],
+            emitted,
             clarity,
         }
+    }
+
+    /// What the shapes that were met send out [W m⁻² sr⁻¹] if they are seen from where they shine.
+    #[inline(always)]
+    fn emitted(&self, hit: &Hit<N>) -> Rgb<N> {
+        let [red, green, blue, ..] = N::columns(
+            #[inline(always)]
+            |lane| self.emission[self.owners.shape(hit.primitive.place(lane))],
+        );
+        [red, green, blue]
     }
 
     /// What is left [1] of light after a way inside what the materials enclose.

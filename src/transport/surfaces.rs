@@ -20,6 +20,7 @@ struct Model<N: Width> {
     turns: bool,
     /// Absorption inside [1 over the unit of length]; 0 for what nothing gets into.
     absorption: [f64; 3],
+    is_specular: bool,
 }
 
 impl Material {
@@ -116,6 +117,7 @@ impl<N: Width> Surfaces<N> {
                 bsdf: entry.make(&setting),
                 turns: !material.is_clear() && !matches!(material, Material::Plastic { .. }),
                 absorption: material.absorption().map(|a| a / scale),
+                is_specular: material.is_specular(),
             });
             let is_lambert = f64::from(u8::from(matches!(material, Material::Diffuse { .. })));
             let [red, green, blue] = setting.albedo;
@@ -157,6 +159,23 @@ pub struct Met<'a, N: Width> {
 }
 
 impl<N: Width> Met<'_, N> {
+    /// Where it is Lambert's.
+    #[inline(always)]
+    pub fn is_lambert(&self) -> N::Mask {
+        self.is_lambert
+    }
+
+    /// ρ [1] where it is Lambert's.
+    #[inline(always)]
+    pub fn paint(&self) -> Rgb<N> {
+        self.paint.albedo
+    }
+
+    /// Whether any of the light of what a lane has met has no choice of where to go.
+    pub fn is_specular(&self, lane: usize) -> bool {
+        self.models[self.material.place(lane)].is_specular
+    }
+
     /// f [sr⁻¹] and the density [sr⁻¹], 0 where the mask is false.
     #[inline(always)]
     pub fn eval_pdf(&self, active: N::Mask, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
