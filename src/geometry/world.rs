@@ -144,6 +144,16 @@ impl<N: Width> World<N> {
         }
     }
 
+    /// Whether everything is tried one after the other.
+    pub fn is_brute(&self) -> bool {
+        self.many.is_none()
+    }
+
+    /// Primitives that cannot come between two points.
+    pub fn walls(&self) -> usize {
+        self.walls.count()
+    }
+
     /// The box about everything.
     pub fn bounds(&self) -> Bounds {
         self.bounds

@@ -237,7 +237,7 @@ impl<N: Width> Caustics<N> {
                 break;
             }
             let vertex = stage.vertex(&paths.ray, &hit, paths.alive);
-            if stage.needs().absorption {
+            if stage.absorbs() {
                 paths.scale(vertex.clarity);
             }
             if edges > 1 {

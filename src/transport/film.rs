@@ -344,6 +344,31 @@ mod tests {
     }
 
     #[test]
+    fn light_that_is_no_number_stays_none() {
+        let add = |order: [f64; 3]| {
+            let mut splats = Splats::none(1, -10);
+            order.into_iter().for_each(|light| splats.add(0, 1, [light, 1.0, 0.0]));
+            splats
+        };
+        for bad in [f64::NAN, f64::INFINITY, 1e30] {
+            let splats = add([0.5, bad, 0.25]);
+            assert_eq!(splats, add([bad, 0.25, 0.5]));
+            let [[first, ..], [light, next, _]] = splats.light(0);
+            assert!(first == 0.0 && light.is_nan() && next == 3.0, "{bad}");
+        }
+        // What no longer fits is seen, in whatever order: three times 2⁶¹ units.
+        let large = 2f64.powi(61 - 10);
+        assert!(add([large; 3]).light(0)[1][0] == 3.0 * large);
+        let mut twice = add([large; 3]);
+        twice.merge(&add([large; 3]));
+        assert!(twice.light(0)[1][0].is_nan());
+        let mut film = Film::new(1, 1);
+        film.add_lit(0..1, vec![[[1.0; 3]; 2]], Some(add([f64::NAN, 0.0, 0.0]))).expect("new");
+        let [[first, second]] = film.halves()[..] else { panic!("one pixel") };
+        assert!(first == [1.0; 3] && second[0].is_nan() && second[1] == 4.0);
+    }
+
+    #[test]
     fn means_are_those_of_the_pairs() {
         let mut film = Film::new(3, 2);
         rendered(&mut film, 5..42).expect("new");

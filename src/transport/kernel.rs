@@ -34,6 +34,8 @@ pub struct Tactics {
     pub caustics: bool,
     /// Samples in place of one, a power of two, where a pixel's centre shows something specular.
     pub extra: u32,
+    /// Whether one path is followed at a time, as if there were no lanes.
+    pub one_lane: bool,
 }
 
 /// How paths meet lamps.
@@ -58,7 +60,16 @@ impl Default for Tactics {
             blind_choice: false,
             caustics: true,
             extra: 8,
+            one_lane: false,
         }
+    }
+}
+
+impl Tactics {
+    /// Whether paths from lamps are followed, if the scene asks for them: they share their light with paths that meet lamps by
+    /// chance.
+    pub fn follows(&self) -> bool {
+        self.caustics && self.meeting == Meeting::Both
     }
 }
 
@@ -101,7 +112,7 @@ impl<N: Width> Work<'_, N> {
         // What is specular shows the picture's darkest corners and its lamps side by side: there a sample is the mean of
         // several, of numbers of their own. Whoever asks for so many samples that there are no numbers left gets single ones.
         let extra = self.tactics.extra.max(1);
-        if extra == 1 || range.end > u32::MAX / 4 / extra || !self.stage.needs().specular || !self.is_specular() {
+        if extra == 1 || range.end > u32::MAX / 4 / extra || !self.stage.may_be_specular() || !self.is_specular() {
             return self.sum(range);
         }
         let sum = self.sum(range.start * extra..range.end * extra);
@@ -253,11 +264,11 @@ impl<N: Width> Work<'_, N> {
             return;
         }
         let vertex = stage.vertex(&paths.ray, &hit, met);
-        if stage.needs().absorption {
+        if stage.absorbs() {
             paths.throughput = rgb(|c| paths.throughput[c] * vertex.clarity[c]);
         }
 
-        let caustics = stage.caustics().filter(|_| tactics.caustics && tactics.meeting == Meeting::Both);
+        let caustics = stage.caustics().filter(|_| tactics.follows());
         let shining = met & vertex.lamp.ge(zero);
         if shining.any() {
             let by_lamp = stage.density_to(&paths.ray, &vertex, shining);
@@ -307,6 +318,12 @@ impl<N: Width> Work<'_, N> {
         paths.pdf = N::select(drawn.is_delta, N::of(f64::INFINITY), drawn.pdf);
         let direction = vertex.frame.outward(drawn.wi);
         paths.ray = stage.leave(&vertex, direction);
+        let is_number = (paths.throughput[0] + paths.throughput[1] + paths.throughput[2]).ge(zero);
+        let odd = paths.alive & !is_number;
+        if odd.any() {
+            // It would end without a word; the pixel has to tell.
+            paths.gather(odd, grey(one));
+        }
         // What is left of the light's energy, not of its radiance, decides.
         let left = paths.throughput[0].max(paths.throughput[1]).max(paths.throughput[2]) / paths.squeeze;
         let chance = (left * N::of(tactics.boost)).min(N::of(tactics.most));
@@ -372,7 +389,8 @@ impl<N: Width> Work<'_, N> {
             sum = sum + size;
         }
         let Some((ray, reach, light, size)) = kept else { return };
-        let worth = active & size.gt(zero);
+        // What is not a number is worth it too: it has to be seen.
+        let worth = active & (size.gt(zero) | !sum.ge(zero));
         if !worth.any() {
             return;
         }

@@ -3,7 +3,7 @@
 use super::frame::length_and_way;
 use crate::number::{Number, Vector, ln, sin_cos_turns};
 use crate::sampling::warp;
-use crate::scene::{Camera, Filter};
+use crate::scene::{Camera, Filter, Triple};
 
 /// Rays of a picture.
 #[derive(Clone, Debug)]
@@ -16,6 +16,7 @@ pub struct Lens<N> {
     /// The lens's radius along both axes; None for a pinhole.
     aperture: Option<[Vector<N>; 2]>,
     filter: Filter,
+    is_pinhole: bool,
     /// Where it looks.
     forward: Vector<N>,
     /// How far away a pixel has length 1.
@@ -26,7 +27,8 @@ pub struct Lens<N> {
 
 impl<N: Number> Lens<N> {
     /// Of a camera, seen from where `shifted` [m] is the origin and in a unit of which `scale` make a metre.
-    pub fn new(camera: &Camera, filter: Filter, shifted: [f64; 3], scale: f64) -> Self {
+    /// If `everything`, a pinhole is a lens whose opening has no size.
+    pub fn new(camera: &Camera, filter: Filter, (shifted, scale): (Triple, f64), everything: bool) -> Self {
         let part = |k: usize| camera.target[k] - camera.origin[k];
         let (distance, forward) = length_and_way(Vector::<f64>::new(part(0), part(1), part(2)));
         let right = length_and_way(forward.cross(Vector::of(camera.up))).1;
@@ -40,8 +42,10 @@ impl<N: Number> Lens<N> {
             origin: Vector::of(std::array::from_fn(|k| (camera.origin[k] - shifted[k]) * scale)),
             corner: of(corner),
             pixel: [of(right.scaled(pixel)), of(up.scaled(-pixel))],
-            aperture: (camera.aperture > 0.0).then(|| [right, up].map(|axis| of(axis.scaled(camera.aperture * scale)))),
+            aperture: (camera.aperture > 0.0 || everything)
+                .then(|| [right, up].map(|axis| of(axis.scaled(camera.aperture * scale)))),
             filter,
+            is_pinhole: camera.aperture <= 0.0,
             forward: of(forward),
             reach: N::of(focus / pixel),
             duals: [of(right.scaled(1.0 / pixel)), of(up.scaled(-1.0 / pixel))],
@@ -50,7 +54,7 @@ impl<N: Number> Lens<N> {
 
     /// Whether the picture is that of a pinhole, and each of its places counts for one pixel alone.
     pub fn is_plain(&self) -> bool {
-        self.aperture.is_none() && self.filter == Filter::Box
+        self.is_pinhole && self.filter == Filter::Box
     }
 
     /// Where the pinhole is.

@@ -30,6 +30,6 @@ pub mod surfaces;
 mod tests;
 
 pub use lens::Lens;
-pub use needs::Needs;
+pub use needs::{LeftOut, Needs};
 pub use picture::{Feature, Manner, Method, Renderer};
 pub use stage::{Stage, Vertex};

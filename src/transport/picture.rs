@@ -1,7 +1,7 @@
 //! Pictures: every pixel's samples, each pixel on one thread.
 
 use super::film::{Halves, Splats, tree};
-use super::kernel::{Meeting, Tactics, Work};
+use super::kernel::{Tactics, Work};
 use super::simple::{Integrator, Numbers};
 use super::{Needs, Stage, caustics};
 use crate::bsdf::{Rgb, rgb};
@@ -22,6 +22,8 @@ pub struct Manner {
     pub choice: Choice,
     /// Of all numbers.
     pub seed: u64,
+    /// Whether nothing is left out that the scene does not need ([`Needs::left_out`]): the same picture, for more work.
+    pub everything: bool,
 }
 
 /// An integrator.
@@ -53,6 +55,7 @@ pub struct Renderer {
 
 enum Engine {
     Fast(Box<Stage<F32x8>>, Tactics),
+    Single(Box<Stage<f32>>, Tactics),
     Simple(Box<Stage<f64>>, &'static Integrator),
 }
 
@@ -61,7 +64,8 @@ impl Engine {
     fn numbered(&self, pairs: u32) -> u32 {
         match self {
             Self::Fast(stage, tactics) if stage.needs().specular => pairs.saturating_mul(tactics.extra.max(1)),
-            Self::Fast(..) | Self::Simple(..) => pairs,
+            Self::Single(stage, tactics) if stage.needs().specular => pairs.saturating_mul(tactics.extra.max(1)),
+            Self::Fast(..) | Self::Single(..) | Self::Simple(..) => pairs,
         }
     }
 }
@@ -78,13 +82,20 @@ impl Renderer {
     /// # Errors
     /// If a medium is not known.
     pub fn new(scene: &Scene, manner: &Manner, pairs: u32) -> Result<Self, Flaw> {
+        let Manner { structure, everything, .. } = *manner;
         let engine = match manner.method {
-            Method::Fast(tactics) => Engine::Fast(Box::new(Stage::new(scene, manner.structure)?), tactics),
-            Method::Simple(integrator) => Engine::Simple(Box::new(Stage::new(scene, manner.structure)?), integrator),
+            Method::Fast(tactics) if tactics.one_lane => {
+                Engine::Single(Box::new(Stage::with(scene, structure, everything)?), tactics)
+            }
+            Method::Fast(tactics) => Engine::Fast(Box::new(Stage::with(scene, structure, everything)?), tactics),
+            Method::Simple(integrator) => {
+                Engine::Simple(Box::new(Stage::with(scene, structure, everything)?), integrator)
+            }
         };
         let vertices = scene.max_depth.unwrap_or(VERTICES).min(VERTICES) as usize;
         let light = match &engine {
             Engine::Fast(stage, _) if stage.caustics().is_some() => caustics::points(manner.choice, manner.seed),
+            Engine::Single(stage, _) if stage.caustics().is_some() => caustics::points(manner.choice, manner.seed),
             _ => Points::new(Choice::Independent, 1, 0, manner.seed),
         };
         let points = Points::new(manner.choice, engine.numbered(pairs), vertices, manner.seed);
@@ -104,6 +115,7 @@ impl Renderer {
     pub fn bytes(&self) -> usize {
         match &self.engine {
             Engine::Fast(stage, _) => stage.bytes(),
+            Engine::Single(stage, _) => stage.bytes(),
             Engine::Simple(stage, _) => stage.bytes(),
         }
     }
@@ -112,6 +124,7 @@ impl Renderer {
     pub fn needs(&self) -> &Needs {
         match &self.engine {
             Engine::Fast(stage, _) => stage.needs(),
+            Engine::Single(stage, _) => stage.needs(),
             Engine::Simple(stage, _) => stage.needs(),
         }
     }
@@ -120,10 +133,9 @@ impl Renderer {
     /// [`Renderer::sums`]; None where none are sent, which does not depend on the pairs.
     pub fn splats(&self, pairs: Range<u32>) -> Option<Splats> {
         match &self.engine {
-            Engine::Fast(stage, tactics) if tactics.caustics && tactics.meeting == Meeting::Both => {
-                caustics::splats(stage, &self.light, pairs)
-            }
-            Engine::Fast(..) | Engine::Simple(..) => None,
+            Engine::Fast(stage, tactics) if tactics.follows() => caustics::splats(stage, &self.light, pairs),
+            Engine::Single(stage, tactics) if tactics.follows() => caustics::splats(stage, &self.light, pairs),
+            Engine::Fast(..) | Engine::Single(..) | Engine::Simple(..) => None,
         }
     }
 
@@ -131,6 +143,7 @@ impl Renderer {
     pub fn sums(&self, rows: Range<u32>, pairs: Range<u32>) -> Vec<Halves> {
         match &self.engine {
             Engine::Fast(stage, tactics) => fast(stage, tactics, &self.points, rows, pairs),
+            Engine::Single(stage, tactics) => fast(stage, tactics, &self.points, rows, pairs),
             Engine::Simple(stage, integrator) => {
                 let depth = stage.max_depth().unwrap_or(DEEP);
                 simple(stage, integrator, depth, &self.points, rows, pairs)
@@ -144,6 +157,7 @@ impl Renderer {
     pub fn features(&self, rows: Range<u32>) -> Vec<Feature> {
         match &self.engine {
             Engine::Fast(stage, _) => features(stage, &self.points, rows),
+            Engine::Single(stage, _) => features(stage, &self.points, rows),
             Engine::Simple(stage, _) => features(stage, &self.points, rows),
         }
     }

@@ -27,6 +27,7 @@ pub struct Stage<N: Width> {
     max_depth: Option<u32>,
     size: [u32; 2],
     scale: f64,
+    everything: bool,
     needs: Needs,
     caustics: Option<Caustics<N>>,
 }
@@ -61,6 +62,16 @@ impl<N: Width> Stage<N> {
     /// # Errors
     /// If a medium is not known.
     pub fn new(scene: &Scene, structure: Structure) -> Result<Self, Flaw> {
+        Self::with(scene, structure, false)
+    }
+
+    /// The same; if `everything`, nothing is left out that the scene does not need ([`Needs::left_out`]): more work, and the same
+    /// pictures.
+    ///
+    /// # Errors
+    /// If a medium is not known.
+    pub fn with(scene: &Scene, structure: Structure, everything: bool) -> Result<Self, Flaw> {
+        let structure = if everything && structure == Structure::Best { Structure::Bvh } else { structure };
         let middle = scene.camera.origin;
         let flat = flatten(scene);
         let all = flat.primitives.iter().fold(Bounds::NOTHING, |all, one| all.union(&one.bounds()));
@@ -71,7 +82,7 @@ impl<N: Width> Stage<N> {
         let flat = flat.seen_from(middle, scale);
 
         let number = |name: &str| scene.materials.iter().position(|(known, _)| known == name).unwrap_or(0);
-        let surfaces = Surfaces::new(scene.materials.iter().map(|(_, material)| material), scale)?;
+        let surfaces = Surfaces::new(scene.materials.iter().map(|(_, material)| material), scale, everything)?;
         let mut lamps = Vec::new();
         let (mut shapes, mut shining_out) = (Vec::new(), Vec::new());
         for (at, shape) in scene.shapes.iter().enumerate() {
@@ -111,7 +122,7 @@ impl<N: Width> Stage<N> {
                 }
             });
         }
-        let lens = Lens::new(&scene.camera, scene.filter, middle, scale);
+        let lens = Lens::new(&scene.camera, scene.filter, (middle, scale), everything);
         let specular: Vec<Bounds> = scene
             .shapes
             .iter()
@@ -126,23 +137,30 @@ impl<N: Width> Stage<N> {
             // Their light is joined to the camera, which is the origin.
             ends.iter_mut().for_each(|ends| ends.push([0.0; 3]));
         }
+        let ends = ends.filter(|_| !everything).map_or(Ends::Anywhere, Ends::OnSurfaces);
+        let world = World::with(&flat.primitives, &Settings { structure, ends });
+        let needs = Needs {
+            hierarchy: !world.is_brute(),
+            walls: world.walls() as u32,
+            light_paths: caustics.is_some(),
+            ..Needs::of(scene)
+        };
+        let black = everything.then_some([0.0; 3]);
         Ok(Self {
-            caustics,
-            world: World::with(
-                &flat.primitives,
-                &Settings { structure, ends: ends.map_or(Ends::Anywhere, Ends::OnSurfaces) },
-            ),
+            world,
             owners: flat.owners,
             lens,
             surfaces,
             lamps,
             shapes,
             emission: shining_out,
-            environment: scene.environment.map(|radiance| radiance.map(N::of)),
+            environment: scene.environment.or(black).map(|radiance| radiance.map(N::of)),
             max_depth: scene.max_depth,
             size: [scene.camera.width, scene.camera.height],
             scale,
-            needs: Needs::of(scene),
+            everything,
+            needs,
+            caustics,
         })
     }
 
@@ -159,6 +177,17 @@ impl<N: Width> Stage<N> {
     /// What it needs.
     pub fn needs(&self) -> &Needs {
         &self.needs
+    }
+
+    /// Whether what is left on the way is asked.
+    #[inline(always)]
+    pub fn absorbs(&self) -> bool {
+        self.needs.absorption || self.everything
+    }
+
+    /// Whether pixels are asked if they show something specular.
+    pub fn may_be_specular(&self) -> bool {
+        self.needs.specular || self.everything
     }
 
     /// The camera.
@@ -245,8 +274,7 @@ impl<N: Width> Stage<N> {
         let wo = frame.inward(back);
         let shines = met & lamp.ge(zero) & (!is_back | two_sided.gt(half));
         let emitted = if shines.any() { self.emitted(hit) } else { grey(zero) };
-        let clarity =
-            if self.needs.absorption { self.clarity(material, wo.z.lt(zero), hit.t) } else { grey(N::of(1.0)) };
+        let clarity = if self.absorbs() { self.clarity(material, wo.z.lt(zero), hit.t) } else { grey(N::of(1.0)) };
         Vertex {
             distance: hit.t,
             surface,

@@ -12,6 +12,8 @@ pub struct Surfaces<N: Width> {
     models: Vec<Model<N>>,
     /// ρ of every material, and 1 if it is Lambert's.
     paints: Vec<[f64; 4]>,
+    /// Whether Lambert's too are asked as models.
+    everything: bool,
 }
 
 struct Model<N: Width> {
@@ -103,11 +105,15 @@ impl Metal {
 }
 
 impl<N: Width> Surfaces<N> {
-    /// Of a scene's materials, in a unit of length of which `scale` make a metre.
+    /// Of a scene's materials, in a unit of length of which `scale` make a metre. If `everything`, no model is done without.
     ///
     /// # Errors
     /// If one names a medium that there is not.
-    pub fn new<'a>(materials: impl IntoIterator<Item = &'a Material>, scale: f64) -> Result<Self, Flaw> {
+    pub fn new<'a>(
+        materials: impl IntoIterator<Item = &'a Material>,
+        scale: f64,
+        everything: bool,
+    ) -> Result<Self, Flaw> {
         let zoo = zoo::<N>();
         let (mut models, mut paints) = (Vec::new(), Vec::new());
         for material in materials {
@@ -123,7 +129,7 @@ impl<N: Width> Surfaces<N> {
             let [red, green, blue] = setting.albedo;
             paints.push([red, green, blue, is_lambert]);
         }
-        Ok(Self { models, paints })
+        Ok(Self { models, paints, everything })
     }
 
     /// Whether the back of a material is like its front, 1 or 0.
@@ -145,7 +151,9 @@ impl<N: Width> Surfaces<N> {
     #[inline(always)]
     pub fn met(&self, material: N, [red, green, blue, is_lambert]: [N; 4]) -> Met<'_, N> {
         let paint = Lambert { albedo: [red, green, blue] };
-        Met { models: &self.models, material, paint, is_lambert: is_lambert.gt(N::of(0.5)) }
+        let is_lambert = is_lambert.gt(N::of(0.5));
+        let is_plain = if self.everything { N::Mask::of(false) } else { is_lambert };
+        Met { models: &self.models, material, paint, is_lambert, is_plain }
     }
 }
 
@@ -156,6 +164,8 @@ pub struct Met<'a, N: Width> {
     /// All that are Lambert's at once, each of its own colour.
     paint: Lambert<N>,
     is_lambert: N::Mask,
+    /// Where that is known to be enough.
+    is_plain: N::Mask,
 }
 
 impl<N: Width> Met<'_, N> {
@@ -180,7 +190,7 @@ impl<N: Width> Met<'_, N> {
     #[inline(always)]
     pub fn eval_pdf(&self, active: N::Mask, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
         let (f, pdf) = self.paint.eval_pdf(wi, wo);
-        let lambert = active & self.is_lambert;
+        let lambert = active & self.is_plain;
         let mut found = (rgb(|c| f[c].only(lambert)), pdf.only(lambert));
         self.others(active, |mask, model| {
             let (f, pdf) = model.eval_pdf(wi, wo);
@@ -192,7 +202,7 @@ impl<N: Width> Met<'_, N> {
     /// A direction for light that goes to `wo` to come from, none where the mask is false.
     #[inline(always)]
     pub fn sample(&self, active: N::Mask, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
-        let mut found = Sample::select(active & self.is_lambert, self.paint.sample(wo, u), Sample::none(wo));
+        let mut found = Sample::select(active & self.is_plain, self.paint.sample(wo, u), Sample::none(wo));
         self.others(active, |mask, model| found = Sample::select(mask, model.sample(wo, u), found));
         found
     }
@@ -200,7 +210,7 @@ impl<N: Width> Met<'_, N> {
     /// Each other model among the lanes once, and whose it is.
     #[inline(always)]
     fn others(&self, active: N::Mask, mut use_of: impl FnMut(N::Mask, &dyn Bsdf<N>)) {
-        let mut left = active & !self.is_lambert;
+        let mut left = active & !self.is_plain;
         if !left.any() {
             return;
         }
