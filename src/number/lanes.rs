@@ -2,7 +2,7 @@
 
 use super::{Mask, Number, Table, Terms};
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-use fearless_simd::{Simd, SimdFrom, f32x8, i32x8, prelude::*};
+use fearless_simd::{Simd, SimdFrom, f32x4, i32x8, prelude::*};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// Eight things side by side.
@@ -160,27 +160,26 @@ pub(super) fn transposed<const K: usize>(rows: &[[f32; K]; 8]) -> [F32x8; K] {
     columns
 }
 
-/// Eight columns from `start` on, by three rounds of interleaving halves: a compiler left alone moves the 64 numbers one by
-/// one.
+/// Eight columns from `start` on, by rounds of interleaving within quarters: a compiler left alone moves the 64 numbers one
+/// by one.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[inline(always)]
 fn square<M: Simd, const K: usize>(machine: M, rows: &[[f32; K]; 8], columns: &mut [F32x8; K], start: usize) {
-    macro_rules! row {
-        ($lane:literal) => {
-            f32x8::from_slice(machine, &rows[$lane][start..start + 8])
-        };
+    macro_rules! quarter {
+        ($lane:literal, $from:expr) => {{
+            let row = |lane: usize| f32x4::from_slice(machine, &rows[lane][$from..$from + 4]);
+            let ((a, b), (c, d)) = (row($lane).interleave(row($lane + 2)), row($lane + 1).interleave(row($lane + 3)));
+            // a: 0 2 of columns 0 and 1, c: 1 3 of them, and so on.
+            let ((a, b), (c, d)) = (a.interleave(c), b.interleave(d));
+            [a, b, c, d]
+        }};
     }
-    let [a, b, c, d] = [row!(0), row!(1), row!(2), row!(3)];
-    let [e, f, g, h] = [row!(4), row!(5), row!(6), row!(7)];
-    let ((a, e), (b, f), (c, g), (d, h)) = (a.interleave(e), b.interleave(f), c.interleave(g), d.interleave(h));
-    // a: 0 4 of columns 0 to 3, e: of 4 to 7, and so on.
-    let ((a, c), (b, d)) = (a.interleave(c), b.interleave(d));
-    let ((e, g), (f, h)) = (e.interleave(g), f.interleave(h));
-    let ((a, b), (c, d)) = (a.interleave(b), c.interleave(d));
-    let ((e, f), (g, h)) = (e.interleave(f), g.interleave(h));
-    let all = [a, b, c, d, e, f, g, h];
-    for column in 0..8 {
-        columns[start + column].0 = all[column].into();
+    for half in 0..2 {
+        let from = start + 4 * half;
+        let (upper, lower) = (quarter!(0, from), quarter!(4, from));
+        for column in 0..4 {
+            columns[from + column].0 = upper[column].combine(lower[column]).into();
+        }
     }
 }
 

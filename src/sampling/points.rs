@@ -123,13 +123,16 @@ impl Stream<'_> {
         self.points.rows
     }
 
-    /// What [`Stream::row`] gives, of samples and vertices that are all the net's own ([`Stream::holds`], [`Stream::rows`]).
+    /// One lane of [`Stream::row`].
     #[inline(always)]
-    pub fn of_net<N: Width>(&self, sample: impl Fn(usize) -> u32, vertex: impl Fn(usize) -> usize) -> [N; ROW] {
-        N::columns(
-            #[inline(always)]
-            |lane| unit(self.shifted(sample(lane), vertex(lane))),
-        )
+    pub fn single<S: Copy + Default + From<f32>>(&self, sample: u32, vertex: usize) -> [S; ROW] {
+        unit(self.bits(sample, vertex))
+    }
+
+    /// The same of a sample and a vertex that are the net's own ([`Stream::holds`], [`Stream::rows`]).
+    #[inline(always)]
+    pub fn single_of_net<S: Copy + Default + From<f32>>(&self, sample: u32, vertex: usize) -> [S; ROW] {
+        unit(self.shifted(sample, vertex))
     }
 
     /// The row that a vertex asks for.

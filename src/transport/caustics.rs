@@ -184,20 +184,10 @@ pub fn splats<N: Width>(stage: &Stage<N>, points: &Points, pairs: Range<u32>) ->
     let mut sums = Splats::none(width as usize * height as usize, caustics.exponent);
     // A task for every so many paths, and their splats added one after the other: whole numbers know no order.
     let tasks: Vec<u32> = pairs.flat_map(|pair| [2 * pair, 2 * pair + 1]).collect();
-    for found in mapped(&tasks, |sample| of_sample(stage, caustics, &stream, *sample)) {
+    for found in super::picture::mapped(&tasks, |sample| of_sample(stage, caustics, &stream, *sample)) {
         found.into_iter().for_each(|(pixel, half, light)| sums.add(pixel, half, light));
     }
     Some(sums)
-}
-
-fn mapped<T: Send>(tasks: &[u32], of: impl Fn(&u32) -> T + Sync + Send) -> Vec<T> {
-    #[cfg(feature = "parallel")]
-    {
-        use rayon::prelude::*;
-        tasks.par_iter().map(of).collect()
-    }
-    #[cfg(not(feature = "parallel"))]
-    tasks.iter().map(of).collect()
 }
 
 /// Pixel, half, and light.

@@ -1,6 +1,6 @@
-//! The fast integrator: as many paths of one pixel at once as a number has lanes.
+//! The fast integrator: as many paths at once as a number has lanes.
 //!
-//! A lane carries one path. Its path ended, it takes the pixel's next sample at once, so that lanes seldom idle; rare work is
+//! A lane carries one path. Its path ended, it takes the next sample of its pixel or of the one after it at once, so that lanes seldom idle; rare work is
 //! done only if a lane asks for it. At every vertex the path is joined to a lamp and goes on by its surface, and both ways of
 //! meeting a lamp are weighed by their densities (E. Veach and L. J. Guibas, *Optimally combining sampling techniques for
 //! Monte Carlo rendering*, SIGGRAPH '95, 419: the balance heuristic).
@@ -15,6 +15,9 @@ use std::ops::Range;
 
 /// Pairs of samples that lanes take from without a halt.
 const BATCH: u32 = 256;
+
+/// The most pixels that are worked on together.
+const MOST_TOGETHER: u32 = 64;
 
 /// What can be done otherwise, to see what it is good for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,88 +91,134 @@ struct Paths<N: Width> {
     squeeze: N,
     /// The end at the camera, as [`super::caustics`] weighs it; infinite where no path from a lamp could be the same.
     end: N,
-    /// Whose sample it is.
+    /// Which of the pixels each is of,
+    owner: [usize; MOST_LANES],
+    /// which of its samples,
     sample: [u32; MOST_LANES],
+    /// and which of all that are under way.
+    slot: [u32; MOST_LANES],
     alive: N::Mask,
 }
 
-/// A pixel's work.
+/// The work of some pixels, together: where few samples are asked of each, the lanes of one that is done take the next one's.
 pub struct Work<'a, N: Width> {
     /// The scene.
     pub stage: &'a Stage<N>,
     /// What is done otherwise.
     pub tactics: &'a Tactics,
-    /// The pixel's numbers.
-    pub stream: Stream<'a>,
-    /// Column and row.
-    pub pixel: [u32; 2],
+    /// Column and row of each pixel.
+    pub pixels: &'a [[u32; 2]],
+    /// Each one's numbers.
+    pub streams: &'a [Stream<'a>],
+}
+
+/// A branch of pairs of one pixel, small enough for lanes to take from it without a halt.
+#[derive(Clone, Copy)]
+struct Piece {
+    /// Which pixel.
+    owner: usize,
+    /// The first pair.
+    start: u32,
+    /// Pairs.
+    span: u32,
 }
 
 impl<N: Width> Work<'_, N> {
-    /// The sum over a branch of pairs of samples ([`super::film`]).
+    /// As many pixels are worked on together if so many pairs of samples are asked of each.
+    pub fn together(pairs: u32) -> usize {
+        (BATCH / pairs.max(1)).clamp(1, MOST_TOGETHER) as usize
+    }
+
+    /// The sums over a branch of pairs of samples ([`super::film`]), pixel by pixel.
     #[inline(always)]
-    pub fn branch(&self, range: Range<u32>) -> Halves {
+    pub fn branch(&self, range: Range<u32>) -> Vec<Halves> {
         // What is specular shows the picture's darkest corners and its lamps side by side: there a sample is the mean of
         // several, of numbers of their own. Whoever asks for so many samples that there are no numbers left gets single ones.
         let extra = self.tactics.extra.max(1);
-        if extra == 1 || range.end > u32::MAX / 4 / extra || !self.stage.may_be_specular() || !self.is_specular() {
-            return self.sum(range);
+        let is_possible = extra > 1 && range.end <= u32::MAX / 4 / extra && self.stage.may_be_specular();
+        let several = if is_possible { self.specular() } else { vec![false; self.pixels.len()] };
+        let mut pieces = Vec::new();
+        for (owner, is_several) in several.iter().enumerate() {
+            let times = if *is_several { extra } else { 1 };
+            let (start, end) = (range.start * times, range.end * times);
+            let span = BATCH.min(end - start);
+            pieces.extend((start..end).step_by(span.max(1) as usize).map(|start| Piece { owner, start, span }));
         }
-        let sum = self.sum(range.start * extra..range.end * extra);
-        sum.map(|half| rgb(|c| half[c] / extra as f32))
-    }
-
-    /// Whether the pixel's centre shows something specular.
-    #[inline(never)]
-    fn is_specular(&self) -> bool {
-        let [half, zero] = [0.5, 0.0].map(N::of);
-        let ray = self.stage.camera(self.pixel, [half, half, zero, zero]);
-        let all = N::Mask::of(true);
-        let hit = self.stage.closest(&ray, all);
-        hit.is_some().lane(0) && self.stage.vertex(&ray, &hit, all).met.is_specular(0)
-    }
-
-    #[inline(always)]
-    fn sum(&self, range: Range<u32>) -> Halves {
-        // A stack of what waits for its other half, as the tree has it.
-        let mut sum: Option<Halves> = None;
+        // A stack of what waits for its other half, as the tree has it, and what there is of the pixel so far.
         let mut waiting: Vec<(u32, Halves)> = Vec::new();
-        let mut start = range.start;
-        while start < range.end {
-            let span = BATCH.min(range.end - range.start);
-            let mut pairs = vec![[[0.0; 3]; 2]; span as usize];
-            self.trace(start, &mut pairs);
-            let (mut size, mut found) = (span, tree(&pairs));
-            while let Some((other, before)) = waiting.pop_if(|(other, _)| *other == size) {
-                (size, found) = (2 * other, added(before, found));
+        let mut sums = vec![[[0.0; 3]; 2]; self.pixels.len()];
+        let mut pairs = Vec::new();
+        let mut owner = 0;
+        while !pieces.is_empty() {
+            let mut all = 0;
+            let fit = |piece: &&Piece| {
+                all += piece.span;
+                all <= 2 * BATCH
+            };
+            let count = pieces.iter().take_while(fit).count().max(1);
+            let rest = pieces.split_off(count);
+            pairs.clear();
+            pairs.resize(pieces.iter().map(|piece| piece.span as usize).sum(), [[0.0; 3]; 2]);
+            self.trace(&pieces, &mut pairs);
+            let mut left = &pairs[..];
+            for piece in &pieces {
+                if piece.owner != owner {
+                    waiting.clear();
+                    owner = piece.owner;
+                }
+                let (own, others) = left.split_at(piece.span as usize);
+                left = others;
+                let (mut size, mut found) = (piece.span, tree(own));
+                while let Some((other, before)) = waiting.pop_if(|(other, _)| *other == size) {
+                    (size, found) = (2 * other, added(before, found));
+                }
+                waiting.push((size, found));
+                sums[owner] = found;
             }
-            waiting.push((size, found));
-            sum = Some(found);
-            start += span;
+            pieces = rest;
         }
-        sum.unwrap_or_default()
+        for (sum, _) in sums.iter_mut().zip(&several).filter(|(_, is_several)| **is_several) {
+            *sum = sum.map(|half| rgb(|c| half[c] / extra as f32));
+        }
+        sums
     }
 
-    /// What each pair of samples from `start` on gathers.
+    /// Of which pixels the centre shows something specular.
+    #[inline(never)]
+    fn specular(&self) -> Vec<bool> {
+        let [half, zero] = [0.5, 0.0].map(N::of);
+        let mut found = Vec::with_capacity(self.pixels.len());
+        for some in self.pixels.chunks(N::LANES) {
+            let place = |axis: usize| N::from_lanes(|lane| f64::from(some[lane.min(some.len() - 1)][axis]));
+            let ray = self.stage.camera([place(0), place(1)], [half, half, zero, zero]);
+            let hit = self.stage.closest(&ray, N::Mask::of(true));
+            let is_met = hit.is_some();
+            let vertex = self.stage.vertex(&ray, &hit, is_met);
+            found.extend((0..some.len()).map(|lane| is_met.lane(lane) && vertex.met.is_specular(lane)));
+        }
+        found
+    }
+
+    /// What each pair of samples of the pieces gathers, one piece after the other.
     #[inline(always)]
-    fn trace(&self, start: u32, pairs: &mut [Halves]) {
-        let (mut next, end) = (2 * start, 2 * (start + pairs.len() as u32));
+    fn trace(&self, pieces: &[Piece], pairs: &mut [Halves]) {
         // Numbers beyond the net are rare, and asking for them lane by lane is not free.
-        let rows = N::of(if self.stream.holds(end) { self.stream.rows() as f64 } else { 0.0 });
+        let of_net = |piece: &Piece| self.streams[piece.owner].holds(2 * (piece.start + piece.span));
+        let rows = if pieces.iter().all(of_net) { self.streams[0].rows() as f64 } else { 0.0 };
+        let rows = N::of(rows);
+        let mut source = Source { pieces, next: 0, before: 0 };
         let mut paths = Paths::<N>::none();
         loop {
-            if next < end && (!paths.alive).any() {
-                let fresh = paths.take(&mut next, end);
-                let u: [N; 8] = if rows.gt(N::of(0.0)).any() {
-                    self.stream.of_net(
+            if !source.is_empty() && (!paths.alive).any() {
+                let fresh = paths.take(&mut source);
+                let u: [N; 8] = self.numbers(&paths, rows, N::of(0.0));
+                let place = |axis: usize| {
+                    N::from_lanes(
                         #[inline(always)]
-                        |lane| paths.sample[lane],
-                        |_| 0,
+                        |lane| f64::from(self.pixels[paths.owner[lane]][axis]),
                     )
-                } else {
-                    self.stream.row(|lane| paths.sample[lane], |_| 0)
                 };
-                let ray = self.stage.camera(self.pixel, [u[0], u[1], u[2], u[3]]);
+                let ray = self.stage.camera([place(0), place(1)], [u[0], u[1], u[2], u[3]]);
                 paths.begin(fresh, ray);
             }
             if !paths.alive.any() {
@@ -179,10 +228,57 @@ impl<N: Width> Work<'_, N> {
             self.step(&mut paths, rows);
             let ended = before & !paths.alive;
             for lane in ended.lanes() {
-                let at = paths.sample[lane] - 2 * start;
-                pairs[at as usize / 2][at as usize % 2] = rgb(|c| paths.gathered[c].lane(lane) as f32);
+                pairs[paths.slot[lane] as usize / 2][paths.slot[lane] as usize % 2] =
+                    rgb(|c| paths.gathered[c].lane(lane) as f32);
             }
         }
+    }
+
+    /// The numbers of every lane's sample at a vertex.
+    #[inline(always)]
+    fn numbers(&self, paths: &Paths<N>, rows: N, vertex: N) -> [N; 8] {
+        let is_of_net = !vertex.ge(rows).any();
+        N::columns(
+            #[inline(always)]
+            |lane| {
+                let (stream, sample) = (&self.streams[paths.owner[lane]], paths.sample[lane]);
+                if is_of_net {
+                    stream.single_of_net(sample, vertex.place(lane))
+                } else {
+                    stream.single(sample, vertex.place(lane))
+                }
+            },
+        )
+    }
+}
+
+/// Samples to be taken.
+struct Source<'a> {
+    pieces: &'a [Piece],
+    /// The next sample of the first piece.
+    next: u32,
+    /// Samples of the pieces before it.
+    before: u32,
+}
+
+impl Source<'_> {
+    #[inline(always)]
+    fn is_empty(&self) -> bool {
+        self.pieces.is_empty()
+    }
+
+    /// Whose the next one is, its number, and its place among all.
+    #[inline(always)]
+    fn take(&mut self) -> Option<(usize, u32, u32)> {
+        let piece = self.pieces.first()?;
+        let taken = (piece.owner, 2 * piece.start + self.next, self.before + self.next);
+        self.next += 1;
+        if self.next == 2 * piece.span {
+            self.before += self.next;
+            self.next = 0;
+            self.pieces = &self.pieces[1..];
+        }
+        Some(taken)
     }
 }
 
@@ -198,21 +294,20 @@ impl<N: Width> Paths<N> {
             edges: zero,
             squeeze: N::of(1.0),
             end: N::of(f64::INFINITY),
+            owner: [0; MOST_LANES],
             sample: [0; MOST_LANES],
+            slot: [0; MOST_LANES],
             alive: N::Mask::of(false),
         }
     }
 
     /// Gives idle lanes the next samples; which have one.
     #[inline(always)]
-    fn take(&mut self, next: &mut u32, end: u32) -> N::Mask {
+    fn take(&mut self, source: &mut Source<'_>) -> N::Mask {
         let mut fresh = [0.0; MOST_LANES];
         for lane in (!self.alive).lanes() {
-            if *next >= end {
-                break;
-            }
-            self.sample[lane] = *next;
-            *next += 1;
+            let Some((owner, sample, slot)) = source.take() else { break };
+            (self.owner[lane], self.sample[lane], self.slot[lane]) = (owner, sample, slot);
             fresh[lane] = 1.0;
         }
         N::from_lanes(
@@ -298,16 +393,7 @@ impl<N: Width> Work<'_, N> {
             }
         }
 
-        let row = if paths.edges.ge(rows).any() {
-            self.stream.at(|lane| paths.sample[lane], |lane| paths.edges.place(lane))
-        } else {
-            Row::of(self.stream.of_net(
-                #[inline(always)]
-                |lane| paths.sample[lane],
-                #[inline(always)]
-                |lane| paths.edges.place(lane),
-            ))
-        };
+        let row: Row<N> = Row::of(self.numbers(paths, rows, paths.edges));
         if !stage.lamps().is_empty() && tactics.meeting != Meeting::Chance {
             self.join(paths, &vertex, &row);
         }

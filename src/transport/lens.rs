@@ -85,10 +85,10 @@ impl<N: Number> Lens<N> {
     /// Origin and direction of the ray through a pixel that belongs to four numbers: the place in the pixel, and that on the
     /// lens.
     #[inline(always)]
-    pub fn ray(&self, [column, row]: [u32; 2], u: [N; 4]) -> [Vector<N>; 2] {
+    pub fn ray(&self, [column, row]: [N; 2], u: [N; 4]) -> [Vector<N>; 2] {
         let [x, y] = self.filter.offset([u[0], u[1]]);
-        let centre = |at: u32| N::of(f64::from(at) + 0.5);
-        let aim = self.corner + self.pixel[0].scaled(centre(column) + x) + self.pixel[1].scaled(centre(row) + y);
+        let half = N::of(0.5);
+        let aim = self.corner + self.pixel[0].scaled(column + half + x) + self.pixel[1].scaled(row + half + y);
         match &self.aperture {
             None => [self.origin, aim.normalised()],
             Some(axes) => {

@@ -7,7 +7,7 @@ use super::{Needs, Stage, caustics};
 use crate::bsdf::{Rgb, rgb};
 use crate::geometry::Structure;
 use crate::number::{F32x8, Mask, Vector, Width, vectorised_lanes};
-use crate::sampling::{Choice, Points};
+use crate::sampling::{Choice, Points, Stream};
 use crate::scene::{Flaw, Scene};
 use std::ops::Range;
 
@@ -184,7 +184,7 @@ fn features<N: Width>(stage: &Stage<N>, points: &Points, rows: Range<u32>) -> Ve
         for start in (0..LOOKS).step_by(N::LANES) {
             let sample = |lane: usize| start + lane as u32;
             let u = stream.row::<N>(sample, |_| 0);
-            let ray = stage.camera(pixel, [u[0], u[1], u[2], u[3]]);
+            let ray = stage.camera(pixel.map(|at| N::of(f64::from(at))), [u[0], u[1], u[2], u[3]]);
             let hit = stage.closest(&ray, N::Mask::of(true));
             let met = hit.is_some();
             let vertex = stage.vertex(&ray, &hit, met);
@@ -212,12 +212,30 @@ pub fn fast<N: Width>(
     rows: Range<u32>,
     pairs: Range<u32>,
 ) -> Vec<Halves> {
-    by_pixel(stage.size()[0], rows, |pixel| {
+    let width = stage.size()[0];
+    let all: Vec<[u32; 2]> = rows.flat_map(|row| (0..width).map(move |column| [column, row])).collect();
+    let blocks: Vec<&[[u32; 2]]> = all.chunks(Work::<N>::together(pairs.end - pairs.start)).collect();
+    let of = |pixels: &&[[u32; 2]]| {
         vectorised_lanes::<N, _>(
             #[inline(always)]
-            || Work { stage, tactics, stream: points.of_pixel(pixel), pixel }.branch(pairs.clone()),
+            || {
+                let streams: Vec<Stream<'_>> = pixels.iter().map(|pixel| points.of_pixel(*pixel)).collect();
+                Work { stage, tactics, pixels, streams: &streams }.branch(pairs.clone())
+            },
         )
-    })
+    };
+    mapped(&blocks, of).concat()
+}
+
+/// Of each the result, on as many threads as there are.
+pub(super) fn mapped<A: Sync, T: Send>(all: &[A], of: impl Fn(&A) -> T + Sync + Send) -> Vec<T> {
+    #[cfg(feature = "parallel")]
+    {
+        use rayon::prelude::*;
+        all.par_iter().map(of).collect()
+    }
+    #[cfg(not(feature = "parallel"))]
+    all.iter().map(of).collect()
 }
 
 /// The same by an integrator to read, its paths at most so many edges long.
@@ -233,7 +251,7 @@ pub fn simple(
         let stream = points.of_pixel(pixel);
         let one = |sample: u32| {
             let [a, b, c, d, ..] = stream.row::<f64>(|_| sample, |_| 0);
-            let ray = stage.camera(pixel, [a, b, c, d]);
+            let ray = stage.camera(pixel.map(f64::from), [a, b, c, d]);
             let light = (integrator.radiance)(stage, ray, &mut Numbers::new(&stream, sample), depth);
             rgb(|c| light[c] as f32)
         };
@@ -242,14 +260,7 @@ pub fn simple(
     })
 }
 
-fn by_pixel<T: Send>(width: u32, rows: Range<u32>, of: impl Fn([u32; 2]) -> T + Sync) -> Vec<T> {
-    let pixel = |at: usize| [at as u32 % width, rows.start + at as u32 / width];
-    let all = 0..(width as usize * rows.len());
-    #[cfg(feature = "parallel")]
-    {
-        use rayon::prelude::*;
-        all.into_par_iter().map(|at| of(pixel(at))).collect()
-    }
-    #[cfg(not(feature = "parallel"))]
-    all.map(|at| of(pixel(at))).collect()
+fn by_pixel<T: Send>(width: u32, rows: Range<u32>, of: impl Fn([u32; 2]) -> T + Sync + Send) -> Vec<T> {
+    let all: Vec<[u32; 2]> = rows.flat_map(|row| (0..width).map(move |column| [column, row])).collect();
+    mapped(&all, |pixel| of(*pixel))
 }

@@ -223,7 +223,7 @@ impl<N: Width> Stage<N> {
 
     /// The ray through a pixel that belongs to four numbers.
     #[inline(always)]
-    pub fn camera(&self, pixel: [u32; 2], u: [N; 4]) -> Ray<N> {
+    pub fn camera(&self, pixel: [N; 2], u: [N; 4]) -> Ray<N> {
         let [origin, direction] = self.lens.ray(pixel, u);
         Ray { origin, direction }
     }
