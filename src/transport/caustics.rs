@@ -19,13 +19,16 @@ use super::lamp::{Arrival, Lamp};
 use super::{Stage, Vertex};
 use crate::bsdf::{Rgb, grey, rgb};
 use crate::geometry::{Bounds, Ray};
-use crate::number::{Mask, Vector, Width, vectorised_lanes};
+use crate::number::{MOST_LANES, Mask, Vector, Width, vectorised_lanes};
 use crate::sampling::{Choice, Points, Row, Shares, Stream, warp};
 use std::f64::consts::{FRAC_1_PI, PI};
 use std::ops::Range;
 
 /// Pixels for each of which a sample brings one path from a lamp: they are dear, and fewer do nearly as well.
 const PIXELS_A_PATH: u32 = 8;
+
+/// The most of them.
+const MOST_PATHS: u32 = 1 << 22;
 
 /// The most specular things that are aimed at one by one; more are aimed at all together.
 const MOST_TARGETS: usize = 16;
@@ -35,6 +38,9 @@ const MARGIN: f64 = 1.0 + 1e-3;
 
 /// Vertices before a path from a lamp may be ended by chance.
 const PATIENCE: f64 = 3.0;
+
+/// Samples whose splats are held at once: some megabytes.
+const TOGETHER: usize = 32;
 
 /// Samples of a net for paths from lamps.
 const SAMPLES: u32 = 1 << 11;
@@ -77,7 +83,9 @@ impl<N: Width> Caustics<N> {
         if targets.is_empty() {
             return None;
         }
-        let paths = (pixels / PIXELS_A_PATH).next_multiple_of(N::LANES as u32).max(N::LANES as u32);
+        // Whole vectors of them, and in every width as many.
+        let lanes = MOST_LANES as u32;
+        let paths = (pixels / PIXELS_A_PATH).min(MOST_PATHS).next_multiple_of(lanes).max(lanes);
         let brightest = lamps.iter().map(|lamp| lamp.brightest()).fold(0.0, f64::max);
         let exponent = brightest.log2().ceil() as i32 - UNITS;
         Some(Self { shares, places, targets, paths, weight: N::of(PI * f64::from(paths)), exponent })
@@ -120,7 +128,9 @@ pub fn points(choice: Choice, seed: u64) -> Points {
 /// c = p_c cos θ₁/r₁²: the density, over a matt surface, of what rays through a pixel meet first.
 #[inline(always)]
 pub fn end<N: Width>(stage: &Stage<N>, from_camera: Vector<N>, distance: N, cos: N) -> N {
-    stage.lens().density(from_camera) * cos / distance.squared().max(N::of(f64::from(f32::MIN_POSITIVE)))
+    // Never 0, so that quotients are numbers.
+    let least = N::of(f64::from(f32::MIN_POSITIVE));
+    (stage.lens().density(from_camera) * cos / distance.squared().max(least)).max(least)
 }
 
 impl<N: Width> Target<N> {
@@ -184,8 +194,10 @@ pub fn splats<N: Width>(stage: &Stage<N>, points: &Points, pairs: Range<u32>) ->
     let mut sums = Splats::none(width as usize * height as usize, caustics.exponent);
     // A task for every so many paths, and their splats added one after the other: whole numbers know no order.
     let tasks: Vec<u32> = pairs.flat_map(|pair| [2 * pair, 2 * pair + 1]).collect();
-    for found in super::picture::mapped(&tasks, |sample| of_sample(stage, caustics, &stream, *sample)) {
-        found.into_iter().for_each(|(pixel, half, light)| sums.add(pixel, half, light));
+    for some in tasks.chunks(TOGETHER) {
+        for found in super::picture::mapped(some, |sample| of_sample(stage, caustics, &stream, *sample)) {
+            found.into_iter().for_each(|(pixel, half, light)| sums.add(pixel, half, light));
+        }
     }
     Some(sums)
 }
@@ -203,7 +215,7 @@ fn of_sample<N: Width>(stage: &Stage<N>, caustics: &Caustics<N>, stream: &Stream
             let path = pair.wrapping_mul(caustics.paths).wrapping_add(first + lane as u32);
             path.wrapping_mul(2) | half
         };
-        let numbers: [u32; crate::number::MOST_LANES] = std::array::from_fn(|lane| number(lane));
+        let numbers: [u32; MOST_LANES] = std::array::from_fn(|lane| number(lane));
         vectorised_lanes::<N, _>(
             #[inline(always)]
             || caustics.follow(stage, stream, &numbers, |pixel, light| found.push((pixel, half as usize, light))),
