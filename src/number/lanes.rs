@@ -145,16 +145,16 @@ pub(super) fn transposed<const K: usize>(rows: &[[f32; K]; 8]) -> [F32x8; K] {
                 || square(avx2, rows, &mut columns, start),
             );
         }
-        for lane in 0..8 {
+        for (lane, row) in rows.iter().enumerate() {
             for column in whole..K {
-                columns[column].0[lane] = rows[lane][column];
+                columns[column].0[lane] = row[column];
             }
         }
         return columns;
     }
-    for lane in 0..8 {
+    for (lane, row) in rows.iter().enumerate() {
         for column in 0..K {
-            columns[column].0[lane] = rows[lane][column];
+            columns[column].0[lane] = row[column];
         }
     }
     columns
@@ -257,9 +257,9 @@ impl Number for F32x8 {
     #[inline(always)]
     fn look_up_four(self, table: &Table) -> [Self; 4] {
         let mut rows = [[0.0; 8]; 8];
-        for lane in 0..8 {
-            let at = (self.0[lane] as usize).min(table.rounded.len() - 8);
-            rows[lane].copy_from_slice(&table.rounded[at..at + 8]);
+        for (row, x) in rows.iter_mut().zip(self.0) {
+            let at = (x as usize).min(table.rounded.len() - 8);
+            row.copy_from_slice(&table.rounded[at..at + 8]);
         }
         let [a, b, c, d, ..] = transposed(&rows);
         [a, b, c, d]

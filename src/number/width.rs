@@ -80,8 +80,8 @@ impl Width for F32x8 {
     #[inline(always)]
     fn columns<const K: usize>(mut rows: impl FnMut(usize) -> [f32; K]) -> [Self; K] {
         let mut all = [[0.0; K]; 8];
-        for lane in 0..8 {
-            all[lane] = rows(lane);
+        for (lane, row) in all.iter_mut().enumerate() {
+            *row = rows(lane);
         }
         transposed(&all)
     }

@@ -213,7 +213,7 @@ fn of_sample<N: Width>(stage: &Stage<N>, caustics: &Caustics<N>, stream: &Stream
             let path = pair.wrapping_mul(caustics.paths).wrapping_add(first + lane as u32);
             path.wrapping_mul(2) | half
         };
-        let numbers: [u32; crate::number::MOST_LANES] = std::array::from_fn(|lane| number(lane));
+        let numbers: [u32; crate::number::MOST_LANES] = std::array::from_fn(number);
         vectorised_lanes::<N, _>(
             #[inline(always)]
             || caustics.follow(stage, stream, &numbers, |pixel, light| found.push((pixel, half as usize, light))),
