@@ -145,21 +145,19 @@ pub(super) fn transposed<const K: usize>(rows: &[[f32; K]; 8]) -> [F32x8; K] {
                 || square(avx2, rows, &mut columns, start),
             );
         }
-        one_by_one(rows, &mut columns, whole);
+        for (lane, row) in rows.iter().enumerate() {
+            for column in whole..K {
+                columns[column].0[lane] = row[column];
+            }
+        }
         return columns;
     }
-    one_by_one(rows, &mut columns, 0);
-    columns
-}
-
-/// The columns from `start` on.
-#[inline(always)]
-fn one_by_one<const K: usize>(rows: &[[f32; K]; 8], columns: &mut [F32x8; K], start: usize) {
     for (lane, row) in rows.iter().enumerate() {
-        for (column, value) in columns.iter_mut().zip(row).skip(start) {
-            column.0[lane] = *value;
+        for column in 0..K {
+            columns[column].0[lane] = row[column];
         }
     }
+    columns
 }
 
 /// Eight columns from `start` on, by rounds of interleaving within quarters: a compiler left alone moves the 64 numbers one
@@ -258,8 +256,8 @@ impl Number for F32x8 {
     #[inline(always)]
     fn look_up_four(self, table: &Table) -> [Self; 4] {
         let mut rows = [[0.0; 8]; 8];
-        for (lane, row) in rows.iter_mut().enumerate() {
-            let at = (self.0[lane] as usize).min(table.rounded.len() - 8);
+        for (row, x) in rows.iter_mut().zip(self.0) {
+            let at = (x as usize).min(table.rounded.len() - 8);
             row.copy_from_slice(&table.rounded[at..at + 8]);
         }
         let [a, b, c, d, ..] = transposed(&rows);

@@ -1,4 +1,5 @@
 //! Light through scenes: against closed forms, and one integrator against another.
+#![expect(clippy::single_range_in_vec_init, reason = "parts of a film are ranges, and one may be all")]
 
 use super::film::{Clash, Film, Halves};
 use super::kernel::{Meeting, Tactics};
