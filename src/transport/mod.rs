@@ -11,8 +11,10 @@
 //! | the fast one, eight paths at once | [`kernel`] |
 //! | all pixels | [`picture`] |
 //! | sums of samples that no order of rendering can change | [`film`] |
+//! | the room whose light is known | [`enclosure`] |
 //! | how wrong a picture is, by its own halves | [`estimate`] |
 
+pub mod enclosure;
 pub mod estimate;
 pub mod film;
 pub mod frame;

@@ -1,0 +1,34 @@
+//! Path tracing: rows E53 and C21–C24. One module a step, in teaching order.
+
+mod listing;
+mod one_ray;
+mod scenes;
+mod symbols;
+mod ways;
+
+use crate::vocabulary::{Chapter, Gallery, gallery};
+
+/// The chapter.
+pub const CHAPTER: Chapter = Chapter {
+    id: "path-tracing",
+    title: "Path tracing",
+    says: "Pictures by chance: one ray after another, and how far to trust their mean.",
+    builds_on: &["radiometry", "brdf"],
+    prose: PROSE,
+    steps: &[one_ray::STEP, ways::STEP],
+    figures: FIGURES,
+    functions: &[],
+};
+
+/// What its steps show, apart from the evidence.
+pub const FIGURES: Gallery = gallery("path-tracing", &[one_ray::EXHIBIT, ways::EXHIBIT]);
+
+/// The course text, its listings cut from the code that runs.
+const PROSE: &str = {
+    const TEXT: &str = include_str!("prose.md");
+    const FILLED: [u8; listing::length(TEXT)] = listing::filled(TEXT);
+    match std::str::from_utf8(&FILLED) {
+        Ok(text) => text,
+        Err(_) => panic!("listings are text"),
+    }
+};
