@@ -50,10 +50,10 @@ pub(super) const STEP: Step = step(
     }),
 ])
 .derivations(&[
-    derivation("mean", "a direction that is drawn p times as often counts 1/p times as much: p cancels", || {
-        mean(integral(F_R * L_IN * cos(THETA), [OMEGA.into()], Range::Whole))
+    derivation("mean", "what a direction adds to the mean, X p dω, is what it adds to the integral: p cancels", || {
+        mean(F_R * L_IN * cos(THETA))
     })
-    .slip("cos θ forgotten", || mean(integral(F_R * L_IN, [OMEGA.into()], Range::Whole))),
+    .slip("cos θ forgotten", || mean(F_R * L_IN)),
     derivation(
         "second_moment",
         "directions drawn evenly, p = 1/2π, over a floor f_r = ρ/π under a sky of one radiance: ⟨X²⟩ is 4/3 of ⟨X⟩²",
@@ -86,9 +86,9 @@ pub(super) const STEP: Step = step(
 })
 .checks(&[&MEAN, &SCATTER]);
 
-/// E[X] over directions of density p.
+/// What a direction adds to ⟨X⟩ = ∫Xp dω.
 fn mean(last: Expr) -> Chain {
-    Chain::new(integral(X * P, [OMEGA.into()], Range::Whole))
+    Chain::new(X * P)
         .given(X, F_R * L_IN * cos(THETA) / P, "the estimate")
         .then(last, ["the estimate", "p cancels"])
 }
@@ -105,7 +105,7 @@ fn second_moment(last: Expr) -> Chain {
 }
 
 const MEAN: Check<&'static Integrator> = check(
-    "mean",
+    "floor",
     "one new ray from the floor, drawn evenly and weighed with 2π cos θ, finds on average what a lamp sends there",
 )
 .against("ρE/π with Lambert's closed form of a square lamp, against 64 independent pictures of one pixel (t-test)")

@@ -1,13 +1,16 @@
 //! What the chapter renders: small, and mostly of a light that is known.
 
 use light::bsdf::Rgb;
+use light::bsdf::microfacet::{Joint, Slopes};
 use light::radiometry::polygon;
-use light::scene::{Camera, Emission, Filter, Geometry, Material, Scene, Shape, Transform, Triple, builtin};
+use light::scene::{
+    Camera, Emission, Energy, Facets, Filter, Geometry, Material, Metal, Scene, Shape, Transform, Triple, builtin,
+};
 use light::transport::estimate::colour;
 use light::transport::film::{Film, Halves, branches};
 use light::transport::{Manner, Renderer};
 use std::collections::BTreeMap;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::sync::{Arc, Mutex};
 use yardstick::statistics::Moments;
 
@@ -126,4 +129,18 @@ pub(super) fn closed(absorbed: f64, edges: Option<u32>, pixels: u32) -> Scene {
     let ball = shape(Geometry::Sphere { center: [0.0; 3], radius: 1.0 }, "wall", Some(wall));
     let camera = looking([0.1, 0.2, -0.7], [0.0; 3], 90.0, pixels);
     Scene { max_depth: edges, ..scene(camera, 1, vec![diffuse("wall", 1.0 - absorbed)], vec![ball]) }
+}
+
+/// A spot of a plate of metal of a roughness, seen through a needle's eye 5 m away at 45°; towards its mirror's direction, as far
+/// away, a ball of a radius [m] that shines.
+pub(super) fn plate(alpha: f64, radius: f64, pixels: u32) -> Scene {
+    let facets = Facets { alpha: [alpha; 2], slopes: Slopes::Ggx };
+    let metal = Metal::Named("aluminium".into());
+    let metal = Material::RoughConductor { metal, facets, masking: Joint::Correlated, energy: Energy::Single };
+    let away = 5.0 * FRAC_1_SQRT_2;
+    let lamp = Emission { radiance: [1.0; 3], two_sided: false };
+    let ball = Geometry::Sphere { center: [0.0, away, away], radius };
+    let shapes = vec![shape(floor(), "plate", None), shape(ball, "black", Some(lamp))];
+    let camera = looking([0.0, -away, away], [0.0; 3], 1e-4, pixels);
+    scene(camera, 2, vec![("plate".into(), metal), diffuse("black", 0.0)], shapes)
 }

@@ -20,3 +20,23 @@ pub const OMEGA: Symbol = Symbol::scalar("omega", Dimension::ONE).real(0.5, 2.0)
 pub const P: Symbol = Symbol::scalar("p", Dimension::ONE).real(0.1, 2.0);
 /// Share of the light that comes back [1].
 pub const RHO: Symbol = Symbol::scalar("rho", Dimension::ONE).real(0.1, 0.9);
+/// Light times cosine and BRDF, from one direction: what is to be summed.
+pub const G: Symbol = Symbol::scalar("g", Dimension::WATT_PER_SQUARE_METRE).real(0.5, 2.0);
+/// Densities of two ways to draw a direction [1/sr].
+pub const P_1: Symbol = Symbol::scalar("p_1", Dimension::ONE).real(0.1, 2.0);
+/// The other's.
+pub const P_2: Symbol = Symbol::scalar("p_2", Dimension::ONE).real(0.1, 2.0);
+/// Shares with which they count [1].
+pub const W_1: Symbol = Symbol::scalar("w_1", Dimension::ONE).real(0.1, 0.9);
+/// The other's.
+pub const W_2: Symbol = Symbol::scalar("w_2", Dimension::ONE).real(0.1, 0.9);
+/// Radiance by paths of at most d edges.
+pub const L_D: Symbol = Symbol::scalar("L_d", Dimension::WATT_PER_SQUARE_METRE).real(0.5, 2.0);
+/// Radiance by paths of one edge less.
+pub const L_SHORT: Symbol = Symbol::scalar("L_short", Dimension::WATT_PER_SQUARE_METRE).real(0.5, 2.0);
+/// Chance to go on [1].
+pub const Q: Symbol = Symbol::scalar("q", Dimension::ONE).real(0.5, 0.9);
+/// Mean of what a path finds, over L_e [1].
+pub const M: Symbol = Symbol::scalar("m", Dimension::ONE).real(1.0, 4.0);
+/// Mean of its square.
+pub const M_2: Symbol = Symbol::scalar("m_2", Dimension::ONE).real(1.0, 9.0);
