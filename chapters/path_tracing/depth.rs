@@ -15,7 +15,8 @@ use light::transport::{Manner, Method, enclosure};
 use yardstick::precise::{self, Real};
 
 const RHO_SET: Parameter =
-    Parameter::new("rho", "ρ", "share of the light that the walls return", Kind::number(0.0, 1.0 - 1e-6, "1")).default("0.8");
+    Parameter::new("rho", "ρ", "share of the light that the walls return", Kind::number(0.0, 1.0 - 1e-6, "1"))
+        .default("0.8");
 const DEPTH: Parameter =
     Parameter::new("depth", "d", "the most edges of a path", Kind::Count { min: 1, max: 10_000 }).default("5");
 
@@ -107,7 +108,9 @@ const SERIES: Check<fn(f64, u32) -> f64> = check(
 .slip("the edge from the camera not counted", |absorbed, edges| enclosure::radiance(absorbed, edges + 1));
 
 fn whites(_: &Setting) -> Vec<Extreme> {
-    let cases = [0.5, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 1e-18].into_iter().flat_map(|absorbed| [1, 16, 10_000].map(|d| (absorbed, d)));
+    let cases = [0.5, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 1e-18]
+        .into_iter()
+        .flat_map(|absorbed| [1, 16, 10_000].map(|d| (absorbed, d)));
     cases
         .map(|(absorbed, edges): (f64, u32)| {
             let (a, one) = (precise::real_at(absorbed, 1024), precise::real_at(1.0, 1024));
@@ -144,30 +147,30 @@ fn missing(setting: &Setting) -> Plot {
     let curve = |rho: f64| -> Vec<[f64; 2]> {
         (1..=64).map(|edges| [f64::from(edges), enclosure::missing(1.0 - rho, edges)]).collect()
     };
-    let manner = Manner { method: Method::Simple(&INTEGRATORS[0]), ..Manner::default() };
-    let found = [1, 2, 4, 8, 16, 32, 64].map(|edges| {
-        let pixels = greens(&rendered(&closed(0.2, Some(edges), 16), &manner, 32));
-        [f64::from(edges), 1.0 - 0.2 * pixels.mean()]
+    let manner = Manner { method: Method::Simple(&INTEGRATORS[1]), ..Manner::default() };
+    let found = [1, 2, 4, 8, 16, 24, 32, 48, 64].map(|edges| {
+        let pixels = greens(&rendered(&closed(1.0 - rho, Some(edges), 1), &manner, 8));
+        [f64::from(edges), 1.0 - (1.0 - rho) * pixels.mean()]
     });
     let mut chart = Chart::new(
         "",
         Axis::linear("most edges of a path d", "").range(1.0, 64.0),
         Axis::log("share of the light that is missing", "").range(1e-3, 1.0),
     );
-    for (k, rho) in [0.5, 0.8, 0.95].into_iter().enumerate() {
+    for (k, rho) in [0.5, 0.95].into_iter().enumerate() {
         chart = chart.line(Hue::Nth(k as u8), format!("ρ = {rho}"), curve(rho));
     }
-    chart = chart.with(Mark::Points {
-        label: "rendered, ρ = 0.8, evenly".into(),
-        hue: Hue::Nth(1),
+    chart = chart.line(Hue::Ours, format!("ρ = {rho}"), curve(rho)).with(Mark::Points {
+        label: format!("rendered, ρ = {rho}"),
+        hue: Hue::Ours,
         shape: Shape::Disc,
         joined: false,
         points: found.into(),
     });
     let own = [f64::from(depth), enclosure::missing(1.0 - rho, depth)];
     let own = Mark::Points {
-        label: format!("ρ = {rho}, d = {depth}"),
-        hue: Hue::Ours,
+        label: format!("d = {depth}"),
+        hue: Hue::Reference,
         shape: Shape::Diamond,
         joined: false,
         points: if depth <= 64 { vec![own] } else { Vec::new() },

@@ -42,36 +42,35 @@ pub(super) const STEP: Step = step(
 })
 .checks(&[&PLACES, &LAMP]);
 
-const PLACES: Check<fn(Scene) -> Scene> = check(
-    "places",
-    "the box looks the same 1000 km from the origin, and a millionth of its size",
-)
-.against("the box where it is: the difference of the means of 24 pictures by the same seeds (t-tests)")
-.significant(1e-3)
-.of(
-    |_: &mut Bench, kept: fn(Scene) -> Scene| {
-        let of = |scene: &Scene, seed| greens(&rendered(scene, &Manner { seed, ..Manner::default() }, 16)).mean();
-        let here = small("cornell", 12);
-        let tests = ["far", "tiny"].map(|name| {
-            let scene = kept(small(name, 12));
-            let apart: Moments = (0..24).map(|seed| of(&scene, seed) - of(&here, seed)).collect();
-            let at = format!("{name}: {:.1e} ± {:.1e} apart", apart.mean(), apart.standard_error());
-            Measured::new(t_test(&apart, 0.0).p, at, 24)
+const PLACES: Check<fn(Scene) -> Scene> =
+    check("places", "the box looks the same 1000 km from the origin, and a millionth of its size")
+        .against("the box where it is: the difference of the means of 24 pictures by the same seeds (t-tests)")
+        .significant(1e-3)
+        .of(
+            |_: &mut Bench, kept: fn(Scene) -> Scene| {
+                let of =
+                    |scene: &Scene, seed| greens(&rendered(scene, &Manner { seed, ..Manner::default() }, 16)).mean();
+                let here = small("cornell", 12);
+                let tests = ["far", "tiny"].map(|name| {
+                    let scene = kept(small(name, 12));
+                    let apart: Moments = (0..24).map(|seed| of(&scene, seed) - of(&here, seed)).collect();
+                    let at = format!("{name}: {:.1e} ± {:.1e} apart", apart.mean(), apart.standard_error());
+                    Measured::new(t_test(&apart, 0.0).p, at, 24)
+                });
+                super::ways::smallest(tests.into())
+            },
+            |scene| scene,
+        )
+        .slip("places kept in single numbers", |mut scene| {
+            let single = |point: [f64; 3]| point.map(|x| f64::from(x as f32));
+            (scene.camera.origin, scene.camera.target) = (single(scene.camera.origin), single(scene.camera.target));
+            for shape in &mut scene.shapes {
+                if let Geometry::Quad { vertices } = &mut shape.geometry {
+                    *vertices = vertices.map(single);
+                }
+            }
+            scene
         });
-        super::ways::smallest(tests.into())
-    },
-    |scene| scene,
-)
-.slip("places kept in single numbers", |mut scene| {
-    let single = |point: [f64; 3]| point.map(|x| f64::from(x as f32));
-    (scene.camera.origin, scene.camera.target) = (single(scene.camera.origin), single(scene.camera.target));
-    for shape in &mut scene.shapes {
-        if let Geometry::Quad { vertices } = &mut shape.geometry {
-            *vertices = vertices.map(single);
-        }
-    }
-    scene
-});
 
 const LAMP: Check<fn() -> Vec<Method>> = check("lamp", "a lamp of a tenth of a millimetre lights the floor a metre below")
     .against("ρE/π by Lambert's closed form, at three places of the floor")
@@ -90,4 +89,3 @@ const LAMP: Check<fn() -> Vec<Method>> = check("lamp", "a lamp of a tenth of a m
         || vec![Method::default(), Method::Simple(&INTEGRATORS[2]), Method::Simple(&INTEGRATORS[3])],
     )
     .slip("looked for by chance alone", || vec![Method::Simple(&INTEGRATORS[1])]);
-

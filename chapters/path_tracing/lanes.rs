@@ -5,18 +5,21 @@ use super::ways::{ERROR, heat, smallest};
 use crate::figure::{Axis, Chart, Dash, Hue, Mark, Panel, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
-    Answer, Bench, Check, Entrant, Exhibit, Heat, Measured, Misled, Quantity, Race, Step, check, exhibit, figure, lane,
-    question, race, step,
+    Answer, Bench, Check, Entrant, Exhibit, Extreme, Heat, Measured, Misled, Quantity, Race, Step, check, exhibit,
+    figure, lane, question, race, step, stress,
 };
 use light::sampling::Choice;
 use light::transport::kernel::{Meeting, Tactics};
 use light::transport::simple::INTEGRATORS;
-use light::transport::{Manner, Method, enclosure};
+use light::transport::waiting::busy as busy_lanes;
+use light::transport::{Manner, Method};
+use yardstick::precise;
 use yardstick::random::{Stream, stream, uniform};
 use yardstick::statistics::{Moments, t_test, welch};
 
 const CHANCE: Parameter =
-    Parameter::new("chance", "q", "with which a path goes on after an edge", Kind::number(0.0, 0.99, "1")).default("0.75");
+    Parameter::new("chance", "q", "with which a path goes on after an edge", Kind::number(0.0, 0.99, "1"))
+        .default("0.75");
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "lanes",
@@ -39,7 +42,7 @@ pub(super) const STEP: Step = step(
     Answer::Number {
         unit: "1",
         tolerance: 0.08,
-        right: |_| enclosure::busy(0.5, 8),
+        right: |_| busy_lanes(0.5, 8),
         slips: &[
             Misled { value: |_| 1.0, reply: "So it would be if all paths were of one length." },
             Misled { value: |_| 0.125, reply: "Then only the longest path would work, and the others not at all." },
@@ -53,11 +56,14 @@ pub(super) const STEP: Step = step(
     let quantity = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
     vec![
         quantity("edges", "⟨d⟩", "edges of a path", 1.0 / (1.0 - chance)),
-        quantity("longest", "⟨d_{max}⟩", "of the longest of eight", 1.0 / (1.0 - chance) / enclosure::busy(chance, 8)),
-        quantity("busy", "b", "share of lanes that work if they wait", enclosure::busy(chance, 8)),
+        quantity("longest", "⟨d_{max}⟩", "of the longest of eight", 1.0 / (1.0 - chance) / busy_lanes(chance, 8)),
+        quantity("busy", "b", "share of lanes that work if they wait", busy_lanes(chance, 8)),
     ]
 })
 .checks(&[&SAME, &WAITING])
+.stress(&[stress("many", "more and more lanes that wait", crowds)
+    .textbook("⟨d⟩/⟨d_{max}⟩ with ⟨d_{max}⟩ = Σ(−1)^{j+1} n!/(j!(n − j)!)/(1 − q^j) as textbooks have it, in f64")
+    .against("the same sum in arbitrary precision")])
 .races(&[ABLATIONS, PLATES]);
 
 /// What can be done otherwise.
@@ -77,46 +83,49 @@ fn unheld() -> Vec<(&'static str, Tactics)> {
 
 type Others = fn() -> Vec<(&'static str, Tactics)>;
 
-const SAME: Check<Others> =
-    check("same", "whatever is switched off, the picture is the same on average")
-        .against("the mean of the box by 32 independent pictures of either, and of one path at a time in f64 (Welch's tests)")
-        .significant(1e-3)
-        .of(
-            |_: &mut Bench, others: Others| {
-                let scene = small("cornell", 8);
-                let of = |method| runs(32, &scene, Manner { method, ..Manner::default() }, 16);
-                let own = of(Method::default());
-                let methods = others().into_iter().map(|(name, tactics)| (name, Method::Fast(tactics)));
-                let methods = methods.chain([("one at a time", Method::Simple(&INTEGRATORS[3]))]);
-                let tests = methods.map(|(name, method)| {
-                    let found = of(method);
-                    let at = format!("{name}: {:.4} ± {:.4} against {:.4}", found.mean(), found.standard_error(), own.mean());
-                    Measured::new(welch(&found, &own).p, at, 1)
-                });
-                smallest(tests.collect())
-            },
-            || otherwise(),
-        )
-        .slip("a chance to go on that nothing holds below one", || unheld());
-
-const WAITING: Check<fn(f64, u32) -> f64> = check("waiting", "lanes that wait for the longest path are idle as often as is said")
-    .against("the edges of the longest of eight paths, 20 000 times by chance, at q = 0.3, 0.75 and 0.95 (t-tests)")
+const SAME: Check<Others> = check("same", "whatever is switched off, the picture is the same on average")
+    .against(
+        "the mean of the box by 32 independent pictures of either, and of one path at a time in f64 (Welch's tests)",
+    )
     .significant(1e-3)
     .of(
-        |bench: &mut Bench, busy: fn(f64, u32) -> f64| {
-            let tests = [0.3, 0.75, 0.95].map(|chance| {
-                let longest: Moments = (0..20_000)
-                    .map(|_| f64::from((0..8).map(|_| edges(&mut bench.stream, chance)).max().unwrap_or(0)))
-                    .collect();
-                let expected = 1.0 / (1.0 - chance) / busy(chance, 8);
-                let at = format!("q = {chance}: {:.3} against {expected:.3}", longest.mean());
-                Measured::new(t_test(&longest, expected).p, at, 1)
+        |_: &mut Bench, others: Others| {
+            let scene = small("cornell", 8);
+            let of = |method| runs(32, &scene, Manner { method, ..Manner::default() }, 16);
+            let own = of(Method::default());
+            let methods = others().into_iter().map(|(name, tactics)| (name, Method::Fast(tactics)));
+            let methods = methods.chain([("one at a time", Method::Simple(&INTEGRATORS[3]))]);
+            let tests = methods.map(|(name, method)| {
+                let found = of(method);
+                let at =
+                    format!("{name}: {:.4} ± {:.4} against {:.4}", found.mean(), found.standard_error(), own.mean());
+                Measured::new(welch(&found, &own).p, at, 1)
             });
-            smallest(tests.into())
+            smallest(tests.collect())
         },
-        |chance, lanes| enclosure::busy(chance, lanes),
+        || otherwise(),
     )
-    .slip("as if the longest were as long as the others", |_, _| 1.0);
+    .slip("a chance to go on that nothing holds below one", || unheld());
+
+const WAITING: Check<fn(f64, u32) -> f64> =
+    check("waiting", "lanes that wait for the longest path are idle as often as is said")
+        .against("the edges of the longest of eight paths, 20 000 times by chance, at q = 0.3, 0.75 and 0.95 (t-tests)")
+        .significant(1e-3)
+        .of(
+            |bench: &mut Bench, busy: fn(f64, u32) -> f64| {
+                let tests = [0.3, 0.75, 0.95].map(|chance| {
+                    let longest: Moments = (0..20_000)
+                        .map(|_| f64::from((0..8).map(|_| edges(&mut bench.stream, chance)).max().unwrap_or(0)))
+                        .collect();
+                    let expected = 1.0 / (1.0 - chance) / busy(chance, 8);
+                    let at = format!("q = {chance}: {:.3} against {expected:.3}", longest.mean());
+                    Measured::new(t_test(&longest, expected).p, at, 1)
+                });
+                smallest(tests.into())
+            },
+            |chance, lanes| busy_lanes(chance, lanes),
+        )
+        .slip("as if the longest were as long as the others", |_, _| 1.0);
 
 /// The edges of a path that goes on with a chance.
 fn edges(dice: &mut Stream, chance: f64) -> u32 {
@@ -125,6 +134,39 @@ fn edges(dice: &mut Stream, chance: f64) -> u32 {
         edges += 1;
     }
     edges
+}
+
+fn crowds(_: &Setting) -> Vec<Extreme> {
+    let cases = [0.3, 0.75, 0.9].into_iter().flat_map(|chance| [2, 8, 32, 64, 128].map(|lanes| (chance, lanes)));
+    cases
+        .map(|(chance, lanes): (f64, u32)| {
+            let exact = |x: f64| precise::real_at(x, 1024);
+            let (one, q) = (exact(1.0), exact(chance));
+            let (mut sum, mut plain) = (exact(0.0), 0.0);
+            // The j-th binomial and the j-th power, one from another.
+            let (mut ways, mut power) = (exact(1.0), exact(1.0));
+            for j in 1..=lanes {
+                ways = &ways * &exact(f64::from(lanes - j + 1)) / &exact(f64::from(j));
+                power = &power * &q;
+                let sign = if j % 2 == 1 { 1.0 } else { -1.0 };
+                sum += &exact(sign) * &ways / (&one - &power);
+                plain += sign * precise::to_f64(&ways) / (1.0 - chance.powi(j as i32));
+            }
+            let step = 1e-6;
+            let slope =
+                (busy_lanes(chance * (1.0 + step), lanes) - busy_lanes(chance * (1.0 - step), lanes)) / (2.0 * step);
+            let ours = busy_lanes(chance, lanes);
+            Extreme {
+                input: format!("q = {chance}, {lanes} lanes"),
+                quantity: "b",
+                reference: &one / ((&one - &q) * sum),
+                textbook: 1.0 / ((1.0 - chance) * plain),
+                ours,
+                condition: (slope / ours).abs(),
+                worst_of: 1,
+            }
+        })
+        .collect()
 }
 
 const fn tried(id: &'static str, label: &'static str, prepare: fn(&mut Bench, u64) -> Heat) -> Entrant {
@@ -164,15 +206,14 @@ const ABLATIONS: Race = TRIED.named("ablations", "the box, with one thing done o
 
 const PLATES: Race = TRIED.named("plates", "plates of metal under lamps of all sizes: here it is the weights that pay").lanes(&[
     tried("own", "as it is", |bench, work| with(bench, "veach", Tactics::default(), work)).order(0.6, 0.2),
-    // A few rays that bring very much, of a mean square that is hardly finite.
     tried("lamps", "rays to lamps alone", |bench, work| {
         with(bench, "veach", Tactics { meeting: Meeting::Lamps, ..Tactics::default() }, work)
     })
-    .order(0.5, 0.35),
+    .breaks(0.25, "a ray to the large lamp seldom meets the narrow lobe of a smooth plate, and then brings very much"),
     tried("chance", "by the surface alone", |bench, work| {
         with(bench, "veach", Tactics { meeting: Meeting::Chance, ..Tactics::default() }, work)
     })
-    .order(0.5, 0.25),
+    .breaks(1.0, "the wall sees the smallest lamp under some hundred-thousandths of its hemisphere: hardly any path meets it"),
 ]);
 
 fn time(setting: &Setting) -> Plot {
@@ -216,7 +257,7 @@ fn time(setting: &Setting) -> Plot {
 
 fn busy(setting: &Setting) -> Plot {
     let chance = setting.number("chance");
-    let curve = |lanes: u32| (0..=98).map(|k| f64::from(k) / 100.0).map(|q| [q, enclosure::busy(q, lanes)]).collect();
+    let curve = |lanes: u32| (0..=98).map(|k| f64::from(k) / 100.0).map(|q| [q, busy_lanes(q, lanes)]).collect();
     let mut chart = Chart::new(
         "",
         Axis::linear("chance to go on q", "").range(0.0, 1.0).tick(0.1),

@@ -97,7 +97,10 @@ mod tests {
         const TEXT: &str = "before\n\n<!-- listing: surface -->\n\nafter";
         const FILLED: [u8; length(TEXT)] = filled(TEXT);
         let filled = std::str::from_utf8(&FILLED).expect("text");
-        assert!(filled.starts_with("before\n\n```rust\npub fn radiance(") && filled.ends_with("}\n```\n\nafter"), "{filled}");
+        assert!(
+            filled.starts_with("before\n\n```rust\npub fn radiance(") && filled.ends_with("}\n```\n\nafter"),
+            "{filled}"
+        );
         assert!(!filled.contains("ANCHOR"));
     }
 }

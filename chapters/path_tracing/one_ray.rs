@@ -6,8 +6,8 @@ use crate::diagram::{Behind, Diagram, Part};
 use crate::figure::{Dash, Hue, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Measured, Misled, Quantity, Step, check, derivation, exhibit, figure, question,
-    statement, step,
+    Answer, Bench, Check, Exhibit, Extreme, Measured, Misled, Quantity, Step, check, derivation, exhibit, figure,
+    question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{Range, cos, integral, integral_between, pi, sin};
@@ -18,6 +18,7 @@ use light::sampling::{Choice, warp};
 use light::transport::simple::{INTEGRATORS, Integrator, Numbers, carried, gathered};
 use light::transport::{Manner, Method, Stage};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use yardstick::precise;
 use yardstick::statistics::{Moments, t_test};
 
 /// The direction that is drawn.
@@ -84,13 +85,14 @@ pub(super) const STEP: Step = step(
         quantity("density", "p", "their density", 1.0 / TAU, "1/sr"),
     ]
 })
-.checks(&[&MEAN, &SCATTER]);
+.checks(&[&MEAN, &SCATTER])
+.stress(&[stress("zenith", "directions drawn close to the normal and close to the floor", zeniths)
+    .textbook("sin θ = √(1 − z²) with z = 1 − u")
+    .against("the same in arbitrary precision")]);
 
 /// What a direction adds to ⟨X⟩ = ∫Xp dω.
 fn mean(last: Expr) -> Chain {
-    Chain::new(X * P)
-        .given(X, F_R * L_IN * cos(THETA) / P, "the estimate")
-        .then(last, ["the estimate", "p cancels"])
+    Chain::new(X * P).given(X, F_R * L_IN * cos(THETA) / P, "the estimate").then(last, ["the estimate", "p cancels"])
 }
 
 /// ∫X² p dω with p = 1/2π and f = ρ/π, in rings of 2π sin θ dθ.
@@ -164,20 +166,41 @@ const SCATTER: Check<fn() -> f64> = check("scatter", "one direction of those say
     )
     .slip("as if every direction said the mean", || 1.0);
 
+fn zeniths(_: &Setting) -> Vec<Extreme> {
+    let numbers = [1e-300, 1e-30, 1e-18, 1e-12, 1e-6, 0.3, 1.0 - 1e-9, 1.0 - f64::EPSILON / 2.0];
+    numbers
+        .map(|u: f64| {
+            let ([one, two], exact) = ([1.0, 2.0].map(precise::real), precise::real(u));
+            let z = &one - &exact;
+            let up = 1.0 - u;
+            Extreme {
+                input: format!("u = {u:e}"),
+                quantity: "sin θ",
+                reference: (&exact * (&two - &exact)).sqrt(),
+                textbook: (1.0 - up * up).sqrt(),
+                ours: warp::uniform_hemisphere([u, 0.0]).0.x,
+                condition: precise::to_f64(&(&z / (&two - &exact))),
+                worst_of: 1,
+            }
+        })
+        .into()
+}
+
 fn second_eye(setting: &Setting) -> Plot {
     let theta = setting.number("theta");
     let (eye, spot) = ([-3.4, 2.0], [0.0, 0.0]);
     let end = [3.0 * theta.sin(), 3.0 * theta.cos()];
     let dome = (0..=60).map(|k| PI * f64::from(k) / 60.0).map(|t| [1.2 * t.cos(), 1.2 * t.sin()]).collect();
     let diagram = Diagram::new("", [-4.0, -0.7], [4.0, 3.3])
-        .with(Part::surface([4.0, 0.0], [-4.0, 0.0], Behind::Hatched))
+        .with(Part::surface([-4.0, 0.0], [4.0, 0.0], Behind::Hatched))
         .with(Part::curve(dome).hue(Hue::Reference).dash(Dash::Dashed))
         .with(Part::line(spot, [0.0, 2.6]).dash(Dash::Dashed).label("n"))
-        .with(Part::ray_with_heads(eye, spot, &[0.6]).hue(Hue::Natural).label("ray 1"))
+        .with(Part::ray_with_heads(eye, spot, &[0.6]).hue(Hue::Natural))
         .with(Part::ray_with_heads(spot, end, &[0.7]).hue(Hue::Ours).label("ray 2"))
         .with(Part::arc(spot, 0.8, FRAC_PI_2, FRAC_PI_2 - theta).hue(Hue::Ours).label("θ"))
         .with(Part::point(eye).label("eye"))
         .with(Part::point(spot).hue(Hue::Ours).label("a new eye"))
-        .with(Part::note([-1.9, 1.2], "p over the hemisphere").hue(Hue::Reference));
+        .with(Part::note([-2.1, 1.4], "ray 1"))
+        .with(Part::note([-3.3, 0.3], "p over the hemisphere").hue(Hue::Reference));
     Plot::of("One new ray, drawn with a density p", diagram)
 }

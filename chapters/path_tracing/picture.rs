@@ -5,11 +5,13 @@ use super::ways::shown;
 use crate::figure::{Axis, Chart, Hue, Panel, Picture, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Measured, Misled, Quantity, Step, check, excess, exhibit, figure, question, step,
+    Answer, Bench, Check, Exhibit, Extreme, Measured, Misled, Quantity, Step, check, excess, exhibit, figure, question,
+    step, stress,
 };
 use light::scene::Scene;
 use light::tone::{Curve, decoded, encoded};
 use light::transport::Manner;
+use yardstick::precise;
 
 const SCENE: Parameter = Parameter::new(
     "scene",
@@ -19,13 +21,17 @@ const SCENE: Parameter = Parameter::new(
 )
 .default("cornell");
 const STOPS: Parameter =
-    Parameter::new("stops", "s", "exposure, in factors of two", Kind::number(-8.0, 8.0, "1")).default("0");
+    Parameter::new("stops", "s", "exposure, in factors of two", Kind::number(-8.0, 8.0, "1")).default("1");
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "picture",
     &[SCENE, STOPS],
     &[
-        figure("curves", "What a screen takes for a grey of some radiance, by the curves that bring it into range.", curves),
+        figure(
+            "curves",
+            "What a screen takes for a grey of some radiance, by the curves that bring it into range.",
+            curves,
+        ),
         figure("pictures", "One picture by each of them.", pictures),
         figure("bounces", "Light that came straight from the lamp, and all of it.", bounces),
     ],
@@ -76,37 +82,67 @@ pub(super) const STEP: Step = step(
         },
     ]
 })
-.checks(&[&ROUND_TRIP, &BYTES]);
+.checks(&[&ROUND_TRIP, &BYTES])
+.stress(&[stress("bright", "lamps of any radiance, up to what numbers can be: white", bright)
+    .textbook("the curves' quotients as they are printed, cut at 1")
+    .against("1, which both curves have passed there")]);
 
-const ROUND_TRIP: Check<fn(f64) -> f64> = check("round_trip", "each of a screen's 256 codes is itself again after being read as light")
-    .against("the code, against that of its own light, by IEC 61966-2-1 both ways")
-    .within(0.01, "1", "of a code: the standard's constants have four digits, and its two pieces miss each other by 1e-4 of one")
-    .of(
-        |_: &mut Bench, light: fn(f64) -> f64| {
-            Measured::worst((0..=255).map(|code| {
-                let back = 255.0 * encoded(light(f64::from(code) / 255.0));
-                (back - f64::from(code), format!("code {code}"))
-            }))
-        },
-        |taken| decoded(taken),
-    )
-    .slip("the plain power 2.2", |taken| taken.powf(2.2));
+const ROUND_TRIP: Check<fn(f64) -> f64> =
+    check("round_trip", "each of a screen's 256 codes is itself again after being read as light")
+        .against("the code, against that of its own light, by IEC 61966-2-1 both ways")
+        .within(
+            0.01,
+            "1",
+            "of a code: the standard's constants have four digits, and its two pieces miss each other by 1e-4 of one",
+        )
+        .of(
+            |_: &mut Bench, light: fn(f64) -> f64| {
+                Measured::worst((0..=255).map(|code| {
+                    let back = 255.0 * encoded(light(f64::from(code) / 255.0));
+                    (back - f64::from(code), format!("code {code}"))
+                }))
+            },
+            |taken| decoded(taken),
+        )
+        .slip("the plain power 2.2", |taken| taken.powf(2.2));
 
 /// A linear share of light as it is after being kept in a byte.
 type Kept = fn(f64) -> f64;
 
-const BYTES: Check<Kept> = check("bytes", "a byte a channel is enough for eyes: from a twentieth of white on no step is seen")
-    .against("the radiance itself, over a thousand of them from 1/20 to 1")
-    .within(0.02, "1", "a difference of 2 % is about what eyes can tell (Weber's fraction)")
-    .of(
-        |_: &mut Bench, kept: Kept| {
-            Measured::worst((0..=1000).map(|k| 0.05 * 20f64.powf(f64::from(k) / 1000.0)).map(|x: f64| {
-                (excess((kept(x) / x - 1.0).abs()), format!("L = {x:.4} of white"))
-            }))
-        },
-        |x| decoded((255.0 * encoded(x)).round() / 255.0),
-    )
-    .slip("a byte that counts light evenly", |x| (255.0 * x).round() / 255.0);
+const BYTES: Check<Kept> =
+    check("bytes", "a byte a channel is enough for eyes: from a twentieth of white on no step is seen")
+        .against("the radiance itself, over a thousand of them from 1/20 to 1")
+        .within(0.02, "1", "a difference of 2 % is about what eyes can tell (Weber's fraction)")
+        .of(
+            |_: &mut Bench, kept: Kept| {
+                Measured::worst(
+                    (0..=1000)
+                        .map(|k| 0.05 * 20f64.powf(f64::from(k) / 1000.0))
+                        .map(|x: f64| (excess((kept(x) / x - 1.0).abs()), format!("L = {x:.4} of white"))),
+                )
+            },
+            |x| decoded((255.0 * encoded(x)).round() / 255.0),
+        )
+        .slip("a byte that counts light evenly", |x| (255.0 * x).round() / 255.0);
+
+fn bright(_: &Setting) -> Vec<Extreme> {
+    let radiances = [10.0, 1e6, 1e100, 1e160, 1e308];
+    let of = |curve: Curve, name: &'static str, printed: fn(f64) -> f64| {
+        radiances.map(|x| Extreme {
+            input: format!("L = {x:e}, {}", title(curve)),
+            quantity: name,
+            reference: precise::real(1.0),
+            // Not by `min`, which would take 1 for a number that is none.
+            textbook: if printed(x) > 1.0 { 1.0 } else { printed(x) },
+            ours: curve.apply([x; 3])[1],
+            condition: 0.0,
+            worst_of: 1,
+        })
+    };
+    let reinhard = of(Curve::Reinhard, "shown", |x| x * (1.0 + x / 16.0) / (1.0 + x));
+    let aces = of(Curve::Aces, "shown", |x| x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14));
+    [reinhard, aces].concat()
+}
 
 /// A curve's name, as it is written.
 fn title(curve: Curve) -> &'static str {
@@ -140,7 +176,11 @@ fn pictures(setting: &Setting) -> Plot {
         let of = |colour: &[f64; 3]| curve.apply(colour.map(|x| exposure * x)).map(|x| x as f32);
         Panel::from(Picture::new(title(curve), 96, found.iter().map(of).collect()))
     };
-    Plot::grid(format!("{name}, 16 paths a pixel, {:+} stops", setting.number("stops")), 2, Curve::ALL.map(panel).into())
+    Plot::grid(
+        format!("{name}, 16 paths a pixel, {:+} stops", setting.number("stops")),
+        2,
+        Curve::ALL.map(panel).into(),
+    )
 }
 
 fn bounces(setting: &Setting) -> Plot {

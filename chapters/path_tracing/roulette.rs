@@ -23,14 +23,16 @@ use yardstick::random::uniform;
 use yardstick::statistics::Moments;
 
 const RHO_SET: Parameter =
-    Parameter::new("rho", "ρ", "share of the light that the walls return", Kind::number(0.05, 0.99, "1")).default("0.75");
+    Parameter::new("rho", "ρ", "share of the light that the walls return", Kind::number(0.05, 0.99, "1"))
+        .default("0.75");
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "roulette",
     &[RHO_SET],
     &[figure(
         "cost",
-        "The work for one digit, by the chance to go on: it falls to the right, and has no end to the left of ρ².",
+        "The work for one digit, by the chance to go on: it falls to the right, and has no end to the left of ρ². Near there a \
+         few paths carry nearly all, and a count of paths tells too little.",
         cost,
     )],
 );
@@ -239,23 +241,31 @@ fn heat(bench: &mut Bench, method: Method, edges: Option<u32>, work: u64) -> Hea
 
 const WORKS: &[u64] = &[16, 64, 256, 1024];
 
-const ENDS: Race = race("ends", "a limit of depth has an error that no work takes away; chance has none that work does not")
-    .work("paths a pixel, of 16 pixels")
-    .error("relative error of L", "rms over seeds of the relative error, against 1/(1 − ρ) of the closed room, ρ = 0.75")
-    .lanes(&[
-        lane("four", "at most 4 edges", WORKS, |bench, work| heat(bench, Method::Simple(&INTEGRATORS[1]), Some(4), work))
+const ENDS: Race =
+    race("ends", "a limit of depth has an error that no work takes away; chance has none that work does not")
+        .work("paths a pixel, of 16 pixels")
+        .error(
+            "relative error of L",
+            "rms over seeds of the relative error, against 1/(1 − ρ) of the closed room, ρ = 0.75",
+        )
+        .lanes(&[
+            lane("four", "at most 4 edges", WORKS, |bench, work| {
+                heat(bench, Method::Simple(&INTEGRATORS[1]), Some(4), work)
+            })
             .order(0.0, 0.01),
-        lane("deep", "at most 32 edges", WORKS, |bench, work| heat(bench, Method::Simple(&INTEGRATORS[1]), Some(32), work))
+            lane("deep", "at most 32 edges", WORKS, |bench, work| {
+                heat(bench, Method::Simple(&INTEGRATORS[1]), Some(32), work)
+            })
             .order(0.0, 0.05),
-        lane("chance", "going on with 80 %", WORKS, |bench, work| heat(bench, Method::Simple(&FAIR), DEEP, work))
+            lane("chance", "going on with 80 %", WORKS, |bench, work| heat(bench, Method::Simple(&FAIR), DEEP, work))
+                .repeated(24)
+                .order(0.5, 0.15),
+            lane("late", "late and gently, both ways of meeting lamps, eight lanes", WORKS, |bench, work| {
+                heat(bench, Method::default(), None, work)
+            })
             .repeated(24)
             .order(0.5, 0.15),
-        lane("late", "late and gently, both ways of meeting lamps, eight lanes", WORKS, |bench, work| {
-            heat(bench, Method::default(), None, work)
-        })
-        .repeated(24)
-        .order(0.5, 0.15),
-    ]);
+        ]);
 
 fn cost(setting: &Setting) -> Plot {
     let rho = setting.number("rho");

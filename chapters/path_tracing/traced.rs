@@ -4,7 +4,9 @@ use super::scenes::{greens, lit, rendered};
 use crate::diagram::{Behind, Diagram, Part};
 use crate::figure::{Hue, Plot};
 use crate::parameter::Setting;
-use crate::vocabulary::{Answer, Bench, Check, Exhibit, Measured, Step, check, choice, exhibit, figure, question, step};
+use crate::vocabulary::{
+    Answer, Bench, Check, Exhibit, Measured, Step, check, choice, exhibit, figure, question, step,
+};
 use light::radiometry;
 use light::transport::simple::INTEGRATORS;
 use light::transport::{Manner, Method};
@@ -50,30 +52,36 @@ fn seen(away: f64) -> f64 {
     greens(&rendered(&scene, &Manner { method: Method::Simple(&INTEGRATORS[2]), ..Manner::default() }, 16)).mean()
 }
 
-const KEPT: Check<fn(f64, f64) -> f64> = check("kept", "a spot of the floor is as bright from a metre away as from a millimetre")
-    .against("the same paths from the same spot, 2 µm wide, by cameras at 1 mm to 1.5 m")
-    .within(1e-4, "1", "2 µm of a floor whose light changes over a metre, and single numbers in the picture")
-    .of(
-        |_: &mut Bench, arrives: fn(f64, f64) -> f64| {
-            let near = arrives(seen(1e-3), 1e-3);
-            let cases = [0.01, 0.1, 0.5, 1.5].map(|away| (arrives(seen(away), away) / near - 1.0, format!("{away} m")));
-            Measured::worst(cases)
-        },
-        |radiance, _| radiance,
-    )
-    .slip("thinned out by the square of the distance", |radiance, away| radiance / (4.0 * PI * away * away));
+const KEPT: Check<fn(f64, f64) -> f64> =
+    check("kept", "a spot of the floor is as bright from a metre away as from a millimetre")
+        .against("the same paths from the same spot, 2 µm wide, by cameras at 1 mm to 1.5 m")
+        .within(1e-4, "1", "2 µm of a floor whose light changes over a metre, and single numbers in the picture")
+        .of(
+            |_: &mut Bench, arrives: fn(f64, f64) -> f64| {
+                let near = arrives(seen(1e-3), 1e-3);
+                let cases =
+                    [0.01, 0.1, 0.5, 1.5].map(|away| (arrives(seen(away), away) / near - 1.0, format!("{away} m")));
+                Measured::worst(cases)
+            },
+            |radiance, _| radiance,
+        )
+        .slip("thinned out by the square of the distance", |radiance, away| radiance / (4.0 * PI * away * away));
 
 fn chain(_: &Setting) -> Plot {
-    let [eye, wall, floor, lamp] = [[-3.6, 1.9], [2.6, 1.3], [0.4, 0.0], [-1.1, 2.9]];
+    let [eye, floor, wall, lamp] = [[-3.6, 1.9], [-0.6, 0.0], [2.6, 1.5], [0.9, 2.9]];
     let diagram = Diagram::new("", [-4.2, -0.8], [4.4, 3.5])
-        .with(Part::surface([3.0, 0.0], [-4.2, 0.0], Behind::Hatched))
-        .with(Part::surface([2.6, 3.5], [2.6, 0.0], Behind::Hatched))
-        .with(Part::surface([-1.5, 2.9], [-0.7, 2.9], Behind::Nothing).hue(Hue::P).label("lamp: L_e"))
-        .with(Part::ray_with_heads(lamp, floor, &[0.5]).hue(Hue::Ours).label("L"))
-        .with(Part::ray_with_heads(floor, wall, &[0.6]).hue(Hue::Ours).label("L f cos θ/p"))
-        .with(Part::ray_with_heads(wall, eye, &[0.5]).hue(Hue::Ours).label("the pixel's L"))
+        .with(Part::surface([-4.2, 0.0], [2.6, 0.0], Behind::Hatched))
+        .with(Part::surface([2.6, 0.0], [2.6, 3.4], Behind::Hatched))
+        .with(Part::surface([0.4, 2.9], [1.4, 2.9], Behind::Nothing).hue(Hue::P).label("lamp"))
+        .with(Part::ray_with_heads(lamp, wall, &[0.6]).hue(Hue::Ours))
+        .with(Part::ray_with_heads(wall, floor, &[0.55]).hue(Hue::Ours))
+        .with(Part::ray_with_heads(floor, eye, &[0.55]).hue(Hue::Ours))
         .with(Part::point(eye).label("eye"))
         .with(Part::point(floor).hue(Hue::Ours))
-        .with(Part::point(wall).hue(Hue::Ours));
+        .with(Part::point(wall).hue(Hue::Ours))
+        .with(Part::note([1.9, 2.5], "L_e").hue(Hue::Ours))
+        .with(Part::note([0.7, 0.4], "w_1 L_e").hue(Hue::Ours))
+        .with(Part::note([-2.2, 1.5], "w_2 w_1 L_e").hue(Hue::Ours))
+        .with(Part::note([-4.0, -0.5], "w = f_r cos θ/p at each corner; nothing on the way").hue(Hue::Reference));
     Plot::of("The light's way, which the path goes backwards", diagram)
 }

@@ -1,23 +1,23 @@
 //! C21: where to look for light.
 
 use super::one_ray::judged;
-use super::scenes::{colours, converged, halves, lit, rendered, runs, small};
+use super::scenes::{colours, converged, halves, lit, rendered, runs, small, view};
 use crate::diagram::{Behind, Diagram, Part};
 use crate::figure::{Hue, Picture, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
-    Answer, Bench, Check, Entrant, Exhibit, Heat, Measured, Race, Step, check, choice, exhibit, figure, lane, question,
-    race, step,
+    Answer, Bench, Check, Entrant, Exhibit, Extreme, Heat, Measured, Race, Step, check, choice, exhibit, figure, lane,
+    question, race, step, stress,
 };
 use light::bsdf::{Rgb, rgb};
-use light::sampling::Choice;
+use light::sampling::{Choice, warp};
 use light::transport::estimate::relative_mse;
 use light::transport::film::Halves;
 use light::transport::simple::{INTEGRATORS, Integrator, lamps, surface};
 use light::transport::{Manner, Method, Renderer};
 use std::f64::consts::PI;
-use yardstick::directions::Points;
-use yardstick::random::{stream, uniform};
+use yardstick::precise;
+use yardstick::random::uniform;
 
 const DRAWN: Parameter =
     Parameter::new("rays", "N", "how many new rays are drawn", Kind::Count { min: 1, max: 256 }).default("24");
@@ -63,6 +63,9 @@ pub(super) const STEP: Step = step(
     "The mean square error is a hundred times as large, and it falls as 1/N.",
 )])
 .checks(&[&SAME])
+.stress(&[stress("small_lamp", "the directions to a lamp that is a speck, or fills the sky", specks)
+    .textbook("1 − cos α of its cone, with cos α = √(1 − sin² α)")
+    .against("the same in arbitrary precision")])
 .races(&[WAYS]);
 
 const SAME: Check<&'static [Integrator]> =
@@ -85,6 +88,28 @@ const SAME: Check<&'static [Integrator]> =
             INTEGRATORS,
         )
         .slip("a lamp that a new ray meets counted again, beside the ray that was sent to it", &[TWICE]);
+
+fn specks(_: &Setting) -> Vec<Extreme> {
+    let sines = [1e-150, 1e-12, 1e-9, 1e-6, 1e-3, 0.5, 1.0 - 1e-12];
+    sines
+        .map(|sin: f64| {
+            let square = sin * sin;
+            let (one, exact) = (precise::real_at(1.0, 2048), precise::real_at(square, 2048));
+            let root = (&one - &exact).sqrt();
+            let cos = precise::to_f64(&root);
+            Extreme {
+                input: format!("sin α = {sin:e}"),
+                quantity: "1 − cos α",
+                reference: &one - &root,
+                textbook: 1.0 - (1.0 - square).sqrt(),
+                ours: warp::one_minus_cos(square),
+                // By sin²: (1 + cos)/(2 cos).
+                condition: (1.0 + cos) / (2.0 * cos),
+                worst_of: 1,
+            }
+        })
+        .into()
+}
 
 /// The smallest of independent p-values as one of a family.
 pub(super) fn smallest(found: Vec<Measured>) -> Measured {
@@ -114,7 +139,7 @@ const REFERENCE: u32 = 2048;
 /// The relative mean square error [1] of a box of a few pixels by sixteen paths each.
 fn squared_error(integrator: &'static Integrator, side: u32) -> f64 {
     let manner = Manner { method: Method::Simple(integrator), ..Manner::default() };
-    let found = colours(&rendered(&small("cornell", side), &manner, 8));
+    let found = colours(&rendered(&view("cornell", side), &manner, 8));
     relative_mse(&found, &converged("cornell", side, 512))
 }
 
@@ -122,7 +147,7 @@ fn squared_error(integrator: &'static Integrator, side: u32) -> f64 {
 /// square error against one that is all but converged.
 pub(super) fn heat(bench: &mut Bench, name: &'static str, manner: Manner, work: u64) -> Heat {
     let seed = uniform(&mut bench.stream, 0.0, 1.0).to_bits();
-    let (scene, pairs) = (small(name, SIDE), (work / 2).max(1) as u32);
+    let (scene, pairs) = (view(name, SIDE), (work / 2).max(1) as u32);
     let renderer = Renderer::new(&scene, &Manner { seed, ..manner }, pairs).expect("a scene of the lecture");
     let exact = converged(name, SIDE, REFERENCE);
     Heat {
@@ -150,7 +175,7 @@ fn looked(bench: &mut Bench, method: Method, work: u64) -> Heat {
 }
 
 const fn way(id: &'static str, label: &'static str, prepare: fn(&mut Bench, u64) -> Heat) -> Entrant {
-    lane(id, label, &[4, 16, 64], prepare).repeated(3)
+    lane(id, label, &[4, 16, 64], prepare).repeated(4)
 }
 
 const WAYS: Race = race("ways", "the box by four ways and by eight lanes: all fall as 1/√N, from where they start")
@@ -158,17 +183,21 @@ const WAYS: Race = race("ways", "the box by four ways and by eight lanes: all fa
     .error(ERROR.0, ERROR.1)
     .lanes(&[
         // Few paths find the lamp and bring much: their mean square is still uncertain at a few paths.
-        way("hemisphere", "evenly", |bench, work| looked(bench, Method::Simple(&INTEGRATORS[0]), work)).order(0.5, 0.15),
-        way("surface", "by the cosine", |bench, work| looked(bench, Method::Simple(&INTEGRATORS[1]), work)).order(0.5, 0.15),
-        way("lamps", "to the lamps", |bench, work| looked(bench, Method::Simple(&INTEGRATORS[2]), work)).order(0.5, 0.1),
-        way("both", "both, weighed", |bench, work| looked(bench, Method::Simple(&INTEGRATORS[3]), work)).order(0.5, 0.1),
+        way("hemisphere", "evenly", |bench, work| looked(bench, Method::Simple(&INTEGRATORS[0]), work))
+            .order(0.5, 0.15),
+        way("surface", "by the cosine", |bench, work| looked(bench, Method::Simple(&INTEGRATORS[1]), work))
+            .order(0.5, 0.15),
+        way("lamps", "to the lamps", |bench, work| looked(bench, Method::Simple(&INTEGRATORS[2]), work))
+            .order(0.5, 0.1),
+        way("both", "both, weighed", |bench, work| looked(bench, Method::Simple(&INTEGRATORS[3]), work))
+            .order(0.5, 0.1),
         way("fast", "both, eight lanes", |bench, work| looked(bench, Method::default(), work)).order(0.5, 0.1),
     ]);
 
 fn rays(setting: &Setting) -> Plot {
     let n = setting.number("rays") as usize;
-    let numbers: Vec<f64> =
-        Points::Stratified.draw(n, &mut stream(0, "path-tracing/ways/rays")).into_iter().map(|[u, _]| u).collect();
+    // Each in the middle of its cell.
+    let numbers: Vec<f64> = (0..n).map(|k| (k as f64 + 0.5) / n as f64).collect();
     // In the plane of the drawing: a lamp, seen from the origin between two angles.
     let (lamp, height, reach) = ([0.6, 1.3], 2.2, 2.2);
     let found = |[x, y]: [f64; 2]| y > 0.0 && (lamp[0]..=lamp[1]).contains(&(x / y * height));
@@ -181,16 +210,18 @@ fn rays(setting: &Setting) -> Plot {
             let is_found = found(way);
             let [x, y] = way;
             // Up to the ceiling, or the rim of what is shown.
-            let scale = if ends_there { 1.0 } else { (height / y.max(1e-9)).min(reach) };
-            Part::ray([0.0, 0.0], [scale * x, scale * y]).hue(if is_found { Hue::Ours } else { Hue::Reference })
+            let scale =
+                if ends_there { 1.0 } else { (height / y.max(1e-9)).min(if is_found { f64::MAX } else { reach }) };
+            Part::line([0.0, 0.0], [scale * x, scale * y]).hue(if is_found { Hue::Ours } else { Hue::Reference })
         });
         Diagram::new(title, [-2.3, -0.5], [2.3, 2.7])
-            .with(Part::surface([2.3, 0.0], [-2.3, 0.0], Behind::Hatched))
+            .with(Part::surface([-2.3, 0.0], [2.3, 0.0], Behind::Hatched))
             .with(Part::surface([lamp[0], height], [lamp[1], height], Behind::Nothing).hue(Hue::P).label("lamp"))
             .with_all(drawn)
             .into()
     };
-    let panels = vec![panel("evenly", even, false), panel("by the cosine", cosine, false), panel("to the lamp", towards, true)];
+    let panels =
+        vec![panel("evenly", even, false), panel("by the cosine", cosine, false), panel("to the lamp", towards, true)];
     Plot::grid(format!("{n} new rays from a point of the floor"), 3, panels)
 }
 

@@ -260,6 +260,7 @@ fn plates(_: &Setting) -> Plot {
         let manner = Manner { method: met(meeting), ..Manner::default() };
         shown(title, &rendered(&scene, &manner, 8), 72).into()
     };
-    let ways = [(Meeting::Lamps, "rays to the lamps"), (Meeting::Chance, "by the surface"), (Meeting::Both, "both, weighed")];
+    let ways =
+        [(Meeting::Lamps, "rays to the lamps"), (Meeting::Chance, "by the surface"), (Meeting::Both, "both, weighed")];
     Plot::grid("Plates and lamps by 16 paths a pixel", 3, ways.map(panel).into())
 }

@@ -12,6 +12,7 @@
 //! | all pixels | [`picture`] |
 //! | sums of samples that no order of rendering can change | [`film`] |
 //! | the room whose light is known | [`enclosure`] |
+//! | lanes that wait for each other | [`waiting`] |
 //! | how wrong a picture is, by its own halves | [`estimate`] |
 
 pub mod enclosure;
@@ -28,6 +29,7 @@ pub mod stage;
 pub mod surfaces;
 #[cfg(test)]
 mod tests;
+pub mod waiting;
 
 pub use lens::Lens;
 pub use needs::Needs;
