@@ -64,7 +64,7 @@ pub(super) const STEP: Step = step(
 .stress(&[stress("many", "more and more lanes that wait", crowds)
     .textbook("⟨d⟩/⟨d_{max}⟩ with ⟨d_{max}⟩ = Σ(−1)^{j+1} n!/(j!(n − j)!)/(1 − q^j) as textbooks have it, in f64")
     .against("the same sum in arbitrary precision")])
-.races(&[ABLATIONS, PLATES]);
+.races(&[ABLATIONS, PLATES, GLASS]);
 
 /// What can be done otherwise.
 fn otherwise() -> Vec<(&'static str, Tactics)> {
@@ -73,6 +73,8 @@ fn otherwise() -> Vec<(&'static str, Tactics)> {
         ("early roulette", Tactics { patience: 2, boost: 1.0, ..own }),
         ("rays to lamps alone", Tactics { meeting: Meeting::Lamps, ..own }),
         ("by the surface alone", Tactics { meeting: Meeting::Chance, ..own }),
+        ("a lamp chosen blindly", Tactics { blind_choice: true, ..own }),
+        ("one lane", Tactics { one_lane: true, ..own }),
     ]
 }
 
@@ -198,7 +200,11 @@ const ABLATIONS: Race = TRIED.named("ablations", "the box, with one thing done o
         with(bench, "cornell", Tactics { meeting: Meeting::Chance, ..Tactics::default() }, work)
     })
     .order(0.5, 0.15),
-    tried("single", "one path at a time, f64", |bench, work| {
+    tried("single", "one lane", |bench, work| {
+        with(bench, "cornell", Tactics { one_lane: true, ..Tactics::default() }, work)
+    })
+    .order(0.6, 0.12),
+    tried("simple", "one path at a time in f64, to read", |bench, work| {
         heat(bench, "cornell", Manner { method: Method::Simple(&INTEGRATORS[3]), ..Manner::default() }, work)
     })
     .order(0.6, 0.12),
@@ -206,6 +212,10 @@ const ABLATIONS: Race = TRIED.named("ablations", "the box, with one thing done o
 
 const PLATES: Race = TRIED.named("plates", "plates of metal under lamps of all sizes: here it is the weights that pay").lanes(&[
     tried("own", "as it is", |bench, work| with(bench, "veach", Tactics::default(), work)).order(0.6, 0.2),
+    tried("blind", "a lamp chosen blindly", |bench, work| {
+        with(bench, "veach", Tactics { blind_choice: true, ..Tactics::default() }, work)
+    })
+    .order(0.55, 0.2),
     tried("lamps", "rays to lamps alone", |bench, work| {
         with(bench, "veach", Tactics { meeting: Meeting::Lamps, ..Tactics::default() }, work)
     })
@@ -215,6 +225,20 @@ const PLATES: Race = TRIED.named("plates", "plates of metal under lamps of all s
     })
     .breaks(1.0, "the wall sees the smallest lamp under some hundred-thousandths of its hemisphere: hardly any path meets it"),
 ]);
+
+const GLASS: Race = TRIED
+    .named("glass", "a ball of glass: light that it gathers is found from the lamp, and what it shows by more samples")
+    .lanes(&[
+        tried("own", "as it is", |bench, work| with(bench, "glass", Tactics::default(), work)).order(0.5, 0.2),
+        tried("extra", "no more samples behind glass than elsewhere", |bench, work| {
+            with(bench, "glass", Tactics { extra: 1, ..Tactics::default() }, work)
+        })
+        .order(0.5, 0.25),
+        tried("caustics", "nothing followed from the lamp", |bench, work| {
+            with(bench, "glass", Tactics { caustics: false, ..Tactics::default() }, work)
+        })
+        .breaks(0.3, "paths from the eye meet the lamp through the glass by chance alone: sparks"),
+    ]);
 
 fn time(setting: &Setting) -> Plot {
     const STEPS: u32 = 24;

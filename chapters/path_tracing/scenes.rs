@@ -25,7 +25,8 @@ pub(super) fn halves(renderer: &Renderer, scene: &Scene, pairs: u32) -> Vec<Halv
     let Camera { width, height, .. } = scene.camera;
     let mut film = Film::new(width, height);
     for branch in branches(0..pairs) {
-        film.add(branch.clone(), renderer.sums(0..height, branch)).expect("a branch that it has not");
+        let (sums, splats) = (renderer.sums(0..height, branch.clone()), renderer.splats(branch.clone()));
+        film.add_lit(branch, sums, splats).expect("a branch that it has not");
     }
     film.halves()
 }

@@ -221,7 +221,7 @@ impl Reading {
                 if let Some(missing) = NUMBERS[..3].iter().find(|name| !is_scalar(name)) {
                     return Err(format!("its vertices have no number `{missing}`"));
                 }
-                self.has_normals = NUMBERS[3..].iter().all(|name| is_scalar(name));
+                self.has_normals = NUMBERS[3..].iter().all(is_scalar);
                 self.mesh.positions.reserve_exact(element.count);
                 self.mesh.normals.reserve_exact(if self.has_normals { element.count } else { 0 });
             }

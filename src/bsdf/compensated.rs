@@ -106,14 +106,25 @@ impl<N: Number, S: Bsdf<N>> Compensated<N, S> {
     #[inline(always)]
     fn loss(&self, w: Vector<N>) -> (N, N) {
         let is_inside = w.z.lt(N::of(0.0));
-        let part = |lobe: &Lobe<N>| (lobe.losses.at(w).max(N::of(0.0)), N::of(lobe.losses.mean()));
-        self.of_side(is_inside, part, |mask, yes, no| (N::select(mask, yes.0, no.0), N::select(mask, yes.1, no.1)))
+        self.of_side(
+            is_inside,
+            #[inline(always)]
+            |lobe| (lobe.losses.at(w).max(N::of(0.0)), N::of(lobe.losses.mean())),
+            #[inline(always)]
+            |mask, yes, no| (N::select(mask, yes.0, no.0), N::select(mask, yes.1, no.1)),
+        )
     }
 
     /// The share of `wo`'s lobe that comes through.
     #[inline(always)]
     fn through(&self, wo: Vector<N>) -> N {
-        self.of_side(wo.z.lt(N::of(0.0)), |lobe| lobe.through, N::select)
+        self.of_side(
+            wo.z.lt(N::of(0.0)),
+            #[inline(always)]
+            |lobe| lobe.through,
+            #[inline(always)]
+            |mask, yes, no| N::select(mask, yes, no),
+        )
     }
 
     /// Whether light can go from one to the other.
@@ -133,7 +144,9 @@ impl<N: Number, S: Bsdf<N>> Compensated<N, S> {
         let through = self.through(wo);
         let back = self.of_side(
             wo.z.lt(N::of(0.0)),
+            #[inline(always)]
             |lobe| lobe.back,
+            #[inline(always)]
             |mask, yes, no| rgb(|c| N::select(mask, yes[c], no[c])),
         );
         let odds = N::select(is_through, through, N::of(1.0) - through);

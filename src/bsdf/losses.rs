@@ -11,7 +11,7 @@ use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes, stretched2};
 use super::rough_conductor::RoughConductor;
 use super::rough_dielectric::RoughDielectric;
 use super::rules::golden;
-use crate::number::{F32x8, Number, Vector, vectorised};
+use crate::number::{F32x8, Number, Table, Vector, vectorised};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Losses {
     alpha: [f64; 2],
-    table: Arc<[f64]>,
+    table: Table,
     azimuths: usize,
     mean: f64,
     largest: f64,
@@ -105,7 +105,7 @@ impl Losses {
         };
         let table: Arc<[f64]> = (0..azimuths * NODES).map(loss).collect();
         let largest = table.iter().copied().fold(0.0, f64::max);
-        let mut losses = Self { alpha, table, azimuths, mean: 0.0, largest };
+        let mut losses = Self { alpha, table: Table::new(table), azimuths, mean: 0.0, largest };
         losses.mean = losses.average();
         losses
     }
@@ -147,24 +147,24 @@ impl Losses {
         let x = near / (near + s2.sqrt()) * N::of((NODES - 1) as f64);
         let first = (x - N::of(1.5)).round().max(zero).min(N::of((NODES - 4) as f64));
         let weights = lagrange(x - first);
-        let row = |row: N| {
-            let from = row * N::of(NODES as f64) + first;
-            let mut sum = zero;
-            for (k, weight) in weights.into_iter().enumerate() {
-                sum = sum + weight * (from + N::of(k as f64)).look_up(&self.table);
-            }
-            sum
-        };
         if self.azimuths == 1 {
-            row(zero)
+            self.between(zero, first, weights)
         } else {
             let some = N::of(f64::from(f32::MIN_POSITIVE));
             let (along, across) = (alpha[0] * w.x.squared(), alpha[1] * w.y.squared());
             let at = along / (along + across).max(some) * N::of((AZIMUTHS - 1) as f64);
             let below = (at - N::of(0.5)).round().max(zero).min(N::of((AZIMUTHS - 2) as f64));
             let part = at - below;
-            row(below) * (one - part) + row(below + one) * part
+            let (one_side, other) = (self.between(below, first, weights), self.between(below + one, first, weights));
+            one_side * (one - part) + other * part
         }
+    }
+
+    /// The weighted mean of four nodes of a row, from the `first` on.
+    #[inline(always)]
+    fn between<N: Number>(&self, row: N, first: N, weights: [N; 4]) -> N {
+        let nodes = (row * N::of(NODES as f64) + first).look_up_four(&self.table);
+        weights[0] * nodes[0] + weights[1] * nodes[1] + weights[2] * nodes[2] + weights[3] * nodes[3]
     }
 }
 

@@ -36,6 +36,11 @@ impl<N: Width> Brute<N> {
         all
     }
 
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.quads.len() + self.skew.len() + self.spheres.len() + self.discs.len() + self.triangles.len()
+    }
+
     /// What it occupies in memory [B].
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.quads)

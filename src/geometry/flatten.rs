@@ -18,11 +18,31 @@ pub struct Flat {
 pub struct Owners {
     /// Where each shape's begin.
     starts: Vec<u32>,
+    /// The shape of every primitive, where that is no memory to speak of.
+    shapes: Vec<u32>,
 }
 
+/// Primitives of which each has its shape written beside it; above, it is searched for.
+const MOST_LISTED: usize = 1 << 12;
+
 impl Owners {
+    fn new(starts: Vec<u32>, primitives: usize) -> Self {
+        let mut owners = Self { starts, shapes: Vec::new() };
+        owners.shapes = (0..primitives.min(MOST_LISTED)).map(|at| owners.searched(at) as u32).collect();
+        owners
+    }
+
     /// The shape to which a primitive belongs.
+    #[inline(always)]
     pub fn shape(&self, primitive: usize) -> usize {
+        match self.shapes.get(primitive) {
+            Some(shape) => *shape as usize,
+            None => self.searched(primitive),
+        }
+    }
+
+    #[inline(never)]
+    fn searched(&self, primitive: usize) -> usize {
         self.starts.partition_point(|&start| start as usize <= primitive) - 1
     }
 }
@@ -54,12 +74,13 @@ impl Flat {
 
 /// What a scene without a flaw is made of, [m]. What is outside stays outside where a scale mirrors.
 pub fn flatten(scene: &Scene) -> Flat {
-    let mut flat = Flat::default();
+    let (mut primitives, mut starts) = (Vec::new(), Vec::new());
     for shape in &scene.shapes {
-        flat.owners.starts.push(flat.primitives.len() as u32);
-        add(shape, &mut flat.primitives);
+        starts.push(primitives.len() as u32);
+        add(shape, &mut primitives);
     }
-    flat
+    let owners = Owners::new(starts, primitives.len());
+    Flat { primitives, owners }
 }
 
 /// Those of one shape.

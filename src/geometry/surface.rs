@@ -52,6 +52,10 @@ pub(super) struct Rows<N: Width> {
     rows: Vec<[N::Scalar; 16]>,
     /// The normals at a triangle's corners, packed; all 0 if flat. None at all if all are flat.
     smooth: Vec<[u32; 4]>,
+    /// Whether there are spheres.
+    has_round: bool,
+    /// Whether there are triangles.
+    has_triangles: bool,
 }
 
 /// Marks a place among the triangles of the hierarchy, which are kept there alone.
@@ -76,7 +80,9 @@ impl<N: Width> Rows<N> {
         let is_smooth = |one: &Primitive| matches!(one, Primitive::Triangle { normals: Some(_), .. });
         let smooth =
             if primitives.iter().any(is_smooth) { primitives.iter().map(packed_normals).collect() } else { Vec::new() };
-        Self { places, rows, smooth }
+        let has_round = primitives.iter().any(|one| matches!(one, Primitive::Sphere { .. }));
+        let has_triangles = primitives.iter().any(|one| matches!(one, Primitive::Triangle { .. }));
+        Self { places, rows, smooth, has_round, has_triangles }
     }
 
     /// What they occupy in memory [B].
@@ -86,22 +92,31 @@ impl<N: Width> Rows<N> {
 
     #[inline(always)]
     pub fn surface(&self, many: Option<&Bvh<N::Pack>>, ray: &Ray<N>, hit: &Hit<N>) -> Surface<N> {
-        let columns = N::columns(|lane| self.row(many, hit.primitive.get(lane)));
+        let columns = N::columns(
+            #[inline(always)]
+            |lane| self.row(many, hit.primitive.place(lane)),
+        );
         let [ox, oy, oz, radius, ux, uy, uz, power, vx, vy, vz, is_triangle, nx, ny, nz, _] = columns;
         let (origin, along, aside) = (Vector::new(ox, oy, oz), Vector::new(ux, uy, uz), Vector::new(vx, vy, vz));
         let (zero, one) = (N::of(0.0), N::of(1.0));
-        let flat = origin + (along.scaled(hit.u) + aside.scaled(hit.v));
-        // On a sphere the point of the ray, moved along the normal until its power is 0.
-        let sphere = Sphere { anchor: origin, arm: along, power, radius };
-        let (near, from_center, beyond) = sphere.power_of(ray.at(hit.t));
-        let distance = from_center.dot(from_center).sqrt();
-        let outward = from_center.scaled(one / distance);
-        let moved = near - outward.scaled(beyond / (distance + radius));
-        let is_round = radius.gt(zero);
-        let point = Vector::select(is_round, origin + moved, flat);
-        let of_row = Vector::select(is_round, outward, Vector::new(nx, ny, nz));
-        let normal = Vector::select(is_triangle.gt(zero), across(along, aside), of_row);
-        let extent = N::select(is_round, size(moved), size(along) + size(aside));
+        let mut point = origin + (along.scaled(hit.u) + aside.scaled(hit.v));
+        let mut normal = Vector::new(nx, ny, nz);
+        let mut extent = size(along) + size(aside);
+        if self.has_round {
+            // On a sphere the point of the ray, moved along the normal until its power is 0.
+            let sphere = Sphere { anchor: origin, arm: along, power, radius };
+            let (near, from_center, beyond) = sphere.power_of(ray.at(hit.t));
+            let distance = from_center.dot(from_center).sqrt();
+            let outward = from_center.scaled(one / distance);
+            let moved = near - outward.scaled(beyond / (distance + radius));
+            let is_round = radius.gt(zero);
+            point = Vector::select(is_round, origin + moved, point);
+            normal = Vector::select(is_round, outward, normal);
+            extent = N::select(is_round, size(moved), extent);
+        }
+        if self.has_triangles {
+            normal = Vector::select(is_triangle.gt(zero), across(along, aside), normal);
+        }
         let slack = N::of(SLACK * N::EPSILON) * (size(point) + extent);
         let shading = if self.smooth.is_empty() { normal } else { self.shading(hit, normal) };
         Surface { point, normal, shading, uv: [hit.u, hit.v], slack }
@@ -109,9 +124,8 @@ impl<N: Width> Rows<N> {
 
     /// The row of a primitive.
     #[inline(always)]
-    fn row(&self, many: Option<&Bvh<N::Pack>>, primitive: N::Scalar) -> [N::Scalar; 16] {
-        // `as` takes −1 for 0.
-        let at = (primitive.lane(0) as usize).min(self.places.len() - 1);
+    fn row(&self, many: Option<&Bvh<N::Pack>>, primitive: usize) -> [N::Scalar; 16] {
+        let at = primitive.min(self.places.len() - 1);
         let place = self.places[at];
         match many {
             Some(many) if place & IN_PACKS != 0 => triangle_row::<N>(many.corners((place & !IN_PACKS) as usize)),
@@ -122,11 +136,14 @@ impl<N: Width> Rows<N> {
     /// The normal between those of the corners.
     #[inline(always)]
     fn shading(&self, hit: &Hit<N>, normal: Vector<N>) -> Vector<N> {
-        let corners = N::columns(|lane| {
-            let at = (hit.primitive.get(lane).lane(0) as usize).min(self.smooth.len() - 1);
-            unpacked::<N::Scalar>(self.smooth[at])
-        });
-        let [ax, ay, bx, by, cx, cy, is_smooth] = corners;
+        let corners = N::columns(
+            #[inline(always)]
+            |lane| {
+                let at = hit.primitive.place(lane).min(self.smooth.len() - 1);
+                unpacked::<N::Scalar>(self.smooth[at])
+            },
+        );
+        let [ax, ay, bx, by, cx, cy, is_smooth, _] = corners;
         let [a, b, c] = [from_square([ax, ay]), from_square([bx, by]), from_square([cx, cy])];
         let sum = a.scaled(N::of(1.0) - hit.u - hit.v) + b.scaled(hit.u) + c.scaled(hit.v);
         let square = sum.dot(sum);
@@ -201,7 +218,7 @@ fn packed_normals(primitive: &Primitive) -> [u32; 4] {
 
 /// The six coordinates, −1 … 1, and whether there are any.
 #[inline(always)]
-fn unpacked<S: Number>([a, b, c, d]: [u32; 4]) -> [S; 7] {
+fn unpacked<S: Number>([a, b, c, d]: [u32; 4]) -> [S; 8] {
     let (low, high) = (u64::from(a) | u64::from(b) << 32, u64::from(c) | u64::from(d) << 32);
     [
         coordinate(low),
@@ -211,6 +228,7 @@ fn unpacked<S: Number>([a, b, c, d]: [u32; 4]) -> [S; 7] {
         coordinate(high >> 20),
         coordinate(high >> 41),
         S::of(f64::from((high >> 63) as u32)),
+        S::of(0.0),
     ]
 }
 

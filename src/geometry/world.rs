@@ -7,7 +7,13 @@ use super::walls::walls;
 use super::{Bounds, Primitive, Ray, Surface};
 use crate::number::{Number, Vector, Width};
 use crate::scene::Triple;
+#[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 use fearless_simd::{Level, dispatch};
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use {
+    crate::number::avx2,
+    fearless_simd::{Fallback, Simd},
+};
 
 /// What a ray met.
 #[derive(Clone, Copy, Debug)]
@@ -138,6 +144,16 @@ impl<N: Width> World<N> {
         }
     }
 
+    /// Whether everything is tried one after the other.
+    pub fn is_brute(&self) -> bool {
+        self.many.is_none()
+    }
+
+    /// Primitives that cannot come between two points.
+    pub fn walls(&self) -> usize {
+        self.walls.count()
+    }
+
     /// The box about everything.
     pub fn bounds(&self) -> Bounds {
         self.bounds
@@ -156,8 +172,7 @@ impl<N: Width> World<N> {
         self.few.closest(ray, &mut hit);
         self.walls.closest(ray, &mut hit);
         if let Some(many) = &self.many {
-            // By a call of its own, which is little beside the search and keeps it out of whoever asks.
-            hit = dispatch!(Level::new(), machine => many.closest_of(machine, ray, hit, active));
+            hit = closest_of(many, ray, hit, active);
         }
         Hit { t: N::select(active, hit.t, infinite), ..hit }
     }
@@ -168,7 +183,7 @@ impl<N: Width> World<N> {
         let t_max = t_max.only(active);
         let mut blocked = self.few.is_blocked(ray, t_max);
         if let Some(many) = &self.many {
-            blocked = blocked | dispatch!(Level::new(), machine => many.is_blocked_of(machine, ray, t_max, active));
+            blocked = blocked | is_blocked_of(many, ray, t_max, active);
         }
         blocked
     }
@@ -185,4 +200,33 @@ impl<N: Width> World<N> {
     pub fn surface(&self, ray: &Ray<N>, hit: &Hit<N>) -> Surface<N> {
         self.rows.surface(self.many.as_ref(), ray, hit)
     }
+}
+
+/// A search, for the machine it is on. By a call of its own, which is little beside it and keeps it out of whoever asks.
+macro_rules! searched {
+    ($machine:ident => $search:expr) => {{
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        match avx2() {
+            Some($machine) => $machine.vectorize(
+                #[inline(always)]
+                || $search,
+            ),
+            None => {
+                let $machine = Fallback::new();
+                $search
+            }
+        }
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        dispatch!(Level::new(), $machine => $search)
+    }};
+}
+
+#[inline(never)]
+fn closest_of<N: Width>(many: &Bvh<N::Pack>, ray: &Ray<N>, hit: Hit<N>, active: N::Mask) -> Hit<N> {
+    searched!(machine => many.closest_of(machine, ray, hit, active))
+}
+
+#[inline(never)]
+fn is_blocked_of<N: Width>(many: &Bvh<N::Pack>, ray: &Ray<N>, t_max: N, active: N::Mask) -> N::Mask {
+    searched!(machine => many.is_blocked_of(machine, ray, t_max, active))
 }

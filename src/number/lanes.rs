@@ -1,6 +1,8 @@
 //! Eight `f32` at once: a plain array, which the compiler turns into the vectors of the machine it is dispatched to.
 
-use super::{Mask, Number, Terms};
+use super::{Mask, Number, Table, Terms};
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use fearless_simd::{Simd, SimdFrom, f32x8, i32x8, prelude::*};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// Eight things side by side.
@@ -106,12 +108,79 @@ impl Mask for Eight<u32> {
     }
     #[inline(always)]
     fn any(self) -> bool {
-        let [a, b, c, d, e, f, g, h] = self.0;
-        (a | b | c | d) | (e | f | g | h) != 0
+        self.bits() != 0
     }
     #[inline(always)]
     fn lane(self, at: usize) -> bool {
         self.0[at] != 0
+    }
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        // By the machine's own instruction: bits taken out of lanes one by one break up all that made them.
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        if let Some(avx2) = super::avx2() {
+            return avx2.vectorize(
+                #[inline(always)]
+                || i32x8::simd_from(avx2, self.0.map(|bits| bits as i32)).simd_lt(0).to_bitmask() as u32,
+            );
+        }
+        let mut bits = 0;
+        for lane in 0..8 {
+            bits |= (self.0[lane] & 1) << lane;
+        }
+        bits
+    }
+}
+
+/// Columns of eight rows: lane by lane one of each.
+#[inline(always)]
+pub(super) fn transposed<const K: usize>(rows: &[[f32; K]; 8]) -> [F32x8; K] {
+    let mut columns = [Eight([0.0; 8]); K];
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    if let Some(avx2) = super::avx2() {
+        let whole = K / 8 * 8;
+        for start in (0..whole).step_by(8) {
+            avx2.vectorize(
+                #[inline(always)]
+                || square(avx2, rows, &mut columns, start),
+            );
+        }
+        for (lane, row) in rows.iter().enumerate() {
+            for column in whole..K {
+                columns[column].0[lane] = row[column];
+            }
+        }
+        return columns;
+    }
+    for (lane, row) in rows.iter().enumerate() {
+        for column in 0..K {
+            columns[column].0[lane] = row[column];
+        }
+    }
+    columns
+}
+
+/// Eight columns from `start` on, by three rounds of interleaving halves: a compiler left alone moves the 64 numbers one by
+/// one.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+#[inline(always)]
+fn square<M: Simd, const K: usize>(machine: M, rows: &[[f32; K]; 8], columns: &mut [F32x8; K], start: usize) {
+    macro_rules! row {
+        ($lane:literal) => {
+            f32x8::from_slice(machine, &rows[$lane][start..start + 8])
+        };
+    }
+    let [a, b, c, d] = [row!(0), row!(1), row!(2), row!(3)];
+    let [e, f, g, h] = [row!(4), row!(5), row!(6), row!(7)];
+    let ((a, e), (b, f), (c, g), (d, h)) = (a.interleave(e), b.interleave(f), c.interleave(g), d.interleave(h));
+    // a: 0 4 of columns 0 to 3, e: of 4 to 7, and so on.
+    let ((a, c), (b, d)) = (a.interleave(c), b.interleave(d));
+    let ((e, g), (f, h)) = (e.interleave(g), f.interleave(h));
+    let ((a, b), (c, d)) = (a.interleave(b), c.interleave(d));
+    let ((e, f), (g, h)) = (e.interleave(f), g.interleave(h));
+    let all = [a, b, c, d, e, f, g, h];
+    for column in 0..8 {
+        columns[start + column].0 = all[column].into();
     }
 }
 
@@ -184,6 +253,16 @@ impl Number for F32x8 {
     #[inline(always)]
     fn look_up(self, table: &[f64]) -> Self {
         self.map(|x| x.look_up(table))
+    }
+    #[inline(always)]
+    fn look_up_four(self, table: &Table) -> [Self; 4] {
+        let mut rows = [[0.0; 8]; 8];
+        for (row, x) in rows.iter_mut().zip(self.0) {
+            let at = (x as usize).min(table.rounded.len() - 8);
+            row.copy_from_slice(&table.rounded[at..at + 8]);
+        }
+        let [a, b, c, d, ..] = transposed(&rows);
+        [a, b, c, d]
     }
     #[inline(always)]
     fn bits(self) -> Eight<u32> {

@@ -21,9 +21,10 @@ pub use vector::Vector;
 pub use width::Width;
 
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-use fearless_simd::{Level, Simd};
+use fearless_simd::{Avx2, Level, Simd};
 use std::fmt::Debug;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+use std::sync::Arc;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use std::sync::LazyLock;
 
@@ -35,6 +36,23 @@ pub trait Mask: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + No
     fn any(self) -> bool;
     /// Of one lane.
     fn lane(self, at: usize) -> bool;
+    /// One bit a lane, the first lowest.
+    fn bits(self) -> u32;
+
+    /// The lanes where it is true, in order.
+    #[inline(always)]
+    fn lanes(self) -> impl Iterator<Item = usize> {
+        let mut left = self.bits();
+        std::iter::from_fn(
+            #[inline(always)]
+            move || {
+                let lane = left.trailing_zeros() as usize;
+                left &= left.wrapping_sub(1);
+                // That it is below 8 is for the compiler, which need not look then.
+                (lane < MOST_LANES).then_some(lane)
+            },
+        )
+    }
 }
 
 impl Mask for bool {
@@ -49,6 +67,10 @@ impl Mask for bool {
     #[inline(always)]
     fn lane(self, _: usize) -> bool {
         self
+    }
+    #[inline(always)]
+    fn bits(self) -> u32 {
+        self.into()
     }
 }
 
@@ -107,6 +129,8 @@ pub trait Number:
     fn split(self) -> (Self, Self);
     /// `table[x]` of every lane, for whole x within the table; its ends beyond.
     fn look_up(self, table: &[f64]) -> Self;
+    /// Four entries of a table from a place on, for whole x ≥ 0 within it.
+    fn look_up_four(self, table: &Table) -> [Self; 4];
 
     /// 32 bits that depend on all bits of x.
     fn bits(self) -> Self::Bits;
@@ -145,6 +169,29 @@ pub trait Number:
 /// The most lanes of any width.
 pub const MOST_LANES: usize = 8;
 
+/// Numbers to be looked up, as each width would have them.
+#[derive(Clone, Debug)]
+pub struct Table {
+    entries: Arc<[f64]>,
+    /// The same, and some more so that eight can be loaded from any.
+    rounded: Arc<[f32]>,
+}
+
+impl Table {
+    /// Of its entries.
+    pub fn new(entries: Arc<[f64]>) -> Self {
+        let rounded = entries.iter().map(|x| *x as f32).chain([0.0; 8]).collect();
+        Self { entries, rounded }
+    }
+}
+
+impl std::ops::Deref for Table {
+    type Target = [f64];
+    fn deref(&self) -> &[f64] {
+        &self.entries
+    }
+}
+
 /// Terms that a width's series need, so that what is left out is below its rounding.
 #[derive(Clone, Copy, Debug)]
 pub struct Terms {
@@ -168,13 +215,18 @@ pub struct Terms {
 pub fn vectorised<R>(work: impl FnOnce() -> R) -> R {
     // Two copies of the work, not three: what lies between the oldest machines and these gains little.
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    {
-        static WIDEST: LazyLock<Level> = LazyLock::new(Level::new);
-        if let Some(avx2) = WIDEST.as_avx2() {
-            return avx2.vectorize(work);
-        }
+    if let Some(avx2) = avx2() {
+        return avx2.vectorize(work);
     }
     work()
+}
+
+/// The instructions of machines since 2013, if this is one.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+#[inline(always)]
+pub(crate) fn avx2() -> Option<Avx2> {
+    static WIDEST: LazyLock<Level> = LazyLock::new(Level::new);
+    WIDEST.as_avx2()
 }
 
 /// The same where `N` has lanes.

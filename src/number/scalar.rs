@@ -1,7 +1,7 @@
 //! One number at a time.
 
 use super::dice::{stirred, thrown};
-use super::{Number, Terms};
+use super::{Number, Table, Terms};
 
 /// What both widths write alike: `$whole` are the integers of as many bits, without and with a sign, and `$bits` folds
 /// one into 32 bits.
@@ -81,6 +81,12 @@ macro_rules! scalar {
             #[inline(always)]
             fn look_up(self, table: &[f64]) -> Self {
                 table[(self as usize).min(table.len() - 1)] as $float
+            }
+            #[inline(always)]
+            fn look_up_four(self, table: &Table) -> [Self; 4] {
+                let at = (self as usize).min(table.entries.len() - 4);
+                let entry = |k: usize| table.entries[at + k] as $float;
+                [entry(0), entry(1), entry(2), entry(3)]
             }
             #[inline(always)]
             fn bits(self) -> u32 {

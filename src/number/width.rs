@@ -1,5 +1,6 @@
 //! What a width needs besides arithmetic: its lanes one by one.
 
+use super::lanes::transposed;
 use super::{Eight, F32x8, Number};
 
 /// A width that rays can be traced in: `f32`, `f64` and [`F32x8`].
@@ -15,6 +16,8 @@ pub trait Width: Number {
     fn each(of: impl FnMut(usize) -> Self::Scalar) -> Self;
     /// The number in one lane.
     fn get(self, lane: usize) -> Self::Scalar;
+    /// The whole number ≥ 0 in one lane; 0 for what is below, or not a number.
+    fn place(self, lane: usize) -> usize;
     /// Transposed: lane by lane a row.
     fn columns<const K: usize>(rows: impl FnMut(usize) -> [Self::Scalar; K]) -> [Self; K];
 }
@@ -35,6 +38,10 @@ macro_rules! single {
             #[inline(always)]
             fn get(self, _: usize) -> $float {
                 self
+            }
+            #[inline(always)]
+            fn place(self, _: usize) -> usize {
+                self as usize
             }
             #[inline(always)]
             fn columns<const K: usize>(mut rows: impl FnMut(usize) -> [$float; K]) -> [Self; K] {
@@ -67,14 +74,15 @@ impl Width for F32x8 {
         self.0[lane]
     }
     #[inline(always)]
+    fn place(self, lane: usize) -> usize {
+        self.0[lane] as usize
+    }
+    #[inline(always)]
     fn columns<const K: usize>(mut rows: impl FnMut(usize) -> [f32; K]) -> [Self; K] {
-        let mut columns = [Eight([0.0; 8]); K];
-        for lane in 0..8 {
-            let row = rows(lane);
-            for column in 0..K {
-                columns[column].0[lane] = row[column];
-            }
+        let mut all = [[0.0; K]; 8];
+        for (lane, row) in all.iter_mut().enumerate() {
+            *row = rows(lane);
         }
-        columns
+        transposed(&all)
     }
 }

@@ -5,8 +5,8 @@
 //! one net of all axes has pairs of them that are worse than chance for some numbers of samples. They are made once. A
 //! pixel adds to them, bit by bit without carry, a hash of itself, the axis and the seed (T. Kollig and A. Keller, *Efficient
 //! multidimensional sampling*, CGF 21(3) (2002) 557): every number stays even over [0, 1), the samples of a pixel stay nets,
-//! and pixels know nothing of each other. What a path asks beyond the rows made, and what comes after the last sample, is
-//! hashed.
+//! and pixels know nothing of each other. After the last sample the net begins again, moved by another hash: its samples are
+//! as even as before. What a path asks beyond the rows made is hashed.
 
 use crate::number::{Number, Width};
 use yardstick::directions::{MOST_SOBOL, net, shuffled};
@@ -26,6 +26,14 @@ pub struct Row<N> {
     pub which: N,
     /// Whether the path goes on.
     pub survival: N,
+}
+
+impl<N> Row<N> {
+    /// The numbers in their order.
+    #[inline(always)]
+    pub fn of([a, b, c, d, e, which, survival, _]: [N; ROW]) -> Self {
+        Self { lamp: [a, b], surface: [c, d, e], which, survival }
+    }
 }
 
 /// Where numbers come from.
@@ -56,7 +64,8 @@ const MOST_ROWS: usize = 33;
 const MOST: usize = 1 << 19;
 
 impl Points {
-    /// For so many pairs of samples a pixel, of so many vertices; more of either are hashed.
+    /// For so many pairs of samples a pixel, of so many vertices. More samples come as nets beside the first, the numbers of
+    /// more vertices are independent.
     pub fn new(choice: Choice, pairs: u32, vertices: usize, seed: u64) -> Self {
         let seed = stirred(seed as u32, (seed >> 32) as u32);
         let rows = if choice == Choice::Net { (vertices + 1).min(MOST_ROWS) } else { 0 };
@@ -73,6 +82,7 @@ impl Points {
     }
 
     /// The numbers of a pixel.
+    #[inline]
     pub fn of_pixel(&self, pixel: [u32; 2]) -> Stream<'_> {
         let key = stirred(stirred(self.seed, pixel[0]), pixel[1]);
         let keys = [stirred(key, 0), stirred(key, 1)];
@@ -103,26 +113,58 @@ impl Stream<'_> {
         )
     }
 
+    /// Whether all samples below `end` are the net's own.
+    pub fn holds(&self, end: u32) -> bool {
+        end.div_ceil(2) <= self.points.samples
+    }
+
+    /// Rows of a sample that are the net's own.
+    pub fn rows(&self) -> usize {
+        self.points.rows
+    }
+
+    /// What [`Stream::row`] gives, of samples and vertices that are all the net's own ([`Stream::holds`], [`Stream::rows`]).
+    #[inline(always)]
+    pub fn of_net<N: Width>(&self, sample: impl Fn(usize) -> u32, vertex: impl Fn(usize) -> usize) -> [N; ROW] {
+        N::columns(
+            #[inline(always)]
+            |lane| unit(self.shifted(sample(lane), vertex(lane))),
+        )
+    }
+
     /// The row that a vertex asks for.
     #[inline(always)]
     pub fn at<N: Width>(&self, sample: impl Fn(usize) -> u32, vertex: impl Fn(usize) -> usize) -> Row<N> {
-        let [a, b, c, d, e, which, survival, _] = self.row(sample, vertex);
-        Row { lamp: [a, b], surface: [c, d, e], which, survival }
+        Row::of(self.row(sample, vertex))
     }
 
     #[inline(always)]
     fn bits(&self, sample: u32, vertex: usize) -> [u32; ROW] {
-        let (points, half, pair) = (self.points, sample as usize % 2, sample / 2);
-        if vertex < points.rows && pair < points.samples {
-            let (row, shift) = (points.net[pair as usize * points.rows + vertex], self.shifts[2 * vertex + half]);
-            let mut bits = [0; ROW];
-            for k in 0..ROW {
-                bits[k] = row[k] ^ shift[k];
-            }
-            bits
+        if vertex < self.points.rows {
+            let block = sample / 2 / self.points.samples;
+            let bits = self.shifted(sample - 2 * block * self.points.samples, vertex);
+            if block == 0 { bits } else { self.moved(bits, sample, block, vertex) }
         } else {
             self.hashed(sample, vertex)
         }
+    }
+
+    /// The net again, elsewhere.
+    #[inline(never)]
+    fn moved(&self, bits: [u32; ROW], sample: u32, block: u32, vertex: usize) -> [u32; ROW] {
+        let key = stirred(stirred(self.keys[sample as usize % 2], block), vertex as u32);
+        std::array::from_fn(|k| bits[k] ^ stirred(key, k as u32))
+    }
+
+    #[inline(always)]
+    fn shifted(&self, sample: u32, vertex: usize) -> [u32; ROW] {
+        let (half, pair) = (sample as usize % 2, sample as usize / 2);
+        let (row, shift) = (&self.points.net[pair * self.points.rows + vertex], &self.shifts[2 * vertex + half]);
+        let mut bits = [0; ROW];
+        for k in 0..ROW {
+            bits[k] = row[k] ^ shift[k];
+        }
+        bits
     }
 
     #[inline(never)]
@@ -221,6 +263,12 @@ mod tests {
         // Of independent numbers: 4.5 standard errors of 1/√(12 · 4096).
         assert!((mean(1) - 0.5).abs() < 0.0203 && (mean(99) - 0.5).abs() < 0.0203);
         let independent = Points::new(Choice::Independent, 16, 2, 7);
+        // A second net, not the first again and no part of it.
+        let second: Vec<f64> = (0..16).map(|pair| stream.row::<f64>(|_| 2 * (16 + pair), |_| 1)[3]).collect();
+        let mut parts: Vec<usize> = second.iter().map(|x| (x * 16.0) as usize).collect();
+        parts.sort_unstable();
+        assert_eq!(parts, (0..16).collect::<Vec<_>>());
+        assert_ne!(second, (0..16).map(|pair| stream.row::<f64>(|_| 2 * pair, |_| 1)[3]).collect::<Vec<_>>());
         assert_ne!(independent.of_pixel([0, 0]).row::<f64>(|_| 3, |_| 1), stream.row::<f64>(|_| 3, |_| 1));
     }
 }

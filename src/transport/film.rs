@@ -11,6 +11,70 @@ use std::ops::Range;
 /// The sums of a pixel's two halves [W m⁻² sr⁻¹].
 pub type Halves = [Rgb<f32>; 2];
 
+/// Binary digits of a unit of [`Splats`] below the brightest lamp: 2⁻⁴⁰ of it is nothing, and 2²³ of it have room.
+pub const UNITS: i32 = 40;
+
+/// Light that paths from lamps have brought, row by row, in whole numbers of a unit: whoever adds it, in whatever order,
+/// gets the same.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Splats {
+    /// The power of two that is a unit [W m⁻² sr⁻¹].
+    exponent: i32,
+    /// Of each pixel both halves; [`NO_NUMBER`] where there is none.
+    sums: Vec<[[i64; 3]; 2]>,
+}
+
+/// Stands for what was not finite, or no longer fits, and stays.
+const NO_NUMBER: i64 = i64::MIN;
+
+impl Splats {
+    /// None yet, in a unit of 2^`exponent`.
+    pub fn none(pixels: usize, exponent: i32) -> Self {
+        Self { exponent, sums: vec![[[0; 3]; 2]; pixels] }
+    }
+
+    /// The unit's exponent and the sums, for who writes them down.
+    pub fn parts(&self) -> (i32, &[[[i64; 3]; 2]]) {
+        (self.exponent, &self.sums)
+    }
+
+    /// From what was written down.
+    pub fn of_parts(exponent: i32, sums: Vec<[[i64; 3]; 2]>) -> Self {
+        Self { exponent, sums }
+    }
+
+    /// More light ≥ 0 for a half of a pixel.
+    pub fn add(&mut self, pixel: usize, half: usize, light: Rgb<f64>) {
+        let unit = f64::from(self.exponent).exp2();
+        for (sum, light) in self.sums[pixel][half].iter_mut().zip(light) {
+            let count = (light / unit).round();
+            // Below 2⁶²; a comparison is false of what is not a number.
+            let count = if count.abs() < 4.6e18 { count as i64 } else { NO_NUMBER };
+            *sum = counted(*sum, count);
+        }
+    }
+
+    /// With all that another has, of as many pixels and the same unit.
+    pub fn merge(&mut self, other: &Self) {
+        debug_assert!(self.exponent == other.exponent && self.sums.len() == other.sums.len());
+        for (own, more) in self.sums.iter_mut().flatten().flatten().zip(other.sums.iter().flatten().flatten()) {
+            *own = counted(*own, *more);
+        }
+    }
+
+    /// The light of a pixel's halves [W m⁻² sr⁻¹]; not a number where something was not.
+    pub fn light(&self, pixel: usize) -> [Rgb<f64>; 2] {
+        let unit = f64::from(self.exponent).exp2();
+        let light = |count: i64| if count == NO_NUMBER { f64::NAN } else { count as f64 * unit };
+        self.sums[pixel].map(|half| half.map(light))
+    }
+}
+
+/// The sum of counts ≥ 0: once it is no number or does not fit, it stays so, in whatever order.
+fn counted(a: i64, b: i64) -> i64 {
+    if a == NO_NUMBER || b == NO_NUMBER { NO_NUMBER } else { a.checked_add(b).unwrap_or(NO_NUMBER) }
+}
+
 /// A sum over pairs of samples.
 #[derive(Clone, Debug, PartialEq)]
 struct Branch {
@@ -20,6 +84,8 @@ struct Branch {
     span: u32,
     /// Row by row.
     sums: Vec<Halves>,
+    /// What their paths from lamps have brought; None where none are sent.
+    splats: Option<Splats>,
 }
 
 /// Sums of samples of every pixel.
@@ -38,6 +104,8 @@ pub enum Clash {
     Size([[u32; 2]; 2]),
     /// Pairs that both have.
     Overlap(Range<u32>),
+    /// Light of paths from lamps, in one and not in the other, or in another unit.
+    Light,
 }
 
 impl Film {
@@ -82,10 +150,28 @@ impl Film {
     /// # Panics
     /// If the range is no branch of the tree ([`branches`]), or there is not a sum a pixel.
     pub fn add(&mut self, range: Range<u32>, sums: Vec<Halves>) -> Result<(), Clash> {
+        self.add_lit(range, sums, None)
+    }
+
+    /// The same with the light that paths from lamps have brought in these pairs ([`super::caustics::splats`]).
+    ///
+    /// # Errors
+    /// If it has some of these pairs, or has pairs without such light or in another unit.
+    ///
+    /// # Panics
+    /// As [`Film::add`], and if there is not such a sum a pixel.
+    pub fn add_lit(&mut self, range: Range<u32>, sums: Vec<Halves>, splats: Option<Splats>) -> Result<(), Clash> {
         let span = range.end - range.start;
         assert!(span.is_power_of_two() && range.start.is_multiple_of(span), "{range:?} is no branch");
-        assert_eq!(sums.len(), self.width as usize * self.height as usize, "a sum a pixel");
-        self.insert(Branch { start: range.start, span, sums })
+        let pixels = self.width as usize * self.height as usize;
+        let lit = splats.as_ref().map_or(pixels, |splats| splats.sums.len());
+        assert_eq!([sums.len(), lit], [pixels; 2], "a sum a pixel");
+        self.insert(Branch { start: range.start, span, sums, splats })
+    }
+
+    /// Of every branch the range of pairs, the sums and what paths from lamps have brought, for who writes them down.
+    pub fn parts(&self) -> impl Iterator<Item = (Range<u32>, &[Halves], Option<&Splats>)> {
+        self.branches.iter().map(|one| (one.start..one.start + one.span, &*one.sums, one.splats.as_ref()))
     }
 
     /// With all that another has.
@@ -97,7 +183,7 @@ impl Film {
             return Err(Clash::Size([self.size(), other.size()]));
         }
         for branch in &other.branches {
-            self.free(branch.start..branch.start + branch.span)?;
+            self.free(branch)?;
         }
         other.branches.into_iter().try_for_each(|branch| self.insert(branch))
     }
@@ -112,10 +198,30 @@ impl Film {
         for branch in order {
             sums.iter_mut().zip(&branch.sums).for_each(|(sum, more)| *sum = added(*sum, *more));
         }
-        sums.iter().map(|halves| halves.map(|half| half.map(|sum| sum * scale))).collect()
+        let mut splats: Option<Splats> = None;
+        for more in self.branches.iter().filter_map(|branch| branch.splats.as_ref()) {
+            match &mut splats {
+                Some(all) => all.merge(more),
+                None => splats = Some(more.clone()),
+            }
+        }
+        let Some(splats) = splats else {
+            return sums.iter().map(|halves| halves.map(|half| half.map(|sum| sum * scale))).collect();
+        };
+        let lit = |(pixel, halves): (usize, &Halves)| {
+            let light = splats.light(pixel);
+            let mean = |half: usize, c: usize| (halves[half][c] + light[half][c] as f32) * scale;
+            [0, 1].map(|half| [0, 1, 2].map(|c| mean(half, c)))
+        };
+        sums.iter().enumerate().map(lit).collect()
     }
 
-    fn free(&self, range: Range<u32>) -> Result<(), Clash> {
+    fn free(&self, new: &Branch) -> Result<(), Clash> {
+        let unit = |branch: &Branch| branch.splats.as_ref().map(|splats| splats.exponent);
+        if self.branches.first().is_some_and(|own| unit(own) != unit(new)) {
+            return Err(Clash::Light);
+        }
+        let range = new.start..new.start + new.span;
         let shared = self.branches.iter().find_map(|branch| {
             let both = range.start.max(branch.start)..range.end.min(branch.start + branch.span);
             (!both.is_empty()).then_some(both)
@@ -124,12 +230,15 @@ impl Film {
     }
 
     fn insert(&mut self, mut new: Branch) -> Result<(), Clash> {
-        self.free(new.start..new.start + new.span)?;
+        self.free(&new)?;
         // Two halves of a branch are one, and that may be a half again.
         while let Some(at) = self.branches.iter().position(|branch| branch.is_other_half(&new)) {
             let other = self.branches.remove(at);
             let (mut first, second) = if other.start < new.start { (other, new) } else { (new, other) };
             first.sums.iter_mut().zip(&second.sums).for_each(|(sum, more)| *sum = added(*sum, *more));
+            if let (Some(splats), Some(more)) = (&mut first.splats, &second.splats) {
+                splats.merge(more);
+            }
             new = Branch { span: 2 * first.span, ..first };
         }
         let at = self.branches.partition_point(|branch| branch.start < new.start);
@@ -232,6 +341,31 @@ mod tests {
         assert_eq!(film, before);
         assert_eq!(film.ranges(), vec![0..10; 1]);
         assert_eq!(film.pairs(), 10);
+    }
+
+    #[test]
+    fn light_that_is_no_number_stays_none() {
+        let add = |order: [f64; 3]| {
+            let mut splats = Splats::none(1, -10);
+            order.into_iter().for_each(|light| splats.add(0, 1, [light, 1.0, 0.0]));
+            splats
+        };
+        for bad in [f64::NAN, f64::INFINITY, 1e30] {
+            let splats = add([0.5, bad, 0.25]);
+            assert_eq!(splats, add([bad, 0.25, 0.5]));
+            let [[first, ..], [light, next, _]] = splats.light(0);
+            assert!(first == 0.0 && light.is_nan() && next == 3.0, "{bad}");
+        }
+        // What no longer fits is seen, in whatever order: three times 2⁶¹ units.
+        let large = 2f64.powi(61 - 10);
+        assert!(add([large; 3]).light(0)[1][0] == 3.0 * large);
+        let mut twice = add([large; 3]);
+        twice.merge(&add([large; 3]));
+        assert!(twice.light(0)[1][0].is_nan());
+        let mut film = Film::new(1, 1);
+        film.add_lit(0..1, vec![[[1.0; 3]; 2]], Some(add([f64::NAN, 0.0, 0.0]))).expect("new");
+        let [[first, second]] = film.halves()[..] else { panic!("one pixel") };
+        assert!(first == [1.0; 3] && second[0].is_nan() && second[1] == 4.0);
     }
 
     #[test]

@@ -6,7 +6,7 @@
 //! Monte Carlo rendering*, SIGGRAPH '95, 419: the balance heuristic).
 
 use super::film::{Halves, added, tree};
-use super::{Stage, Vertex};
+use super::{Stage, Vertex, caustics};
 use crate::bsdf::{Rgb, grey, rgb};
 use crate::geometry::Ray;
 use crate::number::{MOST_LANES, Mask, Vector, Width, vectorised_lanes};
@@ -27,6 +27,15 @@ pub struct Tactics {
     pub most: f64,
     /// How lamps are met.
     pub meeting: Meeting,
+    /// Whether one lamp is chosen by chance before anything is known of it, instead of one candidate of each by what it
+    /// would bring.
+    pub blind_choice: bool,
+    /// Whether paths from lamps are followed where they bring light that hardly anything else finds.
+    pub caustics: bool,
+    /// Samples in place of one, a power of two, where a pixel's centre shows something specular.
+    pub extra: u32,
+    /// Whether one path is followed at a time, as if there were no lanes.
+    pub one_lane: bool,
 }
 
 /// How paths meet lamps.
@@ -43,7 +52,24 @@ pub enum Meeting {
 
 impl Default for Tactics {
     fn default() -> Self {
-        Self { patience: 6, boost: 2.0, most: 0.98, meeting: Meeting::Both }
+        Self {
+            patience: 6,
+            boost: 2.0,
+            most: 0.98,
+            meeting: Meeting::Both,
+            blind_choice: false,
+            caustics: true,
+            extra: 8,
+            one_lane: false,
+        }
+    }
+}
+
+impl Tactics {
+    /// Whether paths from lamps are followed, if the scene asks for them: they share their light with paths that meet lamps by
+    /// chance.
+    pub fn follows(&self) -> bool {
+        self.caustics && self.meeting == Meeting::Both
     }
 }
 
@@ -60,6 +86,8 @@ struct Paths<N: Width> {
     edges: N,
     /// n² of where they are, over that of the camera [1].
     squeeze: N,
+    /// The end at the camera, as [`super::caustics`] weighs it; infinite where no path from a lamp could be the same.
+    end: N,
     /// Whose sample it is.
     sample: [u32; MOST_LANES],
     alive: N::Mask,
@@ -81,6 +109,28 @@ impl<N: Width> Work<'_, N> {
     /// The sum over a branch of pairs of samples ([`super::film`]).
     #[inline(always)]
     pub fn branch(&self, range: Range<u32>) -> Halves {
+        // What is specular shows the picture's darkest corners and its lamps side by side: there a sample is the mean of
+        // several, of numbers of their own. Whoever asks for so many samples that there are no numbers left gets single ones.
+        let extra = self.tactics.extra.max(1);
+        if extra == 1 || range.end > u32::MAX / 4 / extra || !self.stage.may_be_specular() || !self.is_specular() {
+            return self.sum(range);
+        }
+        let sum = self.sum(range.start * extra..range.end * extra);
+        sum.map(|half| rgb(|c| half[c] / extra as f32))
+    }
+
+    /// Whether the pixel's centre shows something specular.
+    #[inline(never)]
+    fn is_specular(&self) -> bool {
+        let [half, zero] = [0.5, 0.0].map(N::of);
+        let ray = self.stage.camera(self.pixel, [half, half, zero, zero]);
+        let all = N::Mask::of(true);
+        let hit = self.stage.closest(&ray, all);
+        hit.is_some().lane(0) && self.stage.vertex(&ray, &hit, all).met.is_specular(0)
+    }
+
+    #[inline(always)]
+    fn sum(&self, range: Range<u32>) -> Halves {
         // A stack of what waits for its other half, as the tree has it.
         let mut sum: Option<Halves> = None;
         let mut waiting: Vec<(u32, Halves)> = Vec::new();
@@ -104,11 +154,21 @@ impl<N: Width> Work<'_, N> {
     #[inline(always)]
     fn trace(&self, start: u32, pairs: &mut [Halves]) {
         let (mut next, end) = (2 * start, 2 * (start + pairs.len() as u32));
+        // Numbers beyond the net are rare, and asking for them lane by lane is not free.
+        let rows = N::of(if self.stream.holds(end) { self.stream.rows() as f64 } else { 0.0 });
         let mut paths = Paths::<N>::none();
         loop {
             if next < end && (!paths.alive).any() {
                 let fresh = paths.take(&mut next, end);
-                let u = self.stream.row::<N>(|lane| paths.sample[lane], |_| 0);
+                let u: [N; 8] = if rows.gt(N::of(0.0)).any() {
+                    self.stream.of_net(
+                        #[inline(always)]
+                        |lane| paths.sample[lane],
+                        |_| 0,
+                    )
+                } else {
+                    self.stream.row(|lane| paths.sample[lane], |_| 0)
+                };
                 let ray = self.stage.camera(self.pixel, [u[0], u[1], u[2], u[3]]);
                 paths.begin(fresh, ray);
             }
@@ -116,13 +176,11 @@ impl<N: Width> Work<'_, N> {
                 break;
             }
             let before = paths.alive;
-            self.step(&mut paths);
+            self.step(&mut paths, rows);
             let ended = before & !paths.alive;
-            if ended.any() {
-                for lane in (0..N::LANES).filter(|lane| ended.lane(*lane)) {
-                    let at = paths.sample[lane] - 2 * start;
-                    pairs[at as usize / 2][at as usize % 2] = rgb(|c| paths.gathered[c].lane(lane) as f32);
-                }
+            for lane in ended.lanes() {
+                let at = paths.sample[lane] - 2 * start;
+                pairs[at as usize / 2][at as usize % 2] = rgb(|c| paths.gathered[c].lane(lane) as f32);
             }
         }
     }
@@ -139,6 +197,7 @@ impl<N: Width> Paths<N> {
             pdf: zero,
             edges: zero,
             squeeze: N::of(1.0),
+            end: N::of(f64::INFINITY),
             sample: [0; MOST_LANES],
             alive: N::Mask::of(false),
         }
@@ -147,15 +206,20 @@ impl<N: Width> Paths<N> {
     /// Gives idle lanes the next samples; which have one.
     #[inline(always)]
     fn take(&mut self, next: &mut u32, end: u32) -> N::Mask {
-        let fresh = N::from_lanes(|lane| {
-            if self.alive.lane(lane) || *next >= end {
-                return 0.0;
+        let mut fresh = [0.0; MOST_LANES];
+        for lane in (!self.alive).lanes() {
+            if *next >= end {
+                break;
             }
             self.sample[lane] = *next;
             *next += 1;
-            1.0
-        });
-        fresh.gt(N::of(0.5))
+            fresh[lane] = 1.0;
+        }
+        N::from_lanes(
+            #[inline(always)]
+            |lane| fresh[lane],
+        )
+        .gt(N::of(0.5))
     }
 
     /// Begins the paths of some lanes.
@@ -168,6 +232,7 @@ impl<N: Width> Paths<N> {
         self.pdf = N::select(fresh, N::of(f64::INFINITY), self.pdf);
         self.edges = N::select(fresh, zero, self.edges);
         self.squeeze = N::select(fresh, one, self.squeeze);
+        self.end = N::select(fresh, N::of(f64::INFINITY), self.end);
         self.alive = self.alive | fresh;
     }
 
@@ -181,7 +246,7 @@ impl<N: Width> Paths<N> {
 impl<N: Width> Work<'_, N> {
     /// One edge of every path.
     #[inline(always)]
-    fn step(&self, paths: &mut Paths<N>) {
+    fn step(&self, paths: &mut Paths<N>, rows: N) {
         let (zero, one) = (N::of(0.0), N::of(1.0));
         let (stage, tactics) = (self.stage, self.tactics);
         let hit = stage.closest(&paths.ray, paths.alive);
@@ -193,24 +258,38 @@ impl<N: Width> Work<'_, N> {
             }
         }
         paths.alive = met;
-        paths.edges = paths.edges + one;
+        // Idle lanes stand still: what they ask for stays within what there is.
+        paths.edges = paths.edges + one.only(met);
         if !met.any() {
             return;
         }
         let vertex = stage.vertex(&paths.ray, &hit, met);
-        if stage.needs().absorption {
+        if stage.absorbs() {
             paths.throughput = rgb(|c| paths.throughput[c] * vertex.clarity[c]);
         }
 
+        let caustics = stage.caustics().filter(|_| tactics.follows());
         let shining = met & vertex.lamp.ge(zero);
         if shining.any() {
             let by_lamp = stage.density_to(&paths.ray, &vertex, shining);
             let share = match tactics.meeting {
+                Meeting::Both if caustics.is_some() => {
+                    let is_free = paths.pdf.ge(N::of(f64::INFINITY));
+                    let by_light = caustics.map_or(one, |caustics| caustics.share(&paths.ray, &vertex, paths.end));
+                    N::select(is_free, by_light, one / (one + by_lamp / paths.pdf))
+                }
                 Meeting::Both => one / (one + by_lamp / paths.pdf),
                 Meeting::Lamps => one.only(paths.pdf.ge(N::of(f64::INFINITY))),
                 Meeting::Chance => one,
             };
             paths.gather(shining, rgb(|c| vertex.emitted[c] * share));
+        }
+        if caustics.is_some() {
+            let first = met & paths.edges.lt(N::of(1.5)) & vertex.met.is_lambert();
+            if first.any() {
+                paths.end =
+                    N::select(first, caustics::end(stage, paths.ray.direction, vertex.distance, vertex.cos), paths.end);
+            }
         }
         if let Some(most) = stage.max_depth() {
             paths.alive = paths.alive & paths.edges.lt(N::of(f64::from(most)));
@@ -219,7 +298,16 @@ impl<N: Width> Work<'_, N> {
             }
         }
 
-        let row: Row<N> = self.stream.at(|lane| paths.sample[lane], |lane| paths.edges.lane(lane) as usize);
+        let row = if paths.edges.ge(rows).any() {
+            self.stream.at(|lane| paths.sample[lane], |lane| paths.edges.place(lane))
+        } else {
+            Row::of(self.stream.of_net(
+                #[inline(always)]
+                |lane| paths.sample[lane],
+                #[inline(always)]
+                |lane| paths.edges.place(lane),
+            ))
+        };
         if !stage.lamps().is_empty() && tactics.meeting != Meeting::Chance {
             self.join(paths, &vertex, &row);
         }
@@ -230,6 +318,12 @@ impl<N: Width> Work<'_, N> {
         paths.pdf = N::select(drawn.is_delta, N::of(f64::INFINITY), drawn.pdf);
         let direction = vertex.frame.outward(drawn.wi);
         paths.ray = stage.leave(&vertex, direction);
+        let is_number = (paths.throughput[0] + paths.throughput[1] + paths.throughput[2]).ge(zero);
+        let odd = paths.alive & !is_number;
+        if odd.any() {
+            // It would end without a word; the pixel has to tell.
+            paths.gather(odd, grey(one));
+        }
         // What is left of the light's energy, not of its radiance, decides.
         let left = paths.throughput[0].max(paths.throughput[1]).max(paths.throughput[2]) / paths.squeeze;
         let chance = (left * N::of(tactics.boost)).min(N::of(tactics.most));
@@ -256,7 +350,9 @@ impl<N: Width> Work<'_, N> {
         let active = paths.alive;
         let mut kept: Option<(Ray<N>, N, Rgb<N>, N)> = None;
         let (mut sum, mut u) = (zero, row.which);
-        for lamp in self.stage.lamps() {
+        let count = N::of(self.stage.lamps().len() as f64);
+        let blind = self.tactics.blind_choice.then(|| row.which * count);
+        for (number, lamp) in self.stage.lamps().iter().enumerate() {
             let arrival = lamp.sample(vertex.start, row.lamp);
             let wi = vertex.frame.inward(arrival.wi);
             let (f, pdf) = vertex.met.eval_pdf(active, wi, vertex.wo);
@@ -265,7 +361,12 @@ impl<N: Width> Work<'_, N> {
                 _ => one,
             };
             let factor = wi.z.abs() * share;
-            let light = rgb(|c| f[c] * arrival.share[c] * factor);
+            let mut light = rgb(|c| f[c] * arrival.share[c] * factor);
+            if let Some(at) = blind {
+                // Whoever is chosen stands for all; the others bring nothing.
+                let its = at.ge(N::of(number as f64)) & at.lt(N::of(number as f64 + 1.0));
+                light = rgb(|c| (light[c] * count).only(its));
+            }
             let size = light[0] + light[1] + light[2];
             let (ray, reach) = self.stage.towards(vertex, &arrival);
             kept = Some(match kept {
@@ -288,7 +389,8 @@ impl<N: Width> Work<'_, N> {
             sum = sum + size;
         }
         let Some((ray, reach, light, size)) = kept else { return };
-        let worth = active & size.gt(zero);
+        // What is not a number is worth it too: it has to be seen.
+        let worth = active & (size.gt(zero) | !sum.ge(zero));
         if !worth.any() {
             return;
         }

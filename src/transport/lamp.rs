@@ -210,6 +210,53 @@ impl<N: Width> Lamp<N> {
             }
     }
 
+    /// Radiance [W m⁻² sr⁻¹] of what has an area.
+    pub fn radiance(&self) -> Rgb<N> {
+        self.light
+    }
+
+    /// The largest part of it.
+    pub fn brightest(&self) -> f64 {
+        self.light.iter().map(|light| light.lane(0)).fold(0.0, f64::max)
+    }
+
+    /// What it has of area [m²] from where it shines, both sides if it does so on both; None for lights without a surface.
+    pub fn area(&self) -> Option<f64> {
+        let sides = if self.two_sided { 2.0 } else { 1.0 };
+        let one = match &self.form {
+            Form::Piece(piece) => piece.area,
+            Form::Pieces { area, .. } | Form::Disc { area, .. } => *area,
+            Form::Ball { radius, .. } => ball_area(*radius),
+            Form::Point(_) | Form::Sun(_) => return None,
+        };
+        Some(one.lane(0) * sides)
+    }
+
+    /// A place on it, all alike, the normal on a side that shines, and where rays start from there; of what has an area.
+    #[inline(always)]
+    pub fn place(&self, u: [N; 2], side: N) -> [Vector<N>; 3] {
+        let (place, normal) = match &self.form {
+            Form::Piece(piece) => (piece.place(u), piece.normal),
+            Form::Pieces { all, shares, .. } => {
+                let [place, normal] = picked(all, shares, u);
+                (place, normal)
+            }
+            Form::Disc { frame, center, radius, .. } => {
+                let [x, y] = warp::disc(u);
+                (*center + frame.x.scaled(x * *radius) + frame.y.scaled(y * *radius), frame.z)
+            }
+            Form::Ball { center, radius } => {
+                let normal = warp::sphere(u);
+                (*center + normal.scaled(*radius), normal)
+            }
+            Form::Point(place) => (*place, Vector::of([0.0, 0.0, 1.0])),
+            Form::Sun(way) => (*way, -*way),
+        };
+        let is_back = side.lt(N::of(if self.two_sided { 0.5 } else { 0.0 }));
+        let normal = Vector::select(is_back, -normal, normal);
+        [place, normal, place + normal.scaled(self.slack)]
+    }
+
     /// What a place on it sends to a point.
     #[inline(always)]
     fn by_area(&self, from: Vector<N>, place: Vector<N>, normal: Vector<N>, area: N) -> Arrival<N> {

@@ -3,7 +3,7 @@
 use super::frame::length_and_way;
 use crate::number::{Number, Vector, ln, sin_cos_turns};
 use crate::sampling::warp;
-use crate::scene::{Camera, Filter};
+use crate::scene::{Camera, Filter, Triple};
 
 /// Rays of a picture.
 #[derive(Clone, Debug)]
@@ -16,11 +16,19 @@ pub struct Lens<N> {
     /// The lens's radius along both axes; None for a pinhole.
     aperture: Option<[Vector<N>; 2]>,
     filter: Filter,
+    is_pinhole: bool,
+    /// Where it looks.
+    forward: Vector<N>,
+    /// How far away a pixel has length 1.
+    reach: N,
+    /// What gives the pixels to the right and down of a vector in the sharp plane.
+    duals: [Vector<N>; 2],
 }
 
 impl<N: Number> Lens<N> {
     /// Of a camera, seen from where `shifted` [m] is the origin and in a unit of which `scale` make a metre.
-    pub fn new(camera: &Camera, filter: Filter, shifted: [f64; 3], scale: f64) -> Self {
+    /// If `everything`, a pinhole is a lens whose opening has no size.
+    pub fn new(camera: &Camera, filter: Filter, (shifted, scale): (Triple, f64), everything: bool) -> Self {
         let part = |k: usize| camera.target[k] - camera.origin[k];
         let (distance, forward) = length_and_way(Vector::<f64>::new(part(0), part(1), part(2)));
         let right = length_and_way(forward.cross(Vector::of(camera.up))).1;
@@ -34,9 +42,44 @@ impl<N: Number> Lens<N> {
             origin: Vector::of(std::array::from_fn(|k| (camera.origin[k] - shifted[k]) * scale)),
             corner: of(corner),
             pixel: [of(right.scaled(pixel)), of(up.scaled(-pixel))],
-            aperture: (camera.aperture > 0.0).then(|| [right, up].map(|axis| of(axis.scaled(camera.aperture * scale)))),
+            aperture: (camera.aperture > 0.0 || everything)
+                .then(|| [right, up].map(|axis| of(axis.scaled(camera.aperture * scale)))),
             filter,
+            is_pinhole: camera.aperture <= 0.0,
+            forward: of(forward),
+            reach: N::of(focus / pixel),
+            duals: [of(right.scaled(1.0 / pixel)), of(up.scaled(-1.0 / pixel))],
         }
+    }
+
+    /// Whether the picture is that of a pinhole, and each of its places counts for one pixel alone.
+    pub fn is_plain(&self) -> bool {
+        self.is_pinhole && self.filter == Filter::Box
+    }
+
+    /// Where the pinhole is.
+    pub fn origin(&self) -> Vector<N> {
+        self.origin
+    }
+
+    /// The density [sr⁻¹] with which rays through a pixel go in a direction of length 1 that lies within it: pixels of area
+    /// 1 as far away as they seem so large.
+    #[inline(always)]
+    pub fn density(&self, direction: Vector<N>) -> N {
+        let cos = self.forward.dot(direction);
+        self.reach.squared() / (cos.squared() * cos).max(N::of(f64::from(f32::MIN_POSITIVE)))
+    }
+
+    /// The place in the picture, in pixels right and down of its corner, where a direction from the pinhole lies; outside it
+    /// if that is behind.
+    #[inline(always)]
+    pub fn place(&self, direction: Vector<N>) -> [N; 2] {
+        let cos = self.forward.dot(direction);
+        let is_ahead = cos.gt(N::of(0.0));
+        let focus = self.forward.dot(self.corner);
+        let from_corner = direction.scaled(focus / N::select(is_ahead, cos, N::of(1.0))) - self.corner;
+        let along = |dual: Vector<N>| N::select(is_ahead, dual.dot(from_corner), N::of(-1.0));
+        [along(self.duals[0]), along(self.duals[1])]
     }
 
     /// Origin and direction of the ray through a pixel that belongs to four numbers: the place in the pixel, and that on the

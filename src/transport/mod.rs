@@ -9,12 +9,14 @@
 //! | what surfaces are made of, lane by lane | [`surfaces`] |
 //! | integrators to read, one idea more in each | [`simple`] |
 //! | the fast one, eight paths at once | [`kernel`] |
+//! | light by way of mirrors and glass, from the lamp on | [`caustics`] |
 //! | all pixels | [`picture`] |
 //! | sums of samples that no order of rendering can change | [`film`] |
 //! | the room whose light is known | [`enclosure`] |
 //! | lanes that wait for each other | [`waiting`] |
 //! | how wrong a picture is, by its own halves | [`estimate`] |
 
+pub mod caustics;
 pub mod enclosure;
 pub mod estimate;
 pub mod film;
@@ -32,6 +34,6 @@ mod tests;
 pub mod waiting;
 
 pub use lens::Lens;
-pub use needs::Needs;
+pub use needs::{LeftOut, Needs};
 pub use picture::{Feature, Manner, Method, Renderer};
 pub use stage::{Stage, Vertex};

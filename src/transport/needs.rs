@@ -21,10 +21,25 @@ pub struct Needs {
     pub absorption: bool,
     /// A lens with an opening.
     pub lens: bool,
+    /// A hierarchy of boxes; a [`super::Stage`] knows.
+    pub hierarchy: bool,
+    /// Primitives that no shadow test has to look at, as a [`super::Stage`] has found.
+    pub walls: u32,
+    /// Paths from lamps by way of what is specular, as a [`super::Stage`] has found.
+    pub light_paths: bool,
+}
+
+/// Work that a picture does without.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Which.
+    pub what: &'static str,
+    /// The reason.
+    pub why: &'static str,
 }
 
 impl Needs {
-    /// Of a scene.
+    /// Of a scene, before anyone has looked at where its shapes are.
     pub fn of(scene: &Scene) -> Self {
         let used = |test: &dyn Fn(&Material) -> bool| {
             scene.shapes.iter().any(|shape| scene.material(&shape.material).is_some_and(test))
@@ -39,6 +54,35 @@ impl Needs {
             clear: used(&Material::is_clear),
             absorption: used(&|material| material.absorption() != [0.0; 3]),
             lens: scene.camera.aperture > 0.0,
+            hierarchy: true,
+            walls: 0,
+            light_paths: false,
         }
+    }
+
+    /// What the fast integrator leaves out of a picture that needs this, and why.
+    pub fn left_out(&self) -> Vec<LeftOut> {
+        let light_paths = if self.specular {
+            "no lamp has a surface, or a lens or a wide filter shows a place in many pixels"
+        } else {
+            "nothing throws light on anything without a choice of where to go"
+        };
+        let sky = if self.environment {
+            "it is the same all around: directions by the surface do better"
+        } else {
+            "it is black"
+        };
+        let all = [
+            (!self.hierarchy, "hierarchy of boxes", "of so few shapes trying all is faster"),
+            (self.walls > 0, "shadow tests of walls", "all there is lies on one side of them"),
+            (!self.light_paths, "paths from lamps", light_paths),
+            (self.lamps < 2, "choice among lamps", "there are not two of them"),
+            (true, "rays to the sky", sky),
+            (!self.glossy, "models of surfaces", "all scatter as Lambert's does"),
+            (!self.specular, "more samples where a mirror or glass is seen", "there is none"),
+            (!self.absorption, "absorption on the way", "nothing clear absorbs"),
+            (!self.lens, "places on the lens", "it is a pinhole"),
+        ];
+        all.into_iter().filter(|(is_left_out, ..)| *is_left_out).map(|(_, what, why)| LeftOut { what, why }).collect()
     }
 }

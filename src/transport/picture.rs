@@ -1,9 +1,9 @@
 //! Pictures: every pixel's samples, each pixel on one thread.
 
-use super::film::{Halves, tree};
+use super::film::{Halves, Splats, tree};
 use super::kernel::{Tactics, Work};
 use super::simple::{Integrator, Numbers};
-use super::{Needs, Stage};
+use super::{Needs, Stage, caustics};
 use crate::bsdf::{Rgb, rgb};
 use crate::geometry::Structure;
 use crate::number::{F32x8, Mask, Vector, Width, vectorised_lanes};
@@ -22,6 +22,8 @@ pub struct Manner {
     pub choice: Choice,
     /// Of all numbers.
     pub seed: u64,
+    /// Whether nothing is left out that the scene does not need ([`Needs::left_out`]): the same picture, for more work.
+    pub everything: bool,
 }
 
 /// An integrator.
@@ -43,6 +45,8 @@ impl Default for Method {
 pub struct Renderer {
     engine: Engine,
     points: Points,
+    /// For paths from lamps.
+    light: Points,
     /// Where numbers come from, and of how many vertices.
     numbers: (Choice, usize, u64),
     /// Pairs that the points are made for.
@@ -51,7 +55,19 @@ pub struct Renderer {
 
 enum Engine {
     Fast(Box<Stage<F32x8>>, Tactics),
+    Single(Box<Stage<f32>>, Tactics),
     Simple(Box<Stage<f64>>, &'static Integrator),
+}
+
+impl Engine {
+    /// How many pairs of numbers so many pairs of samples ask for.
+    fn numbered(&self, pairs: u32) -> u32 {
+        match self {
+            Self::Fast(stage, tactics) if stage.needs().specular => pairs.saturating_mul(tactics.extra.max(1)),
+            Self::Single(stage, tactics) if stage.needs().specular => pairs.saturating_mul(tactics.extra.max(1)),
+            Self::Fast(..) | Self::Single(..) | Self::Simple(..) => pairs,
+        }
+    }
 }
 
 /// Edges of a path where nothing else ends it: the lecture's own integrators stop by a depth.
@@ -66,20 +82,31 @@ impl Renderer {
     /// # Errors
     /// If a medium is not known.
     pub fn new(scene: &Scene, manner: &Manner, pairs: u32) -> Result<Self, Flaw> {
+        let Manner { structure, everything, .. } = *manner;
         let engine = match manner.method {
-            Method::Fast(tactics) => Engine::Fast(Box::new(Stage::new(scene, manner.structure)?), tactics),
-            Method::Simple(integrator) => Engine::Simple(Box::new(Stage::new(scene, manner.structure)?), integrator),
+            Method::Fast(tactics) if tactics.one_lane => {
+                Engine::Single(Box::new(Stage::with(scene, structure, everything)?), tactics)
+            }
+            Method::Fast(tactics) => Engine::Fast(Box::new(Stage::with(scene, structure, everything)?), tactics),
+            Method::Simple(integrator) => {
+                Engine::Simple(Box::new(Stage::with(scene, structure, everything)?), integrator)
+            }
         };
         let vertices = scene.max_depth.unwrap_or(VERTICES).min(VERTICES) as usize;
-        let points = Points::new(manner.choice, pairs, vertices, manner.seed);
-        Ok(Self { engine, points, numbers: (manner.choice, vertices, manner.seed), pairs })
+        let light = match &engine {
+            Engine::Fast(stage, _) if stage.caustics().is_some() => caustics::points(manner.choice, manner.seed),
+            Engine::Single(stage, _) if stage.caustics().is_some() => caustics::points(manner.choice, manner.seed),
+            _ => Points::new(Choice::Independent, 1, 0, manner.seed),
+        };
+        let points = Points::new(manner.choice, engine.numbered(pairs), vertices, manner.seed);
+        Ok(Self { engine, points, light, numbers: (manner.choice, vertices, manner.seed), pairs })
     }
 
     /// Makes it ready for samples of numbers below 2·`pairs`; those it was ready for stay what they are.
     pub fn expect(&mut self, pairs: u32) {
         if pairs > self.pairs {
             let (choice, vertices, seed) = self.numbers;
-            self.points = Points::new(choice, pairs, vertices, seed);
+            self.points = Points::new(choice, self.engine.numbered(pairs), vertices, seed);
             self.pairs = pairs;
         }
     }
@@ -88,6 +115,7 @@ impl Renderer {
     pub fn bytes(&self) -> usize {
         match &self.engine {
             Engine::Fast(stage, _) => stage.bytes(),
+            Engine::Single(stage, _) => stage.bytes(),
             Engine::Simple(stage, _) => stage.bytes(),
         }
     }
@@ -96,7 +124,18 @@ impl Renderer {
     pub fn needs(&self) -> &Needs {
         match &self.engine {
             Engine::Fast(stage, _) => stage.needs(),
+            Engine::Single(stage, _) => stage.needs(),
             Engine::Simple(stage, _) => stage.needs(),
+        }
+    }
+
+    /// What paths from lamps bring to the whole picture in some pairs of samples, to be added to the film with their
+    /// [`Renderer::sums`]; None where none are sent, which does not depend on the pairs.
+    pub fn splats(&self, pairs: Range<u32>) -> Option<Splats> {
+        match &self.engine {
+            Engine::Fast(stage, tactics) if tactics.follows() => caustics::splats(stage, &self.light, pairs),
+            Engine::Single(stage, tactics) if tactics.follows() => caustics::splats(stage, &self.light, pairs),
+            Engine::Fast(..) | Engine::Single(..) | Engine::Simple(..) => None,
         }
     }
 
@@ -104,6 +143,7 @@ impl Renderer {
     pub fn sums(&self, rows: Range<u32>, pairs: Range<u32>) -> Vec<Halves> {
         match &self.engine {
             Engine::Fast(stage, tactics) => fast(stage, tactics, &self.points, rows, pairs),
+            Engine::Single(stage, tactics) => fast(stage, tactics, &self.points, rows, pairs),
             Engine::Simple(stage, integrator) => {
                 let depth = stage.max_depth().unwrap_or(DEEP);
                 simple(stage, integrator, depth, &self.points, rows, pairs)
@@ -117,6 +157,7 @@ impl Renderer {
     pub fn features(&self, rows: Range<u32>) -> Vec<Feature> {
         match &self.engine {
             Engine::Fast(stage, _) => features(stage, &self.points, rows),
+            Engine::Single(stage, _) => features(stage, &self.points, rows),
             Engine::Simple(stage, _) => features(stage, &self.points, rows),
         }
     }
@@ -172,10 +213,9 @@ pub fn fast<N: Width>(
     pairs: Range<u32>,
 ) -> Vec<Halves> {
     by_pixel(stage.size()[0], rows, |pixel| {
-        let work = Work { stage, tactics, stream: points.of_pixel(pixel), pixel };
         vectorised_lanes::<N, _>(
             #[inline(always)]
-            || work.branch(pairs.clone()),
+            || Work { stage, tactics, stream: points.of_pixel(pixel), pixel }.branch(pairs.clone()),
         )
     })
 }

@@ -2,6 +2,7 @@
 //!
 //! What is asked of it are calls, each vector code of its own: one long function of eight lanes would take a compiler minutes.
 
+use super::caustics::Caustics;
 use super::frame::{Frame, length_and_way};
 use super::lamp::{Arrival, Lamp, Piece};
 use super::surfaces::{Met, Surfaces};
@@ -9,7 +10,7 @@ use super::{Lens, Needs};
 use crate::bsdf::{Rgb, Sample, grey, rgb};
 use crate::geometry::{Bounds, Ends, Hit, Owners, Primitive, Ray, Settings, Structure, Surface, World, flatten};
 use crate::number::{Mask, Vector, Width, exp, vectorised_lanes};
-use crate::scene::{Emission, Flaw, Light, Scene};
+use crate::scene::{Emission, Flaw, Light, Material, Scene};
 
 /// A scene made ready.
 pub struct Stage<N: Width> {
@@ -18,12 +19,17 @@ pub struct Stage<N: Width> {
     lens: Lens<N>,
     surfaces: Surfaces<N>,
     lamps: Vec<Lamp<N>>,
+    /// What all lanes ask of what they have met: material, lamp, whether it turns, whether it shines on both sides, paint.
     shapes: Vec<[N::Scalar; 8]>,
+    /// What lamps send out; by shape.
+    emission: Vec<[N::Scalar; 8]>,
     environment: Option<Rgb<N>>,
     max_depth: Option<u32>,
     size: [u32; 2],
     scale: f64,
+    everything: bool,
     needs: Needs,
+    caustics: Option<Caustics<N>>,
 }
 
 /// Where a path has met a shape.
@@ -56,6 +62,16 @@ impl<N: Width> Stage<N> {
     /// # Errors
     /// If a medium is not known.
     pub fn new(scene: &Scene, structure: Structure) -> Result<Self, Flaw> {
+        Self::with(scene, structure, false)
+    }
+
+    /// The same; if `everything`, nothing is left out that the scene does not need ([`Needs::left_out`]): more work, and the same
+    /// pictures.
+    ///
+    /// # Errors
+    /// If a medium is not known.
+    pub fn with(scene: &Scene, structure: Structure, everything: bool) -> Result<Self, Flaw> {
+        let structure = if everything && structure == Structure::Best { Structure::Bvh } else { structure };
         let middle = scene.camera.origin;
         let flat = flatten(scene);
         let all = flat.primitives.iter().fold(Bounds::NOTHING, |all, one| all.union(&one.bounds()));
@@ -66,26 +82,29 @@ impl<N: Width> Stage<N> {
         let flat = flat.seen_from(middle, scale);
 
         let number = |name: &str| scene.materials.iter().position(|(known, _)| known == name).unwrap_or(0);
-        let surfaces = Surfaces::new(scene.materials.iter().map(|(_, material)| material), scale)?;
+        let surfaces = Surfaces::new(scene.materials.iter().map(|(_, material)| material), scale, everything)?;
         let mut lamps = Vec::new();
-        let mut shapes = Vec::new();
+        let (mut shapes, mut shining_out) = (Vec::new(), Vec::new());
         for (at, shape) in scene.shapes.iter().enumerate() {
             let material = number(&shape.material);
             let lamp = shape.emission.and_then(|emission| shining(flat.of_shape(at), &emission));
             let emission = shape.emission.filter(|_| lamp.is_some());
             let [red, green, blue] = emission.map_or([0.0; 3], |emission| emission.radiance);
             let flag = |holds: bool| f64::from(u8::from(holds));
+            let [rho_red, rho_green, rho_blue, is_lambert] = surfaces.paint(material);
             let row = [
-                red,
-                green,
-                blue,
                 material as f64,
                 if lamp.is_some() { lamps.len() as f64 } else { -1.0 },
                 flag(surfaces.turns(material)),
                 flag(emission.is_some_and(|emission| emission.two_sided)),
-                0.0,
+                rho_red,
+                rho_green,
+                rho_blue,
+                is_lambert,
             ];
-            shapes.push(row.map(|part| N::of(part).get(0)));
+            let number = |part: f64| N::of(part).get(0);
+            shapes.push(row.map(number));
+            shining_out.push([red, green, blue, 0.0, 0.0, 0.0, 0.0, 0.0].map(number));
             lamps.extend(lamp);
         }
         // Where rays end besides surfaces; nowhere if some come from infinitely far.
@@ -103,21 +122,45 @@ impl<N: Width> Stage<N> {
                 }
             });
         }
+        let lens = Lens::new(&scene.camera, scene.filter, (middle, scale), everything);
+        let specular: Vec<Bounds> = scene
+            .shapes
+            .iter()
+            .enumerate()
+            .filter(|(_, shape)| scene.material(&shape.material).is_some_and(Material::is_specular))
+            .map(|(at, _)| flat.of_shape(at).iter().fold(Bounds::NOTHING, |all, one| all.union(&one.bounds())))
+            .collect();
+        let [width, height] = [scene.camera.width, scene.camera.height];
+        let caustics =
+            if lens.is_plain() { Caustics::new(&lamps, &specular, 1.0, width.saturating_mul(height)) } else { None };
+        if caustics.is_some() {
+            // Their light is joined to the camera, which is the origin.
+            ends.iter_mut().for_each(|ends| ends.push([0.0; 3]));
+        }
+        let ends = ends.filter(|_| !everything).map_or(Ends::Anywhere, Ends::OnSurfaces);
+        let world = World::with(&flat.primitives, &Settings { structure, ends });
+        let needs = Needs {
+            hierarchy: !world.is_brute(),
+            walls: world.walls() as u32,
+            light_paths: caustics.is_some(),
+            ..Needs::of(scene)
+        };
+        let black = everything.then_some([0.0; 3]);
         Ok(Self {
-            world: World::with(
-                &flat.primitives,
-                &Settings { structure, ends: ends.map_or(Ends::Anywhere, Ends::OnSurfaces) },
-            ),
+            world,
             owners: flat.owners,
-            lens: Lens::new(&scene.camera, scene.filter, middle, scale),
+            lens,
             surfaces,
             lamps,
             shapes,
-            environment: scene.environment.map(|radiance| radiance.map(N::of)),
+            emission: shining_out,
+            environment: scene.environment.or(black).map(|radiance| radiance.map(N::of)),
             max_depth: scene.max_depth,
             size: [scene.camera.width, scene.camera.height],
             scale,
-            needs: Needs::of(scene),
+            everything,
+            needs,
+            caustics,
         })
     }
 
@@ -134,6 +177,28 @@ impl<N: Width> Stage<N> {
     /// What it needs.
     pub fn needs(&self) -> &Needs {
         &self.needs
+    }
+
+    /// Whether what is left on the way is asked.
+    #[inline(always)]
+    pub fn absorbs(&self) -> bool {
+        self.needs.absorption || self.everything
+    }
+
+    /// Whether pixels are asked if they show something specular.
+    pub fn may_be_specular(&self) -> bool {
+        self.needs.specular || self.everything
+    }
+
+    /// The camera.
+    pub fn lens(&self) -> &Lens<N> {
+        &self.lens
+    }
+
+    /// The paths from lamps that it asks for; None if nothing specular could throw their light on anything, or the picture is
+    /// not that of a pinhole with a box filter.
+    pub fn caustics(&self) -> Option<&Caustics<N>> {
+        self.caustics.as_ref()
     }
 
     /// The most edges of a path.
@@ -194,10 +259,11 @@ impl<N: Width> Stage<N> {
     fn looked_at(&self, ray: &Ray<N>, hit: &Hit<N>, met: N::Mask) -> Vertex<'_, N> {
         let (zero, half) = (N::of(0.0), N::of(0.5));
         let surface = self.world.surface(ray, hit);
-        let [red, green, blue, material, lamp, turns, two_sided, _] = N::columns(
+        let row = N::columns(
             #[inline(always)]
-            |lane| self.shapes[self.owners.shape(hit.primitive.lane(lane).max(0.0) as usize)],
+            |lane| self.shapes[self.owners.shape(hit.primitive.place(lane))],
         );
+        let [material, lamp, turns, two_sided, rho_red, rho_green, rho_blue, is_lambert] = row;
         let back = -ray.direction;
         let cos = back.dot(surface.normal);
         let is_back = cos.lt(zero);
@@ -207,20 +273,30 @@ impl<N: Width> Stage<N> {
             Frame::about(Vector::select(agrees, surface.shading, surface.normal)).turned(is_back & turns.gt(half));
         let wo = frame.inward(back);
         let shines = met & lamp.ge(zero) & (!is_back | two_sided.gt(half));
-        let clarity =
-            if self.needs.absorption { self.clarity(material, wo.z.lt(zero), hit.t) } else { grey(N::of(1.0)) };
+        let emitted = if shines.any() { self.emitted(hit) } else { grey(zero) };
+        let clarity = if self.absorbs() { self.clarity(material, wo.z.lt(zero), hit.t) } else { grey(N::of(1.0)) };
         Vertex {
             distance: hit.t,
             surface,
             start: surface.leave(back),
             frame,
             wo,
-            met: self.surfaces.met(material),
+            met: self.surfaces.met(material, [rho_red, rho_green, rho_blue, is_lambert]),
             lamp: N::select(shines, lamp, N::of(-1.0)),
             cos: cos.abs(),
-            emitted: [red, green, blue],
+            emitted,
             clarity,
         }
+    }
+
+    /// What the shapes that were met send out [W m⁻² sr⁻¹] if they are seen from where they shine.
+    #[inline(always)]
+    fn emitted(&self, hit: &Hit<N>) -> Rgb<N> {
+        let [red, green, blue, ..] = N::columns(
+            #[inline(always)]
+            |lane| self.emission[self.owners.shape(hit.primitive.place(lane))],
+        );
+        [red, green, blue]
     }
 
     /// What is left [1] of light after a way inside what the materials enclose.

@@ -1,7 +1,7 @@
 //! What a scene's surfaces are made of, as models of [`crate::bsdf`], for lanes that meet different ones.
 
 use crate::bsdf::lambert::Lambert;
-use crate::bsdf::{self, Bsdf, Guarded, Rgb, Sample, rgb, zoo};
+use crate::bsdf::{self, Bsdf, Rgb, Sample, rgb, zoo};
 use crate::media;
 use crate::number::{Mask, Vector, Width};
 use crate::scene::{Energy, Facets, Flaw, Material, Metal};
@@ -11,7 +11,9 @@ use num_complex::Complex64;
 pub struct Surfaces<N: Width> {
     models: Vec<Model<N>>,
     /// ρ of every material, and 1 if it is Lambert's.
-    paints: Vec<[N::Scalar; 4]>,
+    paints: Vec<[f64; 4]>,
+    /// Whether Lambert's too are asked as models.
+    everything: bool,
 }
 
 struct Model<N: Width> {
@@ -20,6 +22,7 @@ struct Model<N: Width> {
     turns: bool,
     /// Absorption inside [1 over the unit of length]; 0 for what nothing gets into.
     absorption: [f64; 3],
+    is_specular: bool,
 }
 
 impl Material {
@@ -102,11 +105,15 @@ impl Metal {
 }
 
 impl<N: Width> Surfaces<N> {
-    /// Of a scene's materials, in a unit of length of which `scale` make a metre.
+    /// Of a scene's materials, in a unit of length of which `scale` make a metre. If `everything`, no model is done without.
     ///
     /// # Errors
     /// If one names a medium that there is not.
-    pub fn new<'a>(materials: impl IntoIterator<Item = &'a Material>, scale: f64) -> Result<Self, Flaw> {
+    pub fn new<'a>(
+        materials: impl IntoIterator<Item = &'a Material>,
+        scale: f64,
+        everything: bool,
+    ) -> Result<Self, Flaw> {
         let zoo = zoo::<N>();
         let (mut models, mut paints) = (Vec::new(), Vec::new());
         for material in materials {
@@ -116,12 +123,13 @@ impl<N: Width> Surfaces<N> {
                 bsdf: entry.make(&setting),
                 turns: !material.is_clear() && !matches!(material, Material::Plastic { .. }),
                 absorption: material.absorption().map(|a| a / scale),
+                is_specular: material.is_specular(),
             });
             let is_lambert = f64::from(u8::from(matches!(material, Material::Diffuse { .. })));
             let [red, green, blue] = setting.albedo;
-            paints.push([red, green, blue, is_lambert].map(|part| N::of(part).get(0)));
+            paints.push([red, green, blue, is_lambert]);
         }
-        Ok(Self { models, paints })
+        Ok(Self { models, paints, everything })
     }
 
     /// Whether the back of a material is like its front, 1 or 0.
@@ -134,15 +142,18 @@ impl<N: Width> Surfaces<N> {
         self.models[material].absorption
     }
 
-    /// What each lane has met, by the number of its material.
+    /// ρ [1] of a material, and 1 if it is Lambert's, else 0.
+    pub fn paint(&self, material: usize) -> [f64; 4] {
+        self.paints[material]
+    }
+
+    /// What each lane has met, by the number of its material and its [`Surfaces::paint`].
     #[inline(always)]
-    pub fn met(&self, material: N) -> Met<'_, N> {
-        let [red, green, blue, is_lambert] = N::columns(
-            #[inline(always)]
-            |lane| self.paints[material.lane(lane) as usize],
-        );
-        let paint = Guarded(Lambert { albedo: [red, green, blue] });
-        Met { models: &self.models, material, paint, is_lambert: is_lambert.gt(N::of(0.5)) }
+    pub fn met(&self, material: N, [red, green, blue, is_lambert]: [N; 4]) -> Met<'_, N> {
+        let paint = Lambert { albedo: [red, green, blue] };
+        let is_lambert = is_lambert.gt(N::of(0.5));
+        let is_plain = if self.everything { N::Mask::of(false) } else { is_lambert };
+        Met { models: &self.models, material, paint, is_lambert, is_plain }
     }
 }
 
@@ -151,16 +162,35 @@ pub struct Met<'a, N: Width> {
     models: &'a [Model<N>],
     material: N,
     /// All that are Lambert's at once, each of its own colour.
-    paint: Guarded<Lambert<N>>,
+    paint: Lambert<N>,
     is_lambert: N::Mask,
+    /// Where that is known to be enough.
+    is_plain: N::Mask,
 }
 
 impl<N: Width> Met<'_, N> {
+    /// Where it is Lambert's.
+    #[inline(always)]
+    pub fn is_lambert(&self) -> N::Mask {
+        self.is_lambert
+    }
+
+    /// ρ [1] where it is Lambert's.
+    #[inline(always)]
+    pub fn paint(&self) -> Rgb<N> {
+        self.paint.albedo
+    }
+
+    /// Whether any of the light of what a lane has met has no choice of where to go.
+    pub fn is_specular(&self, lane: usize) -> bool {
+        self.models[self.material.place(lane)].is_specular
+    }
+
     /// f [sr⁻¹] and the density [sr⁻¹], 0 where the mask is false.
     #[inline(always)]
     pub fn eval_pdf(&self, active: N::Mask, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
         let (f, pdf) = self.paint.eval_pdf(wi, wo);
-        let lambert = active & self.is_lambert;
+        let lambert = active & self.is_plain;
         let mut found = (rgb(|c| f[c].only(lambert)), pdf.only(lambert));
         self.others(active, |mask, model| {
             let (f, pdf) = model.eval_pdf(wi, wo);
@@ -172,7 +202,7 @@ impl<N: Width> Met<'_, N> {
     /// A direction for light that goes to `wo` to come from, none where the mask is false.
     #[inline(always)]
     pub fn sample(&self, active: N::Mask, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
-        let mut found = Sample::select(active & self.is_lambert, self.paint.sample(wo, u), Sample::none(wo));
+        let mut found = Sample::select(active & self.is_plain, self.paint.sample(wo, u), Sample::none(wo));
         self.others(active, |mask, model| found = Sample::select(mask, model.sample(wo, u), found));
         found
     }
@@ -180,17 +210,15 @@ impl<N: Width> Met<'_, N> {
     /// Each other model among the lanes once, and whose it is.
     #[inline(always)]
     fn others(&self, active: N::Mask, mut use_of: impl FnMut(N::Mask, &dyn Bsdf<N>)) {
-        let mut left = active & !self.is_lambert;
+        let mut left = active & !self.is_plain;
         if !left.any() {
             return;
         }
-        for lane in 0..N::LANES {
-            if left.lane(lane) {
-                let number = self.material.lane(lane);
-                let same = left & (self.material - N::of(number)).abs().lt(N::of(0.5));
-                use_of(same, &*self.models[number as usize].bsdf);
-                left = left & !same;
-            }
+        while let Some(lane) = left.lanes().next() {
+            let number = self.material.get(lane);
+            let same = left & (self.material - N::all(number)).abs().lt(N::of(0.5));
+            use_of(same, &*self.models[self.material.place(lane)].bsdf);
+            left = left & !same;
         }
     }
 }

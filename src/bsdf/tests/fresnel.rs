@@ -11,8 +11,24 @@ use yardstick::precise::relative_error;
 use yardstick::quadrature::gauss_legendre;
 
 /// To grazing; where cos² passes ½; and about Brewster's angle into η = 1.5, 2.4, 1/1.5 and 1/2.4.
-const COSINES: [f64; 16] =
-    [1e-6, 1e-3, 0.03, 0.1, 0.3, 0.3846, 0.5, 0.5547, 0.6, 0.70710678, 0.7072, 0.8320503, 0.9230769, 0.95, 0.998, 1.0];
+const COSINES: [f64; 16] = [
+    1e-6,
+    1e-3,
+    0.03,
+    0.1,
+    0.3,
+    0.3846,
+    0.5,
+    0.5547,
+    0.6,
+    std::f64::consts::FRAC_1_SQRT_2,
+    0.7072,
+    0.8320503,
+    0.9230769,
+    0.95,
+    0.998,
+    1.0,
+];
 
 const ETAS: [f64; 7] = [1.5, 2.4, 1.001, 1.0 / 1.5, 1.0 / 2.4, 0.999, 0.1];
 

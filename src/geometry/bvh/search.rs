@@ -20,15 +20,15 @@ impl<P: Width> Bvh<P> {
         M: Simd,
     {
         let mut waiting = [0; MOST_WAITING];
-        let mut all = [[P::Scalar::of(0.0); 4]; MOST_LANES];
+        let mut all = [[P::Scalar::of(0.0); 8]; MOST_LANES];
         for (lane, found) in all.iter_mut().enumerate().take(N::LANES) {
             let mut hit = best.single(lane);
             if active.lane(lane) {
                 self.search::<M, false>(machine, &mut waiting, &ray.single(lane), &mut hit);
             }
-            *found = [hit.t, hit.u, hit.v, hit.primitive];
+            found[..4].copy_from_slice(&[hit.t, hit.u, hit.v, hit.primitive]);
         }
-        let [t, u, v, primitive] = N::columns(
+        let [t, u, v, primitive, ..] = N::columns(
             #[inline(always)]
             |lane| all[lane],
         );

@@ -94,7 +94,7 @@ proptest! {
             let origin = plus(from[lane], place, 1.0).map(|part| scale * part);
             // Of any length: t counts in it.
             let way = triple(vector(to[lane]) - vector(from[lane]));
-            (origin, if lane % 2 == 0 { way } else { plus([0.0; 3], way, 1.0 / length(vector(way)).max(1e-3)) })
+            (origin, if lane.is_multiple_of(2) { way } else { plus([0.0; 3], way, 1.0 / length(vector(way)).max(1e-3)) })
         };
         let wide = rays(at);
         let lanes = both::<F32x8>(&primitives);

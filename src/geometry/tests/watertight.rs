@@ -97,7 +97,7 @@ fn a_fan_is_met_at_its_middle() {
         let is_met = |at: usize| {
             let corners = [middle, rim[at], rim[(at + 1) % count]];
             // Neighbours need not run the same way around.
-            let corners = if at % 2 == 0 { corners } else { [corners[2], corners[1], corners[0]] };
+            let corners = if at.is_multiple_of(2) { corners } else { [corners[2], corners[1], corners[0]] };
             Triangle::<f32>::new(corners).meet(&ray).is_met
         };
         assert!((0..count).any(is_met), "{middle:?} {rim:?} {origin:?} {target:?}");
