@@ -103,7 +103,7 @@ const SERIES: Check<fn(f64, u32) -> f64> = check(
             (pixels.mean() / radiance(absorbed, edges) - 1.0, format!("1 − ρ = {absorbed:e}, d = {edges}"))
         }))
     },
-    |absorbed, edges| enclosure::radiance(absorbed, edges),
+    enclosure::radiance as fn(f64, u32) -> f64,
 )
 .slip("the edge from the camera not counted", |absorbed, edges| enclosure::radiance(absorbed, edges + 1));
 

@@ -105,9 +105,9 @@ const SAME: Check<Others> = check("same", "whatever is switched off, the picture
             });
             smallest(tests.collect())
         },
-        || otherwise(),
+        otherwise as Others,
     )
-    .slip("a chance to go on that nothing holds below one", || unheld());
+    .slip("a chance to go on that nothing holds below one", unheld);
 
 const WAITING: Check<fn(f64, u32) -> f64> =
     check("waiting", "lanes that wait for the longest path are idle as often as is said")
@@ -125,7 +125,7 @@ const WAITING: Check<fn(f64, u32) -> f64> =
                 });
                 smallest(tests.into())
             },
-            |chance, lanes| busy_lanes(chance, lanes),
+            busy_lanes as fn(f64, u32) -> f64,
         )
         .slip("as if the longest were as long as the others", |_, _| 1.0);
 

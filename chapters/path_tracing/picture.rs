@@ -102,7 +102,7 @@ const ROUND_TRIP: Check<fn(f64) -> f64> =
                     (back - f64::from(code), format!("code {code}"))
                 }))
             },
-            |taken| decoded(taken),
+            decoded as fn(f64) -> f64,
         )
         .slip("the plain power 2.2", |taken| taken.powf(2.2));
 

@@ -130,7 +130,7 @@ const ONE: Check<fn(f64, f64) -> f64> =
                     off.map(|off| (off / f64::EPSILON, place.clone()))
                 }))
             },
-            |own, other| balance(own, other),
+            balance as fn(f64, f64) -> f64,
         )
         .slip("the second way's two samples forgotten in the first one's share", |p, q| p / (p + 2.0 * q));
 
