@@ -59,7 +59,7 @@ pub const FIGURES: Gallery = gallery(
 /// The course text, its listings cut from the code that runs.
 const PROSE: &str = {
     const TEXT: &str = include_str!("prose.md");
-    const FILLED: [u8; listing::length(TEXT)] = listing::filled(TEXT);
+    static FILLED: [u8; listing::length(TEXT)] = listing::filled(TEXT);
     match std::str::from_utf8(&FILLED) {
         Ok(text) => text,
         Err(_) => panic!("listings are text"),

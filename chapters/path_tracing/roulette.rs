@@ -97,7 +97,7 @@ pub(super) const STEP: Step = step(
 .races(&[ENDS]);
 
 fn mean(of_survivors: Expr) -> Chain {
-    Chain::new(Q * of_survivors + (1 - Q) * 0).then(Expr::from(X), ["q cancels"])
+    Chain::new(Q * of_survivors + (1 - Q) * Expr::from(0)).then(Expr::from(X), ["q cancels"])
 }
 
 fn variance(last: Expr) -> Chain {
