@@ -10,6 +10,7 @@ pub mod judge;
 pub mod lecture;
 pub mod maxwell;
 pub mod parameter;
+pub mod path_tracing;
 pub mod plane_wave;
 pub mod poynting;
 pub mod radiometry;
@@ -27,6 +28,7 @@ pub const CURRICULUM: &[&Chapter] = &[
     &radiometry::CHAPTER,
     &fresnel::CHAPTER,
     &brdf::CHAPTER,
+    &path_tracing::CHAPTER,
 ];
 
 /// Every step with its chapter, in teaching order.

@@ -34,11 +34,11 @@
 //! | conduction, a stiff equation, and its solver | [`waves::conduction`], [`waves::radau`] | `maxwell/conduction` |
 //! | what lamps of any shape send to a place | [`radiometry`] | `radiometry` |
 //! | rough surfaces as heights, and rays among them | [`relief`] | `brdf` |
-//! | points for paths, and how they become directions | [`sampling`] | `path-tracing`, to come |
-//! | how light gets from lamps to the picture | [`transport`] | `path-tracing`, to come |
-//! | from radiance to what a screen shows | [`tone`] | `path-tracing`, to come |
-//! | what is rendered, as data | [`scene`] | `path-tracing`, to come |
-//! | what a ray meets | [`geometry`] | `path-tracing`, to come |
+//! | points for paths, and how they become directions | [`sampling`] | `path-tracing` |
+//! | how light gets from lamps to the picture | [`transport`] | `path-tracing` |
+//! | from radiance to what a screen shows | [`tone`] | `path-tracing` |
+//! | what is rendered, as data | [`scene`] | `path-tracing` |
+//! | what a ray meets | [`geometry`] | `path-tracing` |
 //! | s and p | [`Polarisation`] | everywhere |
 //! | references in arbitrary precision, condition numbers | `references` | every stress |
 

@@ -12,9 +12,12 @@
 //! | light by way of mirrors and glass, from the lamp on | [`caustics`] |
 //! | all pixels | [`picture`] |
 //! | sums of samples that no order of rendering can change | [`film`] |
+//! | the room whose light is known | [`enclosure`] |
+//! | lanes that wait for each other | [`waiting`] |
 //! | how wrong a picture is, by its own halves | [`estimate`] |
 
 pub mod caustics;
+pub mod enclosure;
 pub mod estimate;
 pub mod film;
 pub mod frame;
@@ -28,6 +31,7 @@ pub mod stage;
 pub mod surfaces;
 #[cfg(test)]
 mod tests;
+pub mod waiting;
 
 pub use lens::Lens;
 pub use needs::{LeftOut, Needs};

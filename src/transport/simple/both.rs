@@ -5,6 +5,7 @@
 use super::{Numbers, carried, gathered};
 use crate::bsdf::{Rgb, rgb};
 use crate::geometry::Ray;
+use crate::sampling::balance;
 use crate::transport::Stage;
 
 /// Vertices before a path may end by chance.
@@ -22,7 +23,7 @@ pub fn radiance(stage: &Stage<f64>, mut ray: Ray<f64>, numbers: &mut Numbers<'_>
         };
         carries = carried(carries, vertex.clarity);
         // How densely rays to this lamp would have come here, against the density of the one that did.
-        let weight = 1.0 / (1.0 + stage.density_to(&ray, &vertex, true) / pdf);
+        let weight = balance(pdf, stage.density_to(&ray, &vertex, true));
         light = gathered(light, carries, vertex.emitted().map(|emitted| emitted * weight));
         if edge == depth {
             break;
@@ -32,7 +33,7 @@ pub fn radiance(stage: &Stage<f64>, mut ray: Ray<f64>, numbers: &mut Numbers<'_>
             let arrival = lamp.sample(vertex.start, row.lamp);
             let wi = vertex.frame.inward(arrival.wi);
             let (f, by_chance) = vertex.f_pdf(wi);
-            let weight = 1.0 / (1.0 + by_chance / arrival.pdf);
+            let weight = balance(arrival.pdf, by_chance);
             if f != [0.0; 3] && stage.sees(&vertex, &arrival) {
                 light = gathered(light, carries, rgb(|c| f[c] * wi.z.abs() * arrival.share[c] * weight));
             }

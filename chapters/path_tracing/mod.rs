@@ -1,0 +1,67 @@
+//! Path tracing: rows E53 and C21–C24. One module a step, in teaching order.
+
+mod depth;
+mod extremes;
+mod lanes;
+mod listing;
+mod one_ray;
+mod picture;
+mod rate;
+mod roulette;
+mod scenes;
+mod symbols;
+mod traced;
+mod ways;
+mod weights;
+
+use crate::vocabulary::{Chapter, Gallery, gallery};
+
+/// The chapter.
+pub const CHAPTER: Chapter = Chapter {
+    id: "path-tracing",
+    title: "Path tracing",
+    says: "Pictures by chance: one ray after another, and how far to trust their mean.",
+    builds_on: &["radiometry", "brdf"],
+    prose: PROSE,
+    steps: &[
+        one_ray::STEP,
+        ways::STEP,
+        weights::STEP,
+        depth::STEP,
+        roulette::STEP,
+        rate::STEP,
+        lanes::STEP,
+        extremes::STEP,
+        picture::STEP,
+        traced::STEP,
+    ],
+    figures: FIGURES,
+    functions: &[],
+};
+
+/// What its steps show, apart from the evidence.
+pub const FIGURES: Gallery = gallery(
+    "path-tracing",
+    &[
+        one_ray::EXHIBIT,
+        ways::EXHIBIT,
+        weights::EXHIBIT,
+        depth::EXHIBIT,
+        roulette::EXHIBIT,
+        rate::EXHIBIT,
+        lanes::EXHIBIT,
+        extremes::EXHIBIT,
+        picture::EXHIBIT,
+        traced::EXHIBIT,
+    ],
+);
+
+/// The course text, its listings cut from the code that runs.
+const PROSE: &str = {
+    const TEXT: &str = include_str!("prose.md");
+    static FILLED: [u8; listing::length(TEXT)] = listing::filled(TEXT);
+    match std::str::from_utf8(&FILLED) {
+        Ok(text) => text,
+        Err(_) => panic!("listings are text"),
+    }
+};
