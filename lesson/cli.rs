@@ -3,14 +3,17 @@
 use crate::figures::Format;
 use crate::out;
 use crate::prove::Question;
+use crate::render::{Goal, Job, MOST as MOST_SAMPLES};
 use crate::stop::Stop;
-use chapters::parameter::{Fault, excerpt};
+use chapters::parameter::{Fault, excerpt, parse_quantity};
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgAction, Args, CommandFactory, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
+use light::tone::Curve;
 use std::error::Error;
 use std::path::PathBuf;
+use std::time::Duration;
 use views::block::Details;
 use views::page::Page;
 use views::report::Parts;
@@ -45,7 +48,7 @@ pub enum Request {
     /// A scene as a file.
     Print { scene: String, out: Option<PathBuf> },
     /// A picture of a scene.
-    Render { scene: String },
+    Render(Job),
     /// A script for the shell.
     Completions(Vec<u8>),
 }
@@ -239,7 +242,7 @@ enum Command {
     /// Prove that two expressions are equal, or that one equation follows from another; or find where it fails.
     #[command(after_help = PROVE_EXAMPLES)]
     Prove(ProveArgs),
-    /// The scenes of the lecture, and those of files.
+    /// Make a picture of a scene: one of the lecture's, or a file's.
     #[command(after_help = RENDER_EXAMPLES)]
     Render(RenderArgs),
     /// Print a completion script for a shell.
@@ -334,7 +337,7 @@ impl From<ProveArgs> for Question {
 }
 
 /// Where figures go if nothing else is said.
-const FOLDER: &str = "lesson-out";
+pub const FOLDER: &str = "lesson-out";
 
 /// The Courant number of `--unstable`: its waves fill the range of a double within some thousand steps.
 const BEYOND: &str = "1.02";
@@ -476,13 +479,20 @@ impl EvalArgs {
 const RENDER_EXAMPLES: &str = "\
 Examples:
   lesson render --list
-  lesson render cornell --print            the scene as a file
-  lesson render cornell --print > my.toml
+  lesson render cornell                    64 samples a pixel, as a PNG
+  lesson render cornell --time 20s --out cornell.png --out cornell.pfm
+  lesson render cornell --error 0.02 --tone agx --exposure -1
+  lesson render cornell --integrator hemisphere --spp 16
+  lesson render cornell --print > my.toml  the scene as a file
   lesson render mesh --print --out scenes  with the mesh that it names
-  lesson render my.toml
+  lesson render my.toml --spp 256 --out my.png
 
 Scenes are TOML or JSON: metres, linear RGB, radiance in W m⁻² sr⁻¹; --print
-shows the keys. What is wrong with one is told with its line.";
+shows the keys. What is wrong with one is told with its line. Of --spp, --time
+and --error the first that is reached ends the work. The relative error is the
+root of the mean over pixels and channels of (x − truth)²/(truth² + 0.01), as the
+picture's two independent halves tell it. Same scene and seed, same picture,
+whatever the number of threads.";
 
 #[derive(Debug, Args)]
 struct RenderArgs {
@@ -495,23 +505,117 @@ struct RenderArgs {
     /// Print the scene as a TOML file.
     #[arg(long)]
     print: bool,
-    /// With --print: a folder for the file and its meshes.
-    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
-    out: Option<PathBuf>,
+    /// A file for the picture, .png or .pfm; may be repeated. With --print: a folder for the scene and its meshes.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::AnyPath)]
+    out: Vec<PathBuf>,
+    /// Samples a pixel; an odd number is taken as the next even one.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_SAMPLES)), conflicts_with = "print")]
+    spp: Option<u32>,
+    /// How long to render: 20s, 500ms.
+    #[arg(long, value_parser = duration, conflicts_with = "print")]
+    time: Option<Duration>,
+    /// The relative error that is good enough, above 0 and below 1.
+    #[arg(long, value_parser = share, conflicts_with = "print")]
+    error: Option<f64>,
+    /// Of all random numbers.
+    #[arg(long, default_value_t = 1, conflicts_with = "print")]
+    seed: u64,
+    /// Threads; as many as there are cores if left out.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), conflicts_with = "print")]
+    threads: Option<u16>,
+    /// The integrator: fast, or one to read: hemisphere, surface, lamps, both.
+    #[arg(long, value_name = "NAME", conflicts_with = "print")]
+    integrator: Option<String>,
+    /// The most edges of a path, instead of the scene's.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(DEEPEST)), conflicts_with = "print")]
+    depth: Option<u32>,
+    /// How radiance is brought into a screen's range.
+    #[arg(
+        long,
+        value_enum,
+        help = "How radiance is brought into a screen's range [default: none]",
+        conflicts_with = "print"
+    )]
+    tone: Option<ToneArg>,
+    /// Stops by which the PNG is brighter, -30 to 30.
+    #[arg(long, value_name = "STOPS", value_parser = stops, allow_negative_numbers = true, default_value_t = 0.0, conflicts_with = "print")]
+    exposure: f64,
     #[command(flatten)]
     help: HelpArg,
 }
 
+/// The deepest path that can be asked for.
+const DEEPEST: u32 = 1_000_000;
+
+/// A tone curve's word.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum ToneArg {
+    /// Cut at white.
+    None,
+    /// By luminance, white at 4.
+    Reinhard,
+    /// Like a film's.
+    Aces,
+    /// Bright colours fade to white.
+    Agx,
+}
+
+impl From<ToneArg> for Curve {
+    fn from(word: ToneArg) -> Self {
+        match word {
+            ToneArg::None => Self::None,
+            ToneArg::Reinhard => Self::Reinhard,
+            ToneArg::Aces => Self::Aces,
+            ToneArg::Agx => Self::Agx,
+        }
+    }
+}
+
+/// A time of at most a month.
+fn duration(text: &str) -> Result<Duration, String> {
+    const MONTH: f64 = 30.0 * 86_400.0;
+    let seconds = parse_quantity(text, "s")?;
+    match seconds > 0.0 && seconds <= MONTH {
+        true => Ok(Duration::from_secs_f64(seconds)),
+        false => Err(format!("out of range; valid: above 0, up to {MONTH} s")),
+    }
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    let share = parse_quantity(text, "1")?;
+    if share > 0.0 && share < 1.0 { Ok(share) } else { Err("out of range; valid: above 0, below 1".to_owned()) }
+}
+
+fn stops(text: &str) -> Result<f64, String> {
+    let stops = parse_quantity(text, "1")?;
+    if stops.abs() <= 30.0 { Ok(stops) } else { Err("out of range; valid: -30 to 30".to_owned()) }
+}
+
 impl RenderArgs {
     fn into_request(self) -> Result<Request, Stop> {
-        let Self { scene, list, print, out, help: _ } = self;
-        Ok(match scene {
-            _ if list => Request::Scenes,
-            Some(scene) if print => Request::Print { scene, out },
-            Some(_) if out.is_some() => return Err(Stop::at("--out", "needs --print")),
-            Some(scene) => Request::Render { scene },
-            None => return Err(Stop::at("scene", "missing; `lesson render --list` names those of the lecture")),
-        })
+        let Some(scene) = self.scene else {
+            return match self.list {
+                true => Ok(Request::Scenes),
+                false => Err(Stop::at("scene", "missing; `lesson render --list` names those of the lecture")),
+            };
+        };
+        if self.print {
+            return match &self.out[..] {
+                [] | [_] => Ok(Request::Print { scene, out: self.out.into_iter().next() }),
+                _ => Err(Stop::at("--out", "with --print only one folder")),
+            };
+        }
+        Ok(Request::Render(Job {
+            scene,
+            goal: Goal { spp: self.spp, time: self.time, error: self.error },
+            out: self.out,
+            seed: self.seed,
+            threads: self.threads.map(usize::from),
+            integrator: self.integrator,
+            depth: self.depth,
+            curve: self.tone.map_or(Curve::None, Curve::from),
+            exposure: self.exposure,
+        }))
     }
 }
 

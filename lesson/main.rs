@@ -6,6 +6,7 @@ mod figures;
 mod out;
 mod progress;
 mod prove;
+mod render;
 mod run;
 mod scene;
 mod select;
@@ -14,6 +15,7 @@ mod walk;
 
 use cli::Request;
 use std::io::{IsTerminal, stdout};
+use std::path::Path;
 use std::process::ExitCode;
 use stop::Stop;
 use views::block::Details;
@@ -49,10 +51,7 @@ fn serve(request: Request) -> Result<ExitCode, Stop> {
         Request::Prove(question) => return prove::serve(&question),
         Request::Scenes => out::show(&scene::list())?,
         Request::Print { scene, out } => scene::serve_print(&scene, out.as_deref())?,
-        Request::Render { scene } => {
-            let scene = scene::load(&scene)?;
-            return Err(Stop::at(scene.name, "cannot be rendered yet; --print shows what it is"));
-        }
+        Request::Render(job) => return render::serve(&job, Path::new(cli::FOLDER)),
         Request::Completions(script) => out::print(&script)?,
     }
     Ok(ExitCode::SUCCESS)

@@ -13,6 +13,8 @@ mod tests;
 mod toml;
 mod tree;
 
+pub use print::stem;
+
 use crate::out::{self, Folder};
 use crate::stop::{Stop, plain};
 use chapters::parameter::{Fault, excerpt};

@@ -1,0 +1,140 @@
+//! Pictures as files.
+
+use crate::stop::{Stop, plain};
+use light::bsdf::Rgb;
+use light::tone::{Curve, encoded};
+use light::transport::estimate::colour;
+use light::transport::film::Halves;
+use std::path::Path;
+
+/// Radiance, row by row from the top.
+pub struct Picture<'a> {
+    pub width: u32,
+    pub height: u32,
+    /// The means of the halves of every pixel [W m⁻² sr⁻¹].
+    pub halves: &'a [Halves],
+}
+
+/// How radiance is shown on a screen.
+#[derive(Clone, Copy, Debug)]
+pub struct Shown {
+    pub curve: Curve,
+    /// Stops: radiance is shown times 2 to that.
+    pub exposure: f64,
+}
+
+/// A kind of file.
+pub struct Kind {
+    extension: &'static str,
+    pub encode: fn(&Picture, &Shown) -> Vec<u8>,
+}
+
+const KINDS: &[Kind] = &[Kind { extension: "png", encode: png }, Kind { extension: "pfm", encode: pfm }];
+
+/// The kind of a file by its name.
+pub fn kind(path: &Path) -> Result<&'static Kind, Stop> {
+    let extension = path.extension().map(|extension| plain(&extension.to_string_lossy())).unwrap_or_default();
+    KINDS.iter().find(|kind| kind.extension == extension).ok_or_else(|| {
+        let known: Vec<String> = KINDS.iter().map(|kind| format!(".{}", kind.extension)).collect();
+        Stop::at(path.display(), format!("no kind of picture that is known; valid: {}", known.join(", ")))
+    })
+}
+
+/// 8-bit sRGB, dithered: between two steps a pixel takes one or the other as often as it lies near it, by a fixed pattern.
+fn png(picture: &Picture, shown: &Shown) -> Vec<u8> {
+    let factor = shown.exposure.exp2();
+    let pixels = picture.halves.iter().enumerate().flat_map(|(at, halves)| {
+        let radiance = colour(halves);
+        let is_number = radiance.iter().all(|x| x.is_finite());
+        let colour = if is_number { shown.curve.apply(radiance.map(|x| x * factor)) } else { [0.0; 3] };
+        let place = [at as u32 % picture.width, at as u32 / picture.width];
+        (0..3).map(move |c| (255.0 * encoded(colour[c]) + threshold(place, c as u32)).min(255.0) as u8)
+    });
+    let pixels: Vec<u8> = pixels.collect();
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, picture.width, picture.height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(&pixels));
+    written.expect("a picture in memory can be encoded into memory");
+    bytes
+}
+
+/// Where between 0 and 1 [1] a pixel's channel is rounded up: evenly spread among neighbours (the R₂ sequence of
+/// M. Roberts, *The unreasonable effectiveness of quasirandom sequences* (2018)).
+fn threshold([x, y]: [u32; 2], channel: u32) -> f64 {
+    let at = f64::from(x) * 0.754_877_666_246_692_8 + f64::from(y) * 0.569_840_290_998_053_3;
+    (at + f64::from(channel) / 3.0).fract()
+}
+
+/// Linear radiance in 32-bit floats, little-endian, row by row from the bottom (P. Debevec's portable float map).
+fn pfm(picture: &Picture, _: &Shown) -> Vec<u8> {
+    let mut bytes = format!("PF\n{} {}\n-1.0\n", picture.width, picture.height).into_bytes();
+    for row in picture.halves.chunks(picture.width as usize).rev() {
+        for halves in row {
+            let radiance: Rgb<f64> = colour(halves);
+            radiance.iter().for_each(|x| bytes.extend((*x as f32).to_le_bytes()));
+        }
+    }
+    bytes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PLAIN: Shown = Shown { curve: Curve::None, exposure: 0.0 };
+
+    fn decoded(bytes: &[u8]) -> Vec<u8> {
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];
+        reader.next_frame(&mut pixels).expect("a frame");
+        pixels
+    }
+
+    #[test]
+    fn a_screen_shows_on_average_what_lies_between_its_steps() {
+        // A quarter of the way from 100 to 101.
+        let linear = light::tone::decoded(100.25 / 255.0) as f32;
+        let halves = vec![[[linear; 3]; 2]; 64 * 64];
+        let shown = decoded(&png(&Picture { width: 64, height: 64, halves: &halves }, &PLAIN));
+        assert!(shown.iter().all(|step| (100..=101).contains(step)));
+        let above = shown.iter().filter(|step| **step == 101).count() as f64 / shown.len() as f64;
+        // 64² thresholds of a sequence of low discrepancy, three times.
+        assert!((above - 0.25).abs() < 0.01, "{above}");
+    }
+
+    #[test]
+    fn black_and_white_are_exact_and_what_is_no_number_is_black() {
+        let grey = |x: f32| [[x; 3]; 2];
+        let halves = [grey(0.0), grey(1.0), grey(7.0), grey(f32::NAN), grey(-1.0), grey(f32::INFINITY)];
+        let shown = decoded(&png(&Picture { width: 6, height: 1, halves: &halves }, &PLAIN));
+        let expected: Vec<u8> = [0, 255, 255, 0, 0, 0].iter().flat_map(|step| [*step; 3]).collect();
+        assert_eq!(shown, expected);
+        // A stop is a factor of two.
+        let [half, whole] = [grey(0.25), grey(0.5)];
+        let brighter = Shown { exposure: 1.0, ..PLAIN };
+        let of = |halves: [Halves; 1], shown| decoded(&png(&Picture { width: 1, height: 1, halves: &halves }, shown));
+        assert_eq!(of([half], &brighter), of([whole], &PLAIN));
+    }
+
+    #[test]
+    fn floats_are_kept_from_the_bottom_row_on() {
+        let halves = [[[1.0, 2.0, 3.0], [3.0, 2.0, 1.0]], [[-0.5, 0.0, f32::MAX], [-0.5, 0.0, f32::MAX]]];
+        let bytes = pfm(&Picture { width: 1, height: 2, halves: &halves }, &PLAIN);
+        let numbers = bytes.strip_prefix(b"PF\n1 2\n-1.0\n").expect("the head");
+        let numbers: Vec<f32> =
+            numbers.chunks(4).map(|four| f32::from_le_bytes(four.try_into().expect("four"))).collect();
+        assert_eq!(numbers, [-0.5, 0.0, f32::MAX, 2.0, 2.0, 2.0]);
+    }
+
+    #[test]
+    fn a_kind_is_known_by_its_name_or_refused_with_those_there_are() {
+        assert!(kind(Path::new("a.PNG")).is_ok() && kind(Path::new("b.pfm")).is_ok());
+        for other in ["a", "a.jpg", ".png", "a.png/"] {
+            let refused = kind(Path::new(other)).map(|kind| kind.extension);
+            assert!(other == "a.png/" || refused.is_err_and(|stop| stop.to_string().contains(".png, .pfm")), "{other}");
+        }
+    }
+}
