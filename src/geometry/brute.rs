@@ -3,8 +3,7 @@
 use super::planar::{Skew, is_skew};
 use super::triangle::Shear;
 use super::{Disc, Hit, Primitive, Quad, Ray, Sphere, Triangle};
-use crate::number::Mask;
-use crate::number::Width;
+use crate::number::{Mask, Width};
 
 /// All primitives by kind, each with its place in the list.
 #[derive(Clone, Debug)]
@@ -14,6 +13,20 @@ pub(super) struct Brute<N> {
     spheres: Vec<(Sphere<N>, N)>,
     discs: Vec<(Disc<N>, N)>,
     triangles: Vec<(Triangle<N>, N)>,
+}
+
+/// Searches list after list by a macro that is told a list and how a ray meets an item of it.
+macro_rules! in_all_lists {
+    ($brute:ident, $ray:ident, $search:ident) => {
+        $search!(quads, quad => quad.meet($ray));
+        $search!(skew, quad => quad.meet($ray));
+        $search!(spheres, sphere => sphere.meet($ray));
+        $search!(discs, disc => disc.meet($ray));
+        if !$brute.triangles.is_empty() {
+            let (shear, turn) = Shear::of($ray);
+            $search!(triangles, triangle => triangle.meet_sheared(&shear, #[inline(always)] |corner| turn.apply(corner)));
+        }
+    };
 }
 
 impl<N: Width> Brute<N> {
@@ -68,14 +81,7 @@ impl<N: Width> Brute<N> {
                 }
             };
         }
-        search!(quads, quad => quad.meet(ray));
-        search!(skew, quad => quad.meet(ray));
-        search!(spheres, sphere => sphere.meet(ray));
-        search!(discs, disc => disc.meet(ray));
-        if !self.triangles.is_empty() {
-            let (shear, turn) = Shear::of(ray);
-            search!(triangles, triangle => triangle.meet_sheared(&shear, #[inline(always)] |corner| turn.apply(corner)));
-        }
+        in_all_lists!(self, ray, search);
     }
 
     /// Whether anything is met before `t_max`.
@@ -90,14 +96,7 @@ impl<N: Width> Brute<N> {
                 }
             };
         }
-        search!(quads, quad => quad.meet(ray));
-        search!(skew, quad => quad.meet(ray));
-        search!(spheres, sphere => sphere.meet(ray));
-        search!(discs, disc => disc.meet(ray));
-        if !self.triangles.is_empty() {
-            let (shear, turn) = Shear::of(ray);
-            search!(triangles, triangle => triangle.meet_sheared(&shear, #[inline(always)] |corner| turn.apply(corner)));
-        }
+        in_all_lists!(self, ray, search);
         blocked
     }
 }
