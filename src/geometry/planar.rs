@@ -1,9 +1,9 @@
 //! What lies in a plane and is described by two directions in it.
 
-use super::primitive::{frame, triple, vector};
+use super::primitive::{triple, vector};
 use super::{Meeting, Ray};
-use crate::number::Width;
-use crate::number::{Number, Vector};
+
+use crate::number::{Frame, Number, Vector, Width};
 use crate::scene::Triple;
 
 /// A plane with two coordinates.
@@ -198,7 +198,8 @@ impl<N: Width> Disc<N> {
 
 /// The radii [m] of a disc along its u and v.
 pub(super) fn disc_axes(normal: Triple, radius: f64) -> [Vector<f64>; 2] {
-    frame(unit(vector(normal)).0).map(|axis| axis.scaled(radius))
+    let Frame { x, y, .. } = Frame::about(unit(vector(normal)).0);
+    [x, y].map(|axis| axis.scaled(radius))
 }
 
 /// Its direction and its length, whatever its size; a null vector's direction is not a number.

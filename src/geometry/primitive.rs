@@ -95,13 +95,3 @@ pub(super) fn vector([x, y, z]: Triple) -> Vector<f64> {
 pub(super) fn triple(v: Vector<f64>) -> Triple {
     [v.x, v.y, v.z]
 }
-
-/// Two unit vectors that make a right-handed frame with the unit vector `normal` (T. Duff et al., "Building an
-/// orthonormal basis, revisited", *JCGT* 6(1) (2017) 1).
-pub(super) fn frame(normal: Vector<f64>) -> [Vector<f64>; 2] {
-    let Vector { x, y, z } = normal;
-    let sign = 1.0_f64.copysign(z);
-    let a = -1.0 / (sign + z);
-    let b = x * y * a;
-    [Vector::new(1.0 + sign * x * x * a, sign * b, -sign * x), Vector::new(b, sign + y * y * a, -y)]
-}

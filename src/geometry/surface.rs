@@ -4,8 +4,7 @@ use super::bvh::Bvh;
 use super::planar::{disc_axes, largest, unit};
 use super::primitive::{triple, vector};
 use super::{Hit, Primitive, Ray, Sphere};
-use crate::number::Width;
-use crate::number::{Number, Vector};
+use crate::number::{Number, Vector, Width};
 
 /// A point of a surface.
 #[derive(Clone, Copy, Debug)]

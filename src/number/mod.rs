@@ -7,6 +7,7 @@
 
 mod dice;
 mod elementary;
+mod frame;
 mod lanes;
 mod scalar;
 #[cfg(test)]
@@ -16,6 +17,7 @@ mod width;
 
 pub use dice::Dice;
 pub use elementary::{Erfcx, atan2, beta, erfcx, exp, ln, ln_1p, polynomial, sin_cos_turns};
+pub use frame::{Frame, length_and_way};
 pub use lanes::{Eight, F32x8};
 pub use vector::Vector;
 pub use width::Width;

@@ -14,11 +14,11 @@ pub mod builtin;
 pub mod flaw;
 pub mod material;
 pub mod shape;
-mod triple;
+pub(crate) mod triple;
 
 pub use flaw::{Flaw, Part, Place, Unknown};
 pub use material::{Coating, Energy, Facets, Material, Metal};
-pub use shape::{Emission, Geometry, Mesh, Normals, Shape, Transform};
+pub use shape::{Emission, Geometry, Map, Mesh, Normals, Shape, Transform};
 
 /// A point [m], a direction, or a size along each axis.
 pub type Triple = [f64; 3];

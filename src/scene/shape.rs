@@ -171,20 +171,58 @@ impl Default for Transform {
 }
 
 impl Transform {
-    /// Its linear part, row by row: scaled and turned, not moved. Quarter turns are exact.
-    pub fn matrix(&self) -> [Triple; 3] {
+    /// Ready to be used for many points.
+    pub fn map(&self) -> Map {
         let [(sx, cx), (sy, cy), (sz, cz)] = self.rotate_deg.map(sin_cos_deg);
-        let turned = [
+        // About x first, then y, then z.
+        let rotation = [
             [cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx],
             [sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx],
             [-sy, cy * sx, cy * cx],
         ];
-        turned.map(|row| [row[0] * self.scale[0], row[1] * self.scale[1], row[2] * self.scale[2]])
+        let is_mirror = self.scale.iter().filter(|part| **part < 0.0).count() % 2 == 1;
+        Map { scale: self.scale, rotation, translate: self.translate, is_mirror }
+    }
+}
+
+/// Where a [`Transform`] takes points, ways and normals. Quarter turns are exact.
+#[derive(Clone, Copy, Debug)]
+pub struct Map {
+    scale: Triple,
+    /// Row by row.
+    rotation: [Triple; 3],
+    translate: Triple,
+    is_mirror: bool,
+}
+
+impl Map {
+    /// Whether it turns right into left.
+    pub fn is_mirror(&self) -> bool {
+        self.is_mirror
     }
 
     /// Where a point goes [m].
     pub fn point(&self, point: Triple) -> Triple {
-        plus(self.matrix().map(|row| dot(row, point)), self.translate)
+        plus(self.way(point), self.translate)
+    }
+
+    /// Where a way goes [m]: scaled and turned, not moved.
+    pub fn way(&self, way: Triple) -> Triple {
+        self.turned(std::array::from_fn(|axis| way[axis] * self.scale[axis]))
+    }
+
+    /// Where a normal goes, which stays square to the surface: of another length.
+    pub fn normal(&self, normal: Triple) -> Triple {
+        self.turned(std::array::from_fn(|axis| normal[axis] / self.scale[axis]))
+    }
+
+    /// What a length becomes [m] where the scale is the same along all axes.
+    pub fn length(&self, length: f64) -> f64 {
+        length * self.scale[0].abs()
+    }
+
+    fn turned(&self, way: Triple) -> Triple {
+        self.rotation.map(|row| dot(row, way))
     }
 }
 
@@ -208,19 +246,19 @@ mod tests {
     fn a_shape_is_scaled_then_turned_about_x_y_and_z_then_moved() {
         let quarter = Transform { scale: [2.0, 3.0, 5.0], rotate_deg: [90.0, 0.0, 0.0], translate: [0.0, 0.0, 1.0] };
         // About x, y goes to z and z to −y.
-        assert_eq!(quarter.point([1.0, 1.0, 1.0]), [2.0, -5.0, 4.0]);
+        assert_eq!(quarter.map().point([1.0, 1.0, 1.0]), [2.0, -5.0, 4.0]);
         let two = Transform { rotate_deg: [90.0, 0.0, 90.0], ..Transform::default() };
         // x, y, z → x, −z, y → z, x, y: the second turn is about the axis that stands still.
-        assert_eq!(two.point([1.0, 2.0, 3.0]), [3.0, 1.0, 2.0]);
+        assert_eq!(two.map().point([1.0, 2.0, 3.0]), [3.0, 1.0, 2.0]);
         let all = Transform { rotate_deg: [90.0, -90.0, 450.0], ..Transform::default() };
         // x, −z, y → (about y by −90: z to −x, x to z) → −y, −z, x → z, −y, x.
-        assert_eq!(all.point([1.0, 2.0, 3.0]), [3.0, -2.0, 1.0]);
+        assert_eq!(all.map().point([1.0, 2.0, 3.0]), [3.0, -2.0, 1.0]);
     }
 
     #[test]
     fn turning_keeps_lengths_and_angles() {
         let any = Transform { rotate_deg: [12.0, 345.0, -678.9], ..Transform::default() };
-        let rows = any.matrix();
+        let rows = any.map().rotation;
         for a in 0..3 {
             for b in 0..3 {
                 let expected = f64::from(u8::from(a == b));

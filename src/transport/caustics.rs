@@ -14,12 +14,11 @@
 //! The light of a path is added to a pixel as a whole number of units: such sums know no order.
 
 use super::film::{Splats, UNITS};
-use super::frame::Frame;
 use super::lamp::{Arrival, Lamp};
 use super::{Stage, Vertex};
 use crate::bsdf::{Rgb, grey, rgb};
 use crate::geometry::{Bounds, Ray};
-use crate::number::{MOST_LANES, Mask, Vector, Width, vectorised_lanes};
+use crate::number::{Frame, MOST_LANES, Mask, Vector, Width, length_and_way, vectorised_lanes};
 use crate::sampling::{Choice, Points, Row, Shares, Stream, warp};
 use std::f64::consts::{FRAC_1_PI, PI};
 use std::ops::Range;
@@ -318,7 +317,7 @@ impl<N: Width> Caustics<N> {
         if !matt.any() {
             return;
         }
-        let (distance, to_camera) = super::frame::length_and_way(stage.lens().origin() - vertex.surface.point);
+        let (distance, to_camera) = length_and_way(stage.lens().origin() - vertex.surface.point);
         let [x, y] = stage.lens().place(-to_camera);
         let [width, height] = stage.size().map(|size| N::of(f64::from(size)));
         let is_seen = x.ge(zero) & x.lt(width) & y.ge(zero) & y.lt(height);

@@ -6,10 +6,10 @@
 //! | a ball | within its cone, from inside by area |
 //! | a point, the sun | without choice |
 
-use super::frame::{Frame, length_and_way};
 use crate::bsdf::{Rgb, rgb};
-use crate::number::{Mask, Vector, Width, vectorised_lanes};
+use crate::number::{Frame, Mask, Vector, Width, length_and_way, vectorised_lanes};
 use crate::sampling::{Shares, warp};
+use crate::scene::triple::{cross, largest, length, times};
 use std::f64::consts::PI;
 
 /// Light that would reach a point if nothing were in its way.
@@ -76,12 +76,12 @@ impl<N: Width> Piece<N> {
     /// By a corner and the edges from it [m].
     pub fn new(corner: [f64; 3], edges: [[f64; 3]; 2], is_triangle: bool) -> Self {
         let [a, b] = edges;
-        let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-        let twice = cross.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let cross = cross(a, b);
+        let twice = length(cross);
         Self {
             corner: Vector::of(corner),
             edges: edges.map(Vector::of),
-            normal: Vector::of(cross.map(|x| x / twice)),
+            normal: Vector::of(times(cross, 1.0 / twice)),
             area: N::of(if is_triangle { 0.5 * twice } else { twice }),
             is_triangle,
         }
@@ -341,10 +341,6 @@ impl<N: Width> Cone<N> {
 #[inline(always)]
 fn ball_area<N: Width>(radius: N) -> N {
     N::of(4.0 * PI) * radius.squared()
-}
-
-fn largest(v: [f64; 3]) -> f64 {
-    v.iter().fold(0.0, |largest, x| x.abs().max(largest))
 }
 
 /// Of what reaches so far.

@@ -1,7 +1,6 @@
 //! The camera: a pinhole, or a thin lens.
 
-use super::frame::length_and_way;
-use crate::number::{Number, Vector, ln, sin_cos_turns};
+use crate::number::{Number, Vector, length_and_way, ln, sin_cos_turns};
 use crate::sampling::warp;
 use crate::scene::{Camera, Filter, Triple};
 

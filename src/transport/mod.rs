@@ -20,7 +20,6 @@ pub mod caustics;
 pub mod enclosure;
 pub mod estimate;
 pub mod film;
-pub mod frame;
 pub mod kernel;
 pub mod lamp;
 pub mod lens;

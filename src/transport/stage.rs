@@ -3,13 +3,13 @@
 //! What is asked of it are calls, each vector code of its own: one long function of eight lanes would take a compiler minutes.
 
 use super::caustics::Caustics;
-use super::frame::{Frame, length_and_way};
 use super::lamp::{Arrival, Lamp, Piece};
 use super::surfaces::{Met, Surfaces};
 use super::{Lens, Needs};
 use crate::bsdf::{Rgb, Sample, grey, rgb};
 use crate::geometry::{Bounds, Ends, Hit, Owners, Primitive, Ray, Settings, Structure, Surface, World, flatten};
-use crate::number::{Mask, Vector, Width, exp, vectorised_lanes};
+use crate::number::{Frame, Mask, Vector, Width, exp, length_and_way, vectorised_lanes};
+use crate::scene::triple::{minus, times};
 use crate::scene::{Emission, Flaw, Light, Material, Scene};
 
 /// A scene made ready.
@@ -110,7 +110,7 @@ impl<N: Width> Stage<N> {
         // Where rays end besides surfaces; nowhere if some come from infinitely far.
         let mut ends = Some(Vec::new());
         for light in &scene.lights {
-            let from_middle = |place: &[f64; 3]| std::array::from_fn(|k| (place[k] - middle[k]) * scale);
+            let from_middle = |place: &[f64; 3]| times(minus(*place, middle), scale);
             lamps.push(match light {
                 Light::Point { position, intensity } => {
                     ends.iter_mut().for_each(|ends| ends.push(from_middle(position)));
@@ -403,8 +403,4 @@ fn shining<N: Width>(its: &[Primitive], emission: &Emission) -> Option<Lamp<N>> 
         }
     }
     Lamp::flat(pieces, radiance, two_sided)
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| a[k] - b[k])
 }

@@ -1,6 +1,7 @@
 //! Solid angles and areas by counting rays.
 
 use super::*;
+use crate::number::Frame;
 use crate::radiometry::solid_angle;
 use std::f64::consts::PI;
 use yardstick::statistics::{Moments, z_test};
@@ -73,7 +74,7 @@ fn areas_are_what_lines_count() {
         let lines: [(Triple, Triple); 8] = std::array::from_fn(|_| {
             // From a disc through the ball's centre, square to the line, and as far before it as the ball reaches.
             let direction = even.direction();
-            let [u, v] = primitive::frame(vector(direction));
+            let Frame { x: u, y: v, .. } = Frame::about(vector(direction));
             let (r, phi) = (radius * even.number().sqrt(), even.between(0.0, 2.0 * PI));
             let aside = u.scaled(r * phi.cos()) + v.scaled(r * phi.sin());
             (triple(aside - vector(direction).scaled(radius)), direction)

@@ -1,6 +1,7 @@
 //! Shapes as primitives: where they are put, which way they face, and whose they are.
 
 use super::*;
+use crate::number::Frame;
 use crate::scene::{Camera, Filter, Geometry, Mesh, Normals, Scene, Shape, Transform};
 use std::sync::Arc;
 
@@ -195,7 +196,7 @@ fn boxes_about_primitives_are_the_least() {
         };
         let bounds = primitive.bounds();
         // By many of its points.
-        let [e, f] = primitive::frame(vector(u).normalised());
+        let Frame { x: e, y: f, .. } = Frame::about(vector(u).normalised());
         let points: Vec<Triple> = (0..4000)
             .map(|at| {
                 let phi = std::f64::consts::TAU * f64::from(at) / 4000.0;

@@ -1,6 +1,7 @@
 //! Points and normals where surfaces are met, and rays that leave them.
 
 use super::*;
+use crate::number::Frame;
 use yardstick::precise::{real, to_f64};
 
 /// A primitive of any kind, about as large as `size`, and a ray towards it.
@@ -28,7 +29,7 @@ fn case<N: Width>(kind: usize, size: f64, place: f64, even: &mut Even) -> (Primi
 }
 
 fn vector_across(v: Triple) -> Triple {
-    triple(primitive::frame(vector(v).normalised())[0])
+    triple(Frame::about(vector(v).normalised()).x)
 }
 
 /// How far `point` is from the exact surface, and its exact normal there.
@@ -109,7 +110,7 @@ fn points_lie_on_surfaces_and_normals_stand_on_them() {
 /// A direction at a grazing angle or not, on the side of `sign`.
 fn leaving(normal: Triple, sign: f64, even: &mut Even) -> Triple {
     let cos = sign * even.power(-7.0, 0.0).abs();
-    let [u, v] = primitive::frame(vector(normal).normalised());
+    let Frame { x: u, y: v, .. } = Frame::about(vector(normal).normalised());
     let (phi, sin) = (even.between(0.0, std::f64::consts::TAU), (1.0 - cos * cos).max(0.0).sqrt());
     triple(u.scaled(sin * phi.cos()) + v.scaled(sin * phi.sin()) + vector(normal).scaled(cos))
 }

@@ -6,7 +6,7 @@ use crate::bsdf::microfacet::LEAST_ALPHA;
 use crate::bsdf::{INDEX, METAL_INDEX};
 use crate::media::named;
 use crate::scene::material::{films, metals};
-use crate::scene::triple::{cross, dot, largest, length, minus, plus, widened};
+use crate::scene::triple::{cross, largest, length, minus, plus, widened};
 use crate::scene::{
     Camera, Coating, Emission, Facets, Geometry, Light, Material, Mesh, Metal, Normals, Scene, Shape, Transform, Triple,
 };
@@ -37,8 +37,8 @@ const SCALE: Domain = Domain::new(-FAR, FAR, "");
 /// Sizes below that vanish when they are squared in single numbers.
 const LEAST_SCALE: f64 = 1e-12;
 
-/// What a pixel takes in memory [byte]: two sums of three double numbers, whose difference tells the error.
-const PIXEL: u64 = 2 * 3 * 8;
+/// What a pixel takes in memory [byte]: in the film, and in the round being rendered, two sums of three single numbers.
+const PIXEL: u64 = 2 * 2 * 3 * 4;
 /// What a picture may take [byte].
 const PICTURE: u64 = 4 << 30;
 
@@ -335,8 +335,8 @@ fn transform(transform: &Transform, form: &Geometry) -> Checked {
 
 /// What holds of a form holds where it is put.
 fn moved(transform: &Transform, form: &Geometry) -> Checked {
-    let matrix = transform.matrix();
-    let place = |point: Triple| plus(matrix.map(|row| dot(row, point)), transform.translate);
+    let map = transform.map();
+    let place = |point: Triple| map.point(point);
     let within = |points: &[Triple], reach: f64| {
         let far = points.iter().map(|point| largest(*point) + reach).fold(0.0, f64::max);
         match far <= FAR {
@@ -355,7 +355,7 @@ fn moved(transform: &Transform, form: &Geometry) -> Checked {
                 .and_then(|()| parallelogram(vertices).map_err(|why| format!("takes it to corners that {why}")))
         }
         Geometry::Sphere { center, radius } | Geometry::Disc { center, normal: _, radius } => {
-            let (center, radius) = (place(*center), radius * transform.scale[0].abs());
+            let (center, radius) = (place(*center), map.length(*radius));
             within(&[center], radius).and_then(|()| lost(radius, &[center]))
         }
         Geometry::Box { min, max } => {

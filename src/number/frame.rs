@@ -1,6 +1,6 @@
 //! Axes about a normal.
 
-use crate::number::{Number, Vector};
+use super::{Number, Vector};
 
 /// Three axes at right angles; z is the normal.
 #[derive(Clone, Copy, Debug)]
