@@ -36,7 +36,10 @@ pub fn kind(path: &Path) -> Result<&'static Kind, Stop> {
     let extension = path.extension().map(|extension| plain(&extension.to_string_lossy())).unwrap_or_default();
     KINDS.iter().find(|kind| kind.extension == extension).ok_or_else(|| {
         let known: Vec<String> = KINDS.iter().map(|kind| format!(".{}", kind.extension)).collect();
-        Stop::at(path.display(), format!("no kind of picture that is known; valid: {}", known.join(", ")))
+        Stop::at(
+            format!("--out {}", path.display()),
+            format!("no kind of picture that is known; valid: {}", known.join(", ")),
+        )
     })
 }
 
