@@ -184,20 +184,32 @@ const fn small(n: i64) -> Option<i16> {
     if n.unsigned_abs() <= i16::MAX as u64 { Some(n as i16) } else { None }
 }
 
+impl Dimension {
+    /// As a unit that has a name, or such a one per another: W/m².
+    fn quotient(self) -> Option<String> {
+        PER.iter().find_map(|(below, per)| {
+            let above = self.checked_times(*below)?;
+            NAMED.iter().find(|(dimension, _)| *dimension == above).map(|(_, name)| format!("{name}{per}"))
+        })
+    }
+}
+
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let above = |below: Dimension| self.checked_times(below);
-        for (below, per) in PER {
-            if let Some((_, name)) = NAMED.iter().find(|(dimension, _)| Some(*dimension) == above(below)) {
-                return write!(f, "{name}{per}");
-            }
+        if let Some(name) = self.quotient() {
+            return f.write_str(&name);
         }
+        let above = |below: Dimension| self.checked_times(below);
         let derived = &NAMED[NAMED.len() - DERIVED..];
         let pairs = || derived.iter().flat_map(|a| derived.iter().map(move |b| (a, b)));
         for (below, per) in PER {
             if let Some(((_, a), (_, b))) = pairs().find(|(a, b)| a.0.checked_times(b.0) == above(below)) {
                 return write!(f, "{a} {b}{per}");
             }
+        }
+        let half = Rational::new(1.into(), 2.into()).expect("a positive denominator");
+        if let Some(root) = self.checked_power(half).and_then(|root| root.quotient()) {
+            return write!(f, "({root})²");
         }
         let exponents = self.exponents();
         let present = ORDER.iter().filter(|at| !exponents[**at].is_zero());
@@ -222,6 +234,8 @@ mod tests {
         assert_eq!(Dimension::VOLT.per(Dimension::METRE).to_string(), "V/m");
         assert_eq!(Dimension::KILOGRAM.times(Dimension::METRE).per(Dimension::AMPERE).to_string(), "kg m A⁻¹");
         assert_eq!(Dimension::WATT.per(Dimension::SECOND).to_string(), "W/s");
+        let irradiance = Dimension::WATT.per(Dimension::SQUARE_METRE);
+        assert_eq!(irradiance.times(irradiance).to_string(), "(W/m²)²");
         assert_eq!(Dimension::JOULE.per(Dimension::CUBIC_METRE).to_string(), "J/m³");
         assert_eq!(Dimension::METRE_PER_SECOND.inverse().to_string(), "s/m");
         assert_eq!(Dimension::TESLA.times(Dimension::SQUARE_METRE).to_string(), "Wb");
