@@ -19,6 +19,9 @@ const BATCH: u32 = 256;
 /// The most pixels that are worked on together.
 const MOST_TOGETHER: u32 = 64;
 
+/// The chance [1] that a path ends where nothing darkens it: in a closed white room it has to end some time.
+const LEAST_LOSS: f64 = 1e-6;
+
 /// What can be done otherwise, to see what it is good for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tactics {
@@ -26,7 +29,7 @@ pub struct Tactics {
     pub patience: u32,
     /// The chance [1] to go on, over what a path carries.
     pub boost: f64,
-    /// The most that chance [1].
+    /// The most that chance [1], but where a surface keeps so much that the variance would be infinite.
     pub most: f64,
     /// How lamps are met.
     pub meeting: Meeting,
@@ -412,7 +415,12 @@ impl<N: Width> Work<'_, N> {
         }
         // What is left of the light's energy, not of its radiance, decides.
         let left = paths.throughput[0].max(paths.throughput[1]).max(paths.throughput[2]) / paths.squeeze;
-        let chance = (left * N::of(tactics.boost)).min(N::of(tactics.most));
+        // Light gathered again and again on a way that ends too soon has no finite variance: a bounce that keeps w of it needs a
+        // chance above w². Where there is no choice of where to go, nothing is gathered.
+        let kept = drawn.weight[0].max(drawn.weight[1]).max(drawn.weight[2]);
+        let enough = one - (one - kept * kept).max(N::of(2.0 * LEAST_LOSS)) * N::of(0.5);
+        let most = N::select(drawn.is_delta, N::of(tactics.most), N::of(tactics.most).max(enough));
+        let chance = (left * N::of(tactics.boost)).min(most);
         let is_young = paths.edges.lt(N::of(f64::from(tactics.patience)));
         let chance = N::select(is_young, one, chance);
         let goes_on = row.survival.lt(chance) & left.gt(zero);

@@ -1,4 +1,4 @@
-//! Balls of metal on a floor: three smooth ones, and one of many triangles.
+//! Balls on a floor: three of metal, and one of many triangles.
 
 use super::{BLACK, grey, lamp, pinhole, quad, scene, shape};
 use crate::bsdf::microfacet::{Joint, Slopes};
@@ -32,7 +32,9 @@ pub(super) fn mesh() -> Scene {
     static BALL: OnceLock<Arc<Mesh>> = OnceLock::new();
     let mesh = Arc::clone(BALL.get_or_init(|| Arc::new(bumpy())));
     let ball = Geometry::Mesh { file: None, normals: Normals::Smooth, mesh };
-    shown("mesh", 32.0, vec![("gold", metal("gold", 0.2))], vec![shape(ball, "gold")])
+    // What it is made of asks nothing: the scene is about its triangles.
+    let clay = Material::Diffuse { reflectance: [0.6, 0.5, 0.4] };
+    shown("mesh", 32.0, vec![("clay", clay)], vec![shape(ball, "clay")])
 }
 
 /// On a floor, under a lamp and a grey sky, within an angle [deg].

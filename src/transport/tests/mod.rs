@@ -12,6 +12,9 @@ use crate::sampling::{Choice, Points};
 use crate::scene::{Camera, Emission, Filter, Geometry, Light, Material, Scene, Shape, Transform};
 use yardstick::statistics::{Moments, normal_two_sided, sidak, z_test};
 
+mod balance;
+mod extremes;
+
 /// The chance that any one of these tests fails though nothing is wrong.
 const SIGNIFICANCE: f64 = 1e-4;
 
