@@ -4,7 +4,7 @@
 use super::film::{Clash, Film, Halves};
 use super::kernel::{Meeting, Tactics};
 use super::simple::{INTEGRATORS, Integrator};
-use super::{Manner, Method, Renderer, Stage, picture};
+use super::{Manner, Method, Needless, Renderer, Stage, picture};
 use crate::geometry::Structure;
 use crate::number::{F32x8, Width};
 use crate::radiometry::{self, disc::Disc, polygon, sphere::Sphere};
@@ -261,10 +261,13 @@ fn what_is_left_out_is_not_missed() {
     foggy.environment = Some([0.3, 0.2, 0.1]);
     for (name, scene) in [("room", room(8)), ("hall", hall(8)), ("under a sky", foggy)] {
         let least = filmed(&scene, &Manner::default(), &[0..16]);
-        let everything = filmed(&scene, &Manner { everything: true, ..Manner::default() }, &[0..16]);
-        assert_eq!(least, everything, "{name}");
+        let with = |needless| filmed(&scene, &Manner { needless, ..Manner::default() }, &[0..16]);
+        assert_eq!(least, with(Needless::EVERYTHING), "{name}");
         let renderer = Renderer::new(&scene, &Manner::default(), 1).expect("a scene without a flaw");
         let left_out = renderer.needs().left_out();
+        for (what, needless) in left_out.iter().filter_map(|one| Some((one.what, one.needless?))) {
+            assert_eq!(least, with(needless), "{name}: {what}");
+        }
         assert!(left_out.iter().any(|one| one.what == "shadow tests of walls"), "{name}");
         assert_eq!(left_out.iter().any(|one| one.what == "paths from lamps"), name != "hall", "{name}");
     }
