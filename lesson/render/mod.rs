@@ -1,22 +1,25 @@
 //! `lesson render`: pictures of scenes.
 
+mod archive;
 mod goal;
 mod pictures;
 
 pub use goal::{Goal, MOST};
+pub use pictures::Shown;
 
-use crate::out::{self, Folder};
+use crate::out::{self, Draft, Folder};
 use crate::scene;
 use crate::stop::{Stop, plain};
+use archive::Archive;
 use chapters::parameter::Fault;
+use goal::Done;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use light::scene::Scene;
-use light::tone::Curve;
 use light::transport::estimate::Estimate;
 use light::transport::film::Film;
 use light::transport::simple::{INTEGRATORS, Integrator};
 use light::transport::{Manner, Method, Renderer};
-use pictures::{Picture, Shown};
+use pictures::Picture;
 use std::io::{IsTerminal, stderr};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -39,10 +42,10 @@ pub struct Job {
     pub integrator: Option<String>,
     /// The most edges of a path, instead of the scene's.
     pub depth: Option<u32>,
-    /// How radiance becomes a screen's.
-    pub curve: Curve,
-    /// Stops [1]: radiance is shown times 2 to that.
-    pub exposure: f64,
+    /// How radiance is shown.
+    pub shown: Shown,
+    /// A film to go on from, and to keep.
+    pub film: Option<PathBuf>,
 }
 
 /// The fast integrator's name.
@@ -67,40 +70,44 @@ pub fn serve(job: &Job, folder: &Path) -> Result<ExitCode, Stop> {
         pool.map_err(|error| Stop::at("--threads", error))?;
     }
     let manner = Manner { method, seed: job.seed, ..Manner::default() };
-    let (film, found) = rendered(&scene, &manner, &job.goal)?;
+    let (film, _) = rendered(&scene, &manner, &job.goal, job.film.as_deref())?;
+    let (drafts, found) = drafts(&places, &film, &job.shown)?;
+    publish(&drafts, found.broken)
+}
 
+/// A picture among the drafts, and how wrong it is.
+pub fn drafts(places: &[Place], film: &Film, shown: &Shown) -> Result<(Vec<Draft>, Estimate), Stop> {
     let [width, height] = film.size();
     let halves = film.halves();
     let picture = Picture { width, height, halves: &halves };
-    let shown = Shown { curve: job.curve, exposure: job.exposure };
-    let drafts = places
-        .iter()
-        .map(|place| place.folder.draft(&place.name, &(place.kind.encode)(&picture, &shown)))
-        .collect::<Result<Vec<_>, _>>()?;
-    out::publish(&drafts)?;
+    let drafts = places.iter().map(|place| place.folder.draft(&place.name, &(place.kind.encode)(&picture, shown)));
+    Ok((drafts.collect::<Result<_, _>>()?, Estimate::of(&halves)))
+}
+
+/// Puts files in place, and says where they are, and whether pixels are broken.
+pub fn publish(drafts: &[Draft], broken: usize) -> Result<ExitCode, Stop> {
+    out::publish(drafts)?;
     let paths: String = drafts.iter().map(|draft| format!("{}\n", draft.path().display())).collect();
     out::print(paths.as_bytes())?;
-    if found.broken > 0 {
-        out::say(&format!("error: {} pixels are not numbers, and black in the picture", found.broken));
+    if broken > 0 {
+        out::say(&format!("error: {broken} pixels are not numbers, and black in the picture"));
         return Ok(ExitCode::from(1));
     }
     Ok(ExitCode::SUCCESS)
 }
 
 /// A file to be written.
-struct Place {
+pub struct Place {
     folder: Folder,
     name: String,
     kind: &'static pictures::Kind,
 }
 
 impl Place {
-    fn of(path: &Path) -> Result<Self, Stop> {
+    /// Finds out whether it can be, before the work.
+    pub fn of(path: &Path) -> Result<Self, Stop> {
         let kind = pictures::kind(path)?;
-        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let folder = Folder::open(parent)?;
-        folder.expect(&name)?;
+        let (folder, name) = Folder::of(path)?;
         Ok(Self { folder, name, kind })
     }
 }
@@ -121,27 +128,47 @@ fn integrator(name: &str, scene: &Scene) -> Result<&'static Integrator, Stop> {
     Ok(found)
 }
 
-/// Renders until the goal is met; what came of it is said on standard error.
-fn rendered(scene: &Scene, manner: &Manner, goal: &Goal) -> Result<(Film, Estimate), Stop> {
+/// Renders until the goal is met, from a film on and into it if one is named; what came of it is said on standard error.
+fn rendered(scene: &Scene, manner: &Manner, goal: &Goal, kept: Option<&Path>) -> Result<(Film, Estimate), Stop> {
     let begun = Instant::now();
     let mut renderer = Renderer::new(scene, manner, 1).map_err(|flaw| Stop::Refused(flaw.to_string()))?;
-    let made_ready = begun.elapsed();
     let mut film = Film::new(scene.camera.width, scene.camera.height);
+    let mut archive = None;
+    if let Some(path) = kept {
+        let (own, found) = Archive::open(path, scene, manner, &renderer)?;
+        (archive, film) = (Some(own), found);
+    }
+    let goal = &Goal { round: archive.as_ref().map(|_| archive::ROUND), ..*goal };
+    let before = film.pairs();
+    let made_ready = begun.elapsed();
     let bar = bar(goal);
-    let mut found = Estimate::default();
+    let mut found = Estimate::of(&film.halves());
     let working = Instant::now();
-    while let Some(pairs) = goal.next(film.pairs(), working.elapsed(), &found) {
-        renderer.expect(pairs.end);
+    loop {
+        let (ranges, now, elapsed) = (film.ranges(), film.pairs() - before, working.elapsed());
+        let done = Done { ranges: &ranges, now, elapsed };
+        if now > 0 {
+            bar.set_position(goal.share(&done, &found));
+            bar.set_message(format!("{} spp, error {}", 2 * film.pairs(), percent(&found)));
+        }
+        let Some(pairs) = goal.next(&done, &found) else { break };
+        if let Some(archive) = archive.as_mut().filter(|_| now > 0) {
+            archive.look_after(&film, elapsed, elapsed / now * (pairs.end - pairs.start))?;
+        }
+        // Numbers are made for twice as many whenever they are not enough.
+        renderer.expect(pairs.end.next_power_of_two());
         let sums = renderer.sums(0..scene.camera.height, pairs.clone());
         let splats = renderer.splats(pairs.clone());
         film.add_lit(pairs, sums, splats).expect("pairs that are new");
         found = Estimate::of(&film.halves());
-        bar.set_position(goal.share(film.pairs(), working.elapsed(), &found));
-        bar.set_message(format!("{} spp, error {}", 2 * film.pairs(), percent(&found)));
+    }
+    if let Some(archive) = archive.as_mut().filter(|_| film.pairs() > before) {
+        archive.save(&film, working.elapsed())?;
     }
     bar.finish_and_clear();
+    let earlier = if before > 0 { format!(", {} of them before,", 2 * before) } else { String::new() };
     out::say(&format!(
-        "{}: {} × {}, {} spp in {:.2} s after {:.2} s to make ready; relative error {} (relMSE {:.3e} ± {:.0e})",
+        "{}: {} × {}, {} spp{earlier} in {:.2} s after {:.2} s to make ready; relative error {} (relMSE {:.3e} ± {:.0e})",
         scene.name,
         scene.camera.width,
         scene.camera.height,

@@ -256,6 +256,25 @@ fn no_order_and_no_threads_can_be_told_from_caustics() {
 }
 
 #[test]
+fn samples_do_not_depend_on_how_many_are_expected() {
+    // On both sides of where the table of numbers ends, too: of eight rows and eight samples a pair, after 2¹³ pairs.
+    let pairs = [0..1, 63..64, 64..128, 8191..8192, 8192..8193, 16_384..16_385];
+    for scene in [room(3), hall(3)] {
+        let all = Renderer::new(&scene, &Manner::default(), 1 << 15).expect("a scene without a flaw");
+        let mut grown = Renderer::new(&scene, &Manner::default(), 1).expect("a scene without a flaw");
+        let mut before = None;
+        for range in pairs.clone() {
+            let alone = Renderer::new(&scene, &Manner::default(), range.end).expect("a scene without a flaw");
+            grown.expect(range.end);
+            let of = |renderer: &Renderer| (renderer.sums(0..3, range.clone()), renderer.splats(range.clone()));
+            let expected = of(&all);
+            assert!(of(&alone) == expected && of(&grown) == expected, "{range:?}");
+            assert_ne!(before.replace(expected.clone()), Some(expected), "{range:?}");
+        }
+    }
+}
+
+#[test]
 fn what_is_left_out_is_not_missed() {
     let mut foggy = room(8);
     foggy.environment = Some([0.3, 0.2, 0.1]);
