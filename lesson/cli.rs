@@ -4,7 +4,7 @@ use crate::figures::Format;
 use crate::film::Merge;
 use crate::out;
 use crate::prove::Question;
-use crate::render::{Goal, Job, MOST as MOST_SAMPLES, Shown};
+use crate::render::{Course, Goal, Job, MOST as MOST_SAMPLES, Shown};
 use crate::stop::Stop;
 use chapters::parameter::{Fault, excerpt, parse_quantity};
 use clap::builder::StyledStr;
@@ -440,10 +440,7 @@ impl LessonArgs {
             parts: Parts { checks: self.check, stress: self.stress, races: self.race },
             plot: self.plot,
             out: self.out.unwrap_or_else(|| FOLDER.into()),
-            format: match self.format {
-                Some(FormatArg::Svg) => Format::Svg,
-                Some(FormatArg::Png) | None => Format::Png,
-            },
+            format: format(self.format),
             changes: self.set.into_iter().chain(beyond).collect(),
             details: Details { units: self.units, unfold: self.unfold },
             plain: self.plain,
@@ -458,6 +455,13 @@ enum FormatArg {
     Png,
     /// Vectors.
     Svg,
+}
+
+fn format(word: Option<FormatArg>) -> Format {
+    match word {
+        Some(FormatArg::Svg) => Format::Svg,
+        Some(FormatArg::Png) | None => Format::Png,
+    }
 }
 
 #[derive(Debug, Args)]
@@ -498,6 +502,9 @@ Examples:
   lesson render cornell                    64 samples a pixel, as a PNG
   lesson render cornell --time 20s --out cornell.png --out cornell.pfm
   lesson render cornell --error 0.02 --tone agx --exposure -1
+  lesson render glass --explain --stats glass.json --error-map glass-error.png
+  lesson render cornell --out all.exr      also variance, normals, albedo, depth
+  lesson render cornell --time 20s --race --plot
   lesson render cornell --integrator hemisphere --spp 16
   lesson render cornell --print > my.toml  the scene as a file
   lesson render mesh --print --out scenes  with the mesh that it names
@@ -572,7 +579,8 @@ struct RenderArgs {
     /// Print the scene as a TOML file.
     #[arg(long, conflicts_with_all = ["tone", "exposure"])]
     print: bool,
-    /// A file for the picture, .png or .pfm; may be repeated. With --print: a folder for the scene and its meshes.
+    /// A file for the picture, .png, .exr or .pfm; may be repeated. With --print: a folder for the scene and its meshes.
+    /// With --race --plot: a folder for the figure.
     #[arg(long, value_name = "FILE", value_hint = ValueHint::AnyPath)]
     out: Vec<PathBuf>,
     /// Samples a pixel; an odd number is taken as the next even one.
@@ -581,10 +589,28 @@ struct RenderArgs {
     /// Numbers of the samples, such as 64..128: from the first up to but without the second, both even.
     #[arg(long, value_name = "A..B", value_parser = sample_numbers, conflicts_with_all = ["spp", "print"])]
     samples: Option<[u32; 2]>,
+    /// A file for the error of every pixel in false colours, .png or .svg.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["print", "race"], value_hint = ValueHint::FilePath)]
+    error_map: Option<PathBuf>,
+    /// A file for what the picture took and what is known of it, .json.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["print", "race"], value_hint = ValueHint::FilePath)]
+    stats: Option<PathBuf>,
+    /// Say what the scene needs, what was left out, and what that saves: measured within some seconds.
+    #[arg(long, conflicts_with = "print")]
+    explain: bool,
+    /// Instead of a picture, race every integrator that fits the scene: error against run time.
+    #[arg(long, conflicts_with_all = ["print", "error", "integrator", "film", "samples"])]
+    race: bool,
+    /// With --race: draw it too.
+    #[arg(long, requires = "race", conflicts_with = "print")]
+    plot: bool,
+    /// Format of the figure.
+    #[arg(long, value_enum, requires = "plot", help = "Format of the figure [default: png]")]
+    format: Option<FormatArg>,
     /// A film, .film: gone on from if it is there, and kept while rendering.
     #[arg(long, value_name = "FILE", conflicts_with = "print", value_hint = ValueHint::FilePath)]
     film: Option<PathBuf>,
-    /// How long to render: 20s, 500ms.
+    /// How long to render: 20s, 500ms, 2min. With --race: the processors' time that each integrator has [default: 2s].
     #[arg(long, value_parser = duration, conflicts_with = "print")]
     time: Option<Duration>,
     /// The relative error that is good enough, above 0 and below 1.
@@ -624,6 +650,9 @@ impl From<ShownArgs> for Shown {
         Self { curve: args.tone.map_or(Curve::None, Curve::from), exposure: args.exposure }
     }
 }
+
+/// The processors' time of every integrator of a race, if nothing is said.
+const RACE: Duration = Duration::from_secs(2);
 
 /// The deepest path that can be asked for.
 const DEEPEST: u32 = 1_000_000;
@@ -698,8 +727,26 @@ impl RenderArgs {
                 _ => Err(Stop::at("--out", "with --print only one folder")),
             };
         }
+        let race = self.race.then(|| {
+            let plot = match &self.out[..] {
+                [] => Some(FOLDER.into()),
+                [folder] if self.plot => Some(folder.clone()),
+                [_, ..] if self.plot => return Err(Stop::at("--out", "with --race only one folder")),
+                [_, ..] => return Err(Stop::at("--out", "with --race needs --plot")),
+            };
+            Ok(Course {
+                time: self.time.unwrap_or(RACE),
+                spp: self.spp,
+                seed: self.seed,
+                plot: plot.filter(|_| self.plot).map(|folder| (folder, format(self.format))),
+            })
+        });
         Ok(Request::Render(Job {
             scene,
+            race: race.transpose()?,
+            error_map: self.error_map,
+            stats: self.stats,
+            explain: self.explain,
             goal: Goal { spp: self.spp, samples: self.samples, time: self.time, error: self.error, round: None },
             out: self.out,
             seed: self.seed,

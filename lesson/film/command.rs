@@ -31,7 +31,7 @@ pub fn merge(job: &Merge) -> Result<ExitCode, Stop> {
         reel.join(path, Reel::open(path)?)?;
     }
     let mut drafts = shelves.iter().map(|shelf| shelf.draft(&reel.head, &reel.film)).collect::<Result<Vec<_>, _>>()?;
-    let (pictures, found) = render::drafts(&places, &reel.film, &job.shown)?;
+    let (pictures, found) = render::drafts(&places, &reel.film, None, &job.shown)?;
     drafts.extend(pictures);
     out::say(&format!("{}: {} spp of {} films", reel.head.name, 2 * reel.film.pairs(), job.films.len()));
     render::publish(&drafts, found.broken)
