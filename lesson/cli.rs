@@ -602,10 +602,10 @@ struct RenderArgs {
     #[arg(long, conflicts_with_all = ["print", "error", "integrator", "film", "samples"])]
     race: bool,
     /// With --race: draw it too.
-    #[arg(long, requires = "race", conflicts_with = "print")]
+    #[arg(long, conflicts_with = "print")]
     plot: bool,
     /// Format of the figure.
-    #[arg(long, value_enum, requires = "plot", help = "Format of the figure [default: png]")]
+    #[arg(long, value_enum, help = "Format of the figure [default: png]")]
     format: Option<FormatArg>,
     /// A film, .film: gone on from if it is there, and kept while rendering.
     #[arg(long, value_name = "FILE", conflicts_with = "print", value_hint = ValueHint::FilePath)]
@@ -726,6 +726,13 @@ impl RenderArgs {
                 [] | [_] => Ok(Request::Print { scene, out: self.out.into_iter().next() }),
                 _ => Err(Stop::at("--out", "with --print only one folder")),
             };
+        }
+        for (flag, given, other, is_there) in
+            [("--plot", self.plot, "--race", self.race), ("--format", self.format.is_some(), "--plot", self.plot)]
+        {
+            if given && !is_there {
+                return Err(Stop::at(flag, format!("needs {other}")));
+            }
         }
         let race = self.race.then(|| {
             let plot = match &self.out[..] {

@@ -7,7 +7,7 @@ use light::transport::estimate::{Estimate, pixel_error};
 /// Cells along the longer side at most: a sheet shows no more.
 const CELLS: u32 = 512;
 /// Decades of the colours.
-const DECADES: f64 = 3.0;
+const DECADES: f64 = 2.0;
 
 /// The map of a picture of so many samples a pixel. A cell is a pixel, or of large pictures a square of them.
 pub fn plot(picture: &Picture, name: &str, spp: u32) -> Plot {

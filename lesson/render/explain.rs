@@ -6,8 +6,8 @@ use crate::stop::Stop;
 use chapters::text::Phrase;
 use light::geometry::Structure;
 use light::scene::{Geometry, Scene};
-use light::transport::estimate::Estimate;
-use light::transport::film::Film;
+use light::transport::estimate::{colour, relative_mse_less};
+use light::transport::film::{Film, Halves};
 use light::transport::kernel::Tactics;
 use light::transport::{LeftOut, Manner, Method, Needless, Needs, Renderer};
 use std::ops::Range;
@@ -20,7 +20,7 @@ const SIDE: u32 = 48;
 /// How often either way is taken.
 const TURNS: u32 = 8;
 /// How long a turn lasts at least [CPU s]: long against what a clock tells apart.
-const TURN: f64 = 0.01;
+const TURN: f64 = 0.02;
 /// The most pairs of samples in a turn.
 const MOST: u32 = 1 << 10;
 /// Shapes up to which trying all of them is tried.
@@ -90,8 +90,8 @@ impl Ratio {
 struct Price {
     /// Time of a processor.
     time: Ratio,
-    /// Relative mean square error at as many samples.
-    error: Ratio,
+    /// Relative mean square error at as many samples, if the pictures are not the same and the error is asked for.
+    error: Option<Ratio>,
     /// Whether the pictures are the same, bit for bit.
     is_same: bool,
 }
@@ -113,14 +113,15 @@ fn reduced(scene: &Scene) -> Scene {
 struct Way {
     renderer: Renderer,
     film: Film,
-    errors: Moments,
+    /// The picture of each turn.
+    turns: Vec<Vec<Halves>>,
 }
 
 impl Way {
     fn new(scene: &Scene, manner: &Manner) -> Result<Self, Stop> {
         let renderer = Renderer::new(scene, manner, 1).map_err(|flaw| Stop::Refused(flaw.to_string()))?;
         let film = Film::new(scene.camera.width, scene.camera.height);
-        Ok(Self { renderer, film, errors: Moments::default() })
+        Ok(Self { renderer, film, turns: Vec::new() })
     }
 
     /// Renders some pairs: the processor's time [s], and they.
@@ -138,21 +139,25 @@ impl Way {
     /// Renders so many pairs, the `turn`-th of their kind; the processor's time [s].
     fn turn(&mut self, pairs: u32, turn: u32) -> f64 {
         let (seconds, alone) = self.rendered(turn * pairs..(turn + 1) * pairs);
-        self.errors.add(Estimate::of(&alone.halves()).relative_mse);
+        self.turns.push(alone.halves());
         self.film.merge(alone).expect("pairs that are new");
         seconds
     }
 }
 
-/// What one manner takes over another, turn by turn: who begins changes, so that a machine that slows down slows both.
-fn price(scene: &Scene, with: &Manner, without: &Manner) -> Result<Price, Stop> {
-    let mut ways = [Way::new(scene, with)?, Way::new(scene, without)?];
-    let mut pairs = 1;
-    // What is thrown away also warms up.
-    while pairs < MOST && ways[1].rendered(0..pairs).0 < TURN {
+/// Pairs of samples in a turn that lasts long enough. What is rendered on the way to know that also warms up.
+fn enough(scene: &Scene, manner: &Manner) -> Result<u32, Stop> {
+    let (mut way, mut pairs) = (Way::new(scene, manner)?, 1);
+    while pairs < MOST && way.rendered(0..pairs).0 < TURN {
         pairs *= 2;
-        ways[1].renderer.expect(pairs);
+        way.renderer.expect(pairs);
     }
+    Ok(pairs)
+}
+
+/// What one manner takes over another, turn by turn: who begins changes, so that a machine that slows down slows both.
+fn price(scene: &Scene, with: &Manner, without: &Manner, pairs: u32, is_error_asked: bool) -> Result<Price, Stop> {
+    let mut ways = [Way::new(scene, with)?, Way::new(scene, without)?];
     ways.iter_mut().for_each(|way| way.renderer.expect(TURNS * pairs));
     let mut logs = Moments::default();
     for turn in 0..TURNS {
@@ -162,12 +167,25 @@ fn price(scene: &Scene, with: &Manner, without: &Manner) -> Result<Price, Stop> 
         }
         logs.add((seconds[0] / seconds[1]).ln());
     }
-    let [with, without] = ways;
-    Ok(Price {
-        time: Ratio::of_logs(&logs),
-        error: Ratio::of_means(&with.errors, &without.errors),
-        is_same: with.film.halves() == without.film.halves(),
-    })
+    let is_same = ways[0].film.halves() == ways[1].film.halves();
+    let mut error = None;
+    if is_error_asked && !is_same {
+        // By other numbers, lest their noise be that of what it is held against.
+        let mut reference = Way::new(scene, &Manner { seed: with.seed.wrapping_add(1), ..*with })?;
+        reference.renderer.expect(2 * TURNS * pairs);
+        (0..2 * TURNS).for_each(|turn| _ = reference.turn(pairs, turn));
+        let reference = reference.film.halves();
+        let errors = ways.each_ref().map(|way| {
+            let mut errors = Moments::default();
+            for turn in &way.turns {
+                let picture: Vec<_> = turn.iter().map(colour).collect();
+                errors.add(relative_mse_less(&picture, &reference).0);
+            }
+            errors
+        });
+        error = Some(Ratio::of_means(&errors[0], &errors[1]));
+    }
+    Ok(Price { time: Ratio::of_logs(&logs), error, is_same })
 }
 
 /// Something that is done, and how to do without it.
@@ -220,6 +238,7 @@ pub fn told(scene: &Scene, integrator: &str, manner: &Manner) -> Result<Vec<Bloc
 
 fn tell(scene: &Scene, integrator: &str, manner: &Manner) -> Result<Vec<Block>, Stop> {
     let small = reduced(scene);
+    let pairs = enough(&small, manner)?;
     let renderer = Renderer::new(scene, manner, 1).map_err(|flaw| Stop::Refused(flaw.to_string()))?;
     let (needs, bytes) = (*renderer.needs(), renderer.bytes());
     drop(renderer);
@@ -230,14 +249,15 @@ fn tell(scene: &Scene, integrator: &str, manner: &Manner) -> Result<Vec<Block>, 
         let time = match needless {
             None => "nothing to do".to_owned(),
             Some(needless) => {
-                let price = price(&small, &Manner { needless, ..*manner }, manner)?;
+                let price = price(&small, &Manner { needless, ..*manner }, manner, pairs, false)?;
                 same &= price.is_same;
                 price.time.face()
             }
         };
         out.push([time, format!("{what}: {why}")]);
     }
-    let everything = price(&small, &Manner { needless: Needless::EVERYTHING, ..*manner }, manner)?;
+    let everything = Manner { needless: Needless::EVERYTHING, ..*manner };
+    let everything = price(&small, &everything, manner, pairs, false)?;
     same &= everything.is_same;
     out.push([everything.time.face(), "everything of it together".to_owned()]);
 
@@ -246,8 +266,8 @@ fn tell(scene: &Scene, integrator: &str, manner: &Manner) -> Result<Vec<Block>, 
         let faces = match without {
             None => ["not measured".to_owned(), "of so many shapes that takes too long".to_owned()],
             Some(without) => {
-                let price = price(&small, manner, &without)?;
-                let error = if price.is_same { "the same".to_owned() } else { price.error.face() };
+                let price = price(&small, manner, &without, pairs, true)?;
+                let error = price.error.map_or("the same".to_owned(), Ratio::face);
                 [price.time.face(), error]
             }
         };
@@ -274,7 +294,9 @@ fn tell(scene: &Scene, integrator: &str, manner: &Manner) -> Result<Vec<Block>, 
         ]));
     }
     let how = format!(
-        "Measured on {width} × {height} pixels of the same view, {TURNS} turns of either way by turns, on one thread and by its own time; ± is the standard error over the turns."
+        "Measured on {width} × {height} pixels of the same view, {TURNS} × {} spp of either way in turn, on one thread and by its own time; errors against {} spp by other numbers; ± is the standard error over the turns.",
+        2 * pairs,
+        4 * TURNS * pairs,
     );
     blocks.push(text(0, Tone::Dim, &how));
     blocks.extend(Teller::english(Details::default()).machine(&machine()));
@@ -321,8 +343,8 @@ mod tests {
             let left_out = left_out(renderer.needs(), &usual.method);
             let needless = left_out.iter().filter_map(|one| one.needless).chain([Needless::EVERYTHING]);
             for needless in needless {
-                let price = price(&scene, &Manner { needless, ..usual }, &usual).expect("both ways");
-                assert!(price.is_same && price.error.value == 1.0, "{name}: {needless:?}");
+                let price = price(&scene, &Manner { needless, ..usual }, &usual, 2, true).expect("both ways");
+                assert!(price.is_same && price.error.is_none(), "{name}: {needless:?}");
                 assert!(price.time.value > 0.0 && price.time.error >= 0.0);
             }
         }
@@ -337,8 +359,10 @@ mod tests {
         let names: Vec<_> = kept.iter().map(|one| one.what.split(' ').next()).collect();
         assert_eq!(names, [Some("paths"), Some("more")]);
         for LeftIn { what, without } in kept {
-            let price = price(&scene, &usual, &without.expect("a way")).expect("both ways");
-            assert!(!price.is_same && price.error.value < 0.9, "{what}: {:?}", price.error);
+            let price = price(&scene, &usual, &without.expect("a way"), 64, true).expect("both ways");
+            let error = price.error.expect("another picture");
+            // By a good part, and not by chance.
+            assert!(!price.is_same && error.value + 3.0 * error.error < 1.0, "{what}: {error:?}");
         }
     }
 

@@ -21,6 +21,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 use views::block::{Block, Column, Details, Heading, Rank, Span, Table, Tone};
+use views::number::significant;
 use views::tell::Teller;
 use yardstick::order;
 
@@ -214,7 +215,7 @@ fn told(scene: &Scene, course: &Course, lanes: &[Lane], reference: &str) -> Vec<
             Span::new(Tone::Strong, Phrase::verbatim(*name)),
             Span::new(Tone::Plain, Phrase::verbatim(format!(": {about}{fall}"))),
         ];
-        let columns = [("spp", -10), ("relMSE", -12), ("±", -9), ("CPU s", -12), ("efficiency", -12)];
+        let columns = [("spp", -10), ("relMSE", -12), ("±", -9), ("CPU s", -8), ("efficiency", -12)];
         let table = Table {
             caption: Phrase::verbatim(*name),
             columns: columns.map(|(head, width)| Column { head: Phrase::verbatim(head), width }).into(),
@@ -236,8 +237,8 @@ fn cells(point: &Point) -> Vec<Span> {
         point.spp.to_string(),
         format!("{:.3e}", point.relative_mse),
         format!("{:.0e}", point.deviation),
-        format!("{:.3e}", point.cpu_seconds),
-        if is_known { format!("{efficiency:.3e}") } else { "unknown".to_owned() },
+        significant(point.cpu_seconds, 3),
+        if is_known { significant(efficiency, 3) } else { "unknown".to_owned() },
     ];
     cells.map(|cell| Span::verbatim(Tone::Plain, cell)).into()
 }
@@ -302,7 +303,7 @@ mod tests {
     fn what_is_not_known_is_given_no_efficiency() {
         let point = |relative_mse, deviation| Point { spp: 4, cpu_seconds: 0.5, relative_mse, deviation };
         let face = |point| cells(&point)[4].text.to_string();
-        assert_eq!(face(point(0.01, 0.001)), "2.000e2");
+        assert_eq!(face(point(0.01, 0.001)), "200");
         assert_eq!(face(point(0.01, 0.02)), "unknown");
         assert_eq!(face(point(-0.01, 0.001)), "unknown");
         assert_eq!(fall(&[point(1.0, 0.0); 2]), None);
