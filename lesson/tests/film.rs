@@ -90,6 +90,10 @@ impl Place {
         line.unwrap_or_else(|| panic!("no `{key}` in {shown}")).trim().to_owned()
     }
 
+    fn seconds(&self, film: &str) -> f64 {
+        self.told(film, "seconds").parse().unwrap()
+    }
+
     fn spp(&self, film: &str) -> u32 {
         self.told(film, "spp").parse().unwrap()
     }
@@ -181,13 +185,15 @@ fn a_run_that_is_killed_loses_no_more_than_what_is_young() {
         child.wait().unwrap();
         assert!(!place.path("c.pfm").exists());
     }
-    let kept = place.spp("c.film");
+    let (kept, seconds) = (place.spp("c.film"), place.seconds("c.film"));
     assert_eq!(place.told("c.film", "samples"), format!("0..{kept}"));
     let spp = kept + 10;
     let on = place.ok(&format!("{line} --spp {spp}"));
     assert!(on.err.contains(&format!("going on from {kept} spp")), "{}", on.err);
     place.ok(&format!("render glass.toml --integrator surface --spp {spp} --out whole.pfm"));
     assert!(place.bytes("c.pfm") == place.bytes("whole.pfm"));
+    // The time of all runs: that of the last one alone is a small part.
+    assert!(place.seconds("c.film") >= seconds && seconds > 0.0);
     // What the killed ones left is gone.
     let names: Vec<String> = place.files().into_iter().map(|(name, _)| name).collect();
     assert_eq!(names, ["c.film", "c.pfm", "glass.toml", "whole.pfm"]);
@@ -197,7 +203,7 @@ fn a_run_that_is_killed_loses_no_more_than_what_is_young() {
 fn a_film_that_somebody_else_changes_meanwhile_is_left_to_them() {
     let place = Place::new("film-changed", &["cornell"]);
     let arguments = place.arguments("render cornell.toml --time 600s --film c.film --out c.png");
-    let child = command(&arguments.iter().map(String::as_str).collect::<Vec<_>>()).spawn().unwrap();
+    let mut child = command(&arguments.iter().map(String::as_str).collect::<Vec<_>>()).spawn().unwrap();
     let begun = Instant::now();
     while !place.path("c.film").exists() && begun.elapsed() < Duration::from_secs(120) {
         std::thread::sleep(Duration::from_millis(20));
@@ -205,6 +211,11 @@ fn a_film_that_somebody_else_changes_meanwhile_is_left_to_them() {
     // In one step, as programs should.
     std::fs::write(place.path("mine"), "mine").unwrap();
     std::fs::rename(place.path("mine"), place.path("c.film")).unwrap();
+    // Until it says so, or has done what it must not.
+    while child.try_wait().unwrap().is_none() && place.bytes("c.film") == b"mine" {
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let _ = child.kill();
     let ended = child.wait_with_output().unwrap();
     let said = String::from_utf8(ended.stderr).unwrap();
     assert_eq!(ended.status.code(), Some(2), "{said}");
