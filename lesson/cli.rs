@@ -148,6 +148,10 @@ fn refusal(error: &clap::Error) -> Stop {
             Stop::at(excerpt(&place), format!("unknown option{meant}; `--help` lists them"))
         }
         ErrorKind::UnknownArgument => Stop::at(excerpt(&place), "one word too many; `--help` tells what is taken"),
+        ErrorKind::InvalidSubcommand => {
+            let word = first(ContextKind::InvalidSubcommand);
+            Stop::at(excerpt(&word), "unknown word; `--help` tells what may stand here")
+        }
         ErrorKind::TooManyValues => Stop::at(excerpt(&value), "one word too many; `--help` tells what is taken"),
         ErrorKind::InvalidValue if value.is_empty() => Stop::at(argument(&place), "needs a value"),
         ErrorKind::InvalidValue => {

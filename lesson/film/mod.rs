@@ -140,6 +140,12 @@ impl Reel {
     pub fn join(&mut self, path: &Path, other: Self) -> Result<(), Stop> {
         let refused = |why: String| Stop::at(path.display(), why);
         self.refuse(&other.head, other.film.size()).map_or(Ok(()), |why| Err(refused(why)))?;
+        let twice = shared(&self.film, &other.film);
+        if !twice.is_empty() {
+            let twice: Vec<String> = twice.iter().map(samples).collect();
+            let why = "that there are already; valid: films of other samples";
+            return Err(refused(format!("has samples {} {why}", twice.join(", "))));
+        }
         self.film.merge(other.film).map_err(|clash| refused(told(&clash)))?;
         self.head.seconds += other.head.seconds;
         Ok(())
@@ -156,13 +162,19 @@ impl Reel {
     }
 }
 
+/// Pairs that two films have both.
+fn shared(one: &Film, other: &Film) -> Vec<Range<u32>> {
+    let others = other.ranges();
+    let both = |a: &Range<u32>, b: &Range<u32>| a.start.max(b.start)..a.end.min(b.end);
+    let of = |own: &Range<u32>| others.iter().map(|range| both(own, range)).collect::<Vec<_>>();
+    one.ranges().iter().flat_map(of).filter(|range| !range.is_empty()).collect()
+}
+
 /// Why two films cannot be one, said of the second.
 fn told(clash: &Clash) -> String {
     match clash {
         Clash::Size([own, other]) => format!("has {} × {} pixels, and not {} × {}", other[0], other[1], own[0], own[1]),
-        Clash::Overlap(pairs) => {
-            format!("has samples {} that there are already; valid: films of other samples", samples(pairs))
-        }
+        Clash::Overlap(pairs) => format!("has samples {} that there are already", samples(pairs)),
         Clash::Light => "has the light of paths from lamps otherwise than the others".to_owned(),
     }
 }

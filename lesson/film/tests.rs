@@ -9,6 +9,7 @@ use light::transport::kernel::Tactics;
 use light::transport::simple::INTEGRATORS;
 use light::transport::{Manner, Method, Needless};
 use proptest::prelude::*;
+use std::path::Path;
 use std::sync::Arc;
 
 /// Bytes before the text of what is told, and after it before the branches.
@@ -246,6 +247,24 @@ fn samples_that_a_film_has_twice_are_refused() {
     assert!(write(&reel.head, &Film::new(1, 1), &mut Vec::new()).is_err());
 }
 
+#[test]
+fn films_that_are_joined_took_the_time_of_both() {
+    let mut film = Film::new(1, 1);
+    film.add_lit(0..2, vec![[[1.0; 3]; 2]], Some(Splats::of_parts(-3, vec![[[2; 3]; 2]]))).expect("new pairs");
+    let mut reel = Reel { film, ..small() };
+    reel.join(Path::new("b.film"), small()).expect("other pairs");
+    assert_eq!((reel.head.seconds, reel.film.pairs()), (3.0, 3));
+    // Nothing has changed where nothing could be joined.
+    let before = reel.clone();
+    let twice = reel.join(Path::new("b.film"), small()).map_err(|stop| stop.to_string());
+    assert!(twice.is_err_and(|why| why.starts_with("b.film: has samples 4..6 that")) && reel == before);
+    let mut dark = Film::new(1, 1);
+    dark.add(4..5, vec![[[1.0; 3]; 2]]).expect("new pairs");
+    let dark = Reel { film: dark, ..small() };
+    let dark = reel.join(Path::new("d.film"), dark).map_err(|stop| stop.to_string());
+    assert!(dark.is_err_and(|why| why.contains("light of paths from lamps")) && reel == before);
+}
+
 fn scene(name: &str) -> Scene {
     (BUILTIN.iter().find(|builtin| builtin.name == name).expect("a scene of the lecture").make)()
 }
@@ -296,7 +315,7 @@ fn films_made_otherwise_are_refused_with_what_differs() {
     let tactics = Tactics { patience: 7, ..Tactics::default() };
     for (found, words) in [
         (refuse(&scene("glass"), usual, [1, 1]), "another scene, glass"),
-        (refuse(&cornell, Manner { seed: 2, ..usual }, [1, 1]), "seed is 2 there, and 1 here"),
+        (refuse(&cornell, Manner { seed: 2, ..usual }, [1, 1]), "seed is 2 there, and 0 here"),
         (refuse(&cornell, Manner { method: Method::Simple(&INTEGRATORS[0]), ..usual }, [1, 1]), "integrator is"),
         (refuse(&cornell, Manner { method: Method::Fast(tactics), ..usual }, [1, 1]), "patience: 7"),
         (refuse(&cornell, usual, [2, 1]), "2 × 1 pixels, and not 1 × 1"),

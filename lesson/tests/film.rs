@@ -37,8 +37,9 @@ impl Place {
 
     /// Arguments, of which those that name files are here.
     fn arguments(&self, line: &str) -> Vec<String> {
-        let is_file =
-            |word: &str| Path::new(word).extension().is_some() && !word.starts_with(|c: char| c.is_ascii_digit());
+        let is_file = |word: &str| {
+            Path::new(word).extension().is_some() && !word.starts_with(|c: char| c == '-' || c.is_ascii_digit())
+        };
         let here = |word: &str| match is_file(word) {
             true => self.path(word).to_str().unwrap().to_owned(),
             false => word.to_owned(),
@@ -87,6 +88,10 @@ impl Place {
         let shown = self.ok(&format!("film show {film}")).out;
         let line = shown.lines().find_map(|line| line.strip_prefix(key).filter(|rest| rest.starts_with(' ')));
         line.unwrap_or_else(|| panic!("no `{key}` in {shown}")).trim().to_owned()
+    }
+
+    fn seconds(&self, film: &str) -> f64 {
+        self.told(film, "seconds").parse().unwrap()
     }
 
     fn spp(&self, film: &str) -> u32 {
@@ -138,6 +143,7 @@ fn films_of_parts_are_the_film_of_the_whole() {
         assert_eq!((place.told("all.film", "samples").as_str(), place.spp("all.film")), ("0..64", 64));
         // With a hole, which is filled later; in one film too.
         place.ok("film merge c.film a.film --out holed.film --out holed.png");
+        place.refused("film merge all.film holed.film --out no.png", "holed.film", "samples 0..14, 40..64 that");
         assert_eq!((place.told("holed.film", "samples").as_str(), place.spp("holed.film")), ("0..14, 40..64", 38));
         place.ok(&format!("render {scene}.toml --spp 64 --film holed.film --out filled.pfm"));
         assert!(place.bytes("filled.pfm") == place.bytes("whole.pfm"), "{scene}: filled");
@@ -147,6 +153,7 @@ fn films_of_parts_are_the_film_of_the_whole() {
         place.ok("film merge a.film c.film --out bright.png --exposure 2 --tone aces");
         assert!(place.bytes("bright.png") != place.bytes("whole.png"));
         place.refused("film merge b.film all.film --out no.png", "all.film", "samples 14..40 that there are already");
+
         place.refused("film merge a.film a.film --out no.png", "a.film", "samples 0..40 that");
         for film in ["a", "b", "c", "all", "holed"] {
             std::fs::remove_file(place.path(&format!("{film}.film"))).unwrap();
@@ -178,16 +185,42 @@ fn a_run_that_is_killed_loses_no_more_than_what_is_young() {
         child.wait().unwrap();
         assert!(!place.path("c.pfm").exists());
     }
-    let kept = place.spp("c.film");
+    let (kept, seconds) = (place.spp("c.film"), place.seconds("c.film"));
     assert_eq!(place.told("c.film", "samples"), format!("0..{kept}"));
     let spp = kept + 10;
     let on = place.ok(&format!("{line} --spp {spp}"));
     assert!(on.err.contains(&format!("going on from {kept} spp")), "{}", on.err);
     place.ok(&format!("render glass.toml --integrator surface --spp {spp} --out whole.pfm"));
     assert!(place.bytes("c.pfm") == place.bytes("whole.pfm"));
+    // The time of all runs: that of the last one alone is a small part.
+    assert!(place.seconds("c.film") >= seconds && seconds > 0.0);
     // What the killed ones left is gone.
     let names: Vec<String> = place.files().into_iter().map(|(name, _)| name).collect();
     assert_eq!(names, ["c.film", "c.pfm", "glass.toml", "whole.pfm"]);
+}
+
+#[test]
+fn a_film_that_somebody_else_changes_meanwhile_is_left_to_them() {
+    let place = Place::new("film-changed", &["cornell"]);
+    let arguments = place.arguments("render cornell.toml --time 600s --film c.film --out c.png");
+    let mut child = command(&arguments.iter().map(String::as_str).collect::<Vec<_>>()).spawn().unwrap();
+    let begun = Instant::now();
+    while !place.path("c.film").exists() && begun.elapsed() < Duration::from_secs(120) {
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    // In one step, as programs should.
+    std::fs::write(place.path("mine"), "mine").unwrap();
+    std::fs::rename(place.path("mine"), place.path("c.film")).unwrap();
+    // Until it says so, or has done what it must not.
+    while child.try_wait().unwrap().is_none() && place.bytes("c.film") == b"mine" {
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let _ = child.kill();
+    let ended = child.wait_with_output().unwrap();
+    let said = String::from_utf8(ended.stderr).unwrap();
+    assert_eq!(ended.status.code(), Some(2), "{said}");
+    assert!(said.contains("c.film: was changed by somebody else meanwhile"), "{said}");
+    assert!(place.bytes("c.film") == b"mine" && !place.path("c.png").exists());
 }
 
 #[test]
