@@ -1,9 +1,10 @@
 //! The command line: the only place that knows clap.
 
 use crate::figures::Format;
+use crate::film::Merge;
 use crate::out;
 use crate::prove::Question;
-use crate::render::{Goal, Job, MOST as MOST_SAMPLES};
+use crate::render::{Course, Goal, Job, MOST as MOST_SAMPLES, Shown};
 use crate::stop::Stop;
 use chapters::parameter::{Fault, excerpt, parse_quantity};
 use clap::builder::StyledStr;
@@ -49,6 +50,10 @@ pub enum Request {
     Print { scene: String, out: Option<PathBuf> },
     /// A picture of a scene.
     Render(Job),
+    /// Films put together.
+    Merge(Merge),
+    /// What is in a film.
+    Show { film: PathBuf },
     /// A script for the shell.
     Completions(Vec<u8>),
 }
@@ -98,6 +103,9 @@ pub fn parse() -> Result<Request, Stop> {
         Some(Command::Eval(eval)) => eval.into_request(),
         Some(Command::Prove(prove)) => Ok(Request::Prove(prove.into())),
         Some(Command::Render(render)) => render.into_request(),
+        Some(Command::Film { command, .. }) => {
+            command.map_or_else(|| Ok(help(vec!["film".to_owned()])), FilmCommand::into_request)
+        }
         Some(Command::Completions { shell, .. }) => Ok(Request::Completions(completions(shell))),
     }
 }
@@ -140,6 +148,10 @@ fn refusal(error: &clap::Error) -> Stop {
             Stop::at(excerpt(&place), format!("unknown option{meant}; `--help` lists them"))
         }
         ErrorKind::UnknownArgument => Stop::at(excerpt(&place), "one word too many; `--help` tells what is taken"),
+        ErrorKind::InvalidSubcommand => {
+            let word = first(ContextKind::InvalidSubcommand);
+            Stop::at(excerpt(&word), "unknown word; `--help` tells what may stand here")
+        }
         ErrorKind::TooManyValues => Stop::at(excerpt(&value), "one word too many; `--help` tells what is taken"),
         ErrorKind::InvalidValue if value.is_empty() => Stop::at(argument(&place), "needs a value"),
         ErrorKind::InvalidValue => {
@@ -245,6 +257,14 @@ enum Command {
     /// Make a picture of a scene: one of the lecture's, or a file's.
     #[command(after_help = RENDER_EXAMPLES)]
     Render(RenderArgs),
+    /// Put films of `lesson render --film` together, or see what is in one.
+    #[command(after_help = FILM_EXAMPLES, disable_help_subcommand = true)]
+    Film {
+        #[command(subcommand)]
+        command: Option<FilmCommand>,
+        #[command(flatten)]
+        help: HelpArg,
+    },
     /// Print a completion script for a shell.
     ///
     /// For bash: lesson completions bash > ~/.local/share/bash-completion/completions/lesson
@@ -424,10 +444,7 @@ impl LessonArgs {
             parts: Parts { checks: self.check, stress: self.stress, races: self.race },
             plot: self.plot,
             out: self.out.unwrap_or_else(|| FOLDER.into()),
-            format: match self.format {
-                Some(FormatArg::Svg) => Format::Svg,
-                Some(FormatArg::Png) | None => Format::Png,
-            },
+            format: format(self.format),
             changes: self.set.into_iter().chain(beyond).collect(),
             details: Details { units: self.units, unfold: self.unfold },
             plain: self.plain,
@@ -442,6 +459,13 @@ enum FormatArg {
     Png,
     /// Vectors.
     Svg,
+}
+
+fn format(word: Option<FormatArg>) -> Format {
+    match word {
+        Some(FormatArg::Svg) => Format::Svg,
+        Some(FormatArg::Png) | None => Format::Png,
+    }
 }
 
 #[derive(Debug, Args)]
@@ -482,17 +506,71 @@ Examples:
   lesson render cornell                    64 samples a pixel, as a PNG
   lesson render cornell --time 20s --out cornell.png --out cornell.pfm
   lesson render cornell --error 0.02 --tone agx --exposure -1
+  lesson render glass --explain --stats glass.json --error-map glass-error.png
+  lesson render cornell --out all.exr      also variance, normals, albedo, depth
+  lesson render cornell --time 20s --race --plot
   lesson render cornell --integrator hemisphere --spp 16
   lesson render cornell --print > my.toml  the scene as a file
   lesson render mesh --print --out scenes  with the mesh that it names
   lesson render my.toml --spp 256 --out my.png
+  lesson render cornell --spp 4096 --film c.film
+  lesson render cornell --samples 64..128 --film b.film
 
 Scenes are TOML or JSON: metres, linear RGB, radiance in W m⁻² sr⁻¹; --print
 shows the keys. What is wrong with one is told with its line. Of --spp, --time
 and --error the first that is reached ends the work. The relative error is the
 root of the mean over pixels and channels of (x − truth)²/(truth² + 0.01), as the
 picture's two independent halves tell it. Same scene and seed, same picture,
-whatever the number of threads.";
+whatever the number of threads.
+
+A --film is kept at least every ten seconds, unless one pair of samples of the
+whole picture takes longer. Whatever ends the program, the same line goes on from
+there, and the picture is the one of a run that nothing ended, bit for bit. So is
+that of films of other --samples, put together by `lesson film merge`.";
+
+const FILM_EXAMPLES: &str = "\
+Examples:
+  lesson render cornell --samples 0..64 --film a.film
+  lesson render cornell --samples 64..128 --film b.film
+  lesson film merge a.film b.film --out c.png --out c.film
+  lesson film show c.film
+
+Films are put together bit for bit, in whatever order: of one scene, size, seed
+and integrator, and no sample in two of them.";
+
+#[derive(Debug, Subcommand)]
+enum FilmCommand {
+    /// Put films together: into pictures, into one film.
+    Merge {
+        /// The films.
+        #[arg(required = true, value_hint = ValueHint::FilePath)]
+        films: Vec<PathBuf>,
+        /// A file for what comes of it, .png, .pfm or .film; may be repeated.
+        #[arg(long, value_name = "FILE", required = true, value_hint = ValueHint::AnyPath)]
+        out: Vec<PathBuf>,
+        #[command(flatten)]
+        shown: ShownArgs,
+        #[command(flatten)]
+        help: HelpArg,
+    },
+    /// Print what is in a film: scene, samples, how they were made, how wrong the picture is.
+    Show {
+        /// The film.
+        #[arg(value_hint = ValueHint::FilePath)]
+        film: PathBuf,
+        #[command(flatten)]
+        help: HelpArg,
+    },
+}
+
+impl FilmCommand {
+    fn into_request(self) -> Result<Request, Stop> {
+        Ok(match self {
+            Self::Merge { films, out, shown, .. } => Request::Merge(Merge { films, out, shown: shown.into() }),
+            Self::Show { film, .. } => Request::Show { film },
+        })
+    }
+}
 
 #[derive(Debug, Args)]
 struct RenderArgs {
@@ -503,15 +581,40 @@ struct RenderArgs {
     #[arg(long, conflicts_with_all = ["scene", "print", "out"])]
     list: bool,
     /// Print the scene as a TOML file.
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["tone", "exposure"])]
     print: bool,
-    /// A file for the picture, .png or .pfm; may be repeated. With --print: a folder for the scene and its meshes.
+    /// A file for the picture, .png, .exr or .pfm; may be repeated. With --print: a folder for the scene and its meshes.
+    /// With --race --plot: a folder for the figure.
     #[arg(long, value_name = "FILE", value_hint = ValueHint::AnyPath)]
     out: Vec<PathBuf>,
     /// Samples a pixel; an odd number is taken as the next even one.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_SAMPLES)), conflicts_with = "print")]
     spp: Option<u32>,
-    /// How long to render: 20s, 500ms.
+    /// Numbers of the samples, such as 64..128: from the first up to but without the second, both even.
+    #[arg(long, value_name = "A..B", value_parser = sample_numbers, conflicts_with_all = ["spp", "print"])]
+    samples: Option<[u32; 2]>,
+    /// A file for the error of every pixel in false colours, .png or .svg.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["print", "race"], value_hint = ValueHint::FilePath)]
+    error_map: Option<PathBuf>,
+    /// A file for what the picture took and what is known of it, .json.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["print", "race"], value_hint = ValueHint::FilePath)]
+    stats: Option<PathBuf>,
+    /// Say what the scene needs, what was left out, and what that saves: measured within some seconds.
+    #[arg(long, conflicts_with = "print")]
+    explain: bool,
+    /// Instead of a picture, race every integrator that fits the scene: error against run time.
+    #[arg(long, conflicts_with_all = ["print", "error", "integrator", "film", "samples"])]
+    race: bool,
+    /// With --race: draw it too.
+    #[arg(long, conflicts_with = "print")]
+    plot: bool,
+    /// Format of the figure.
+    #[arg(long, value_enum, help = "Format of the figure [default: png]")]
+    format: Option<FormatArg>,
+    /// A film, .film: gone on from if it is there, and kept while rendering.
+    #[arg(long, value_name = "FILE", conflicts_with = "print", value_hint = ValueHint::FilePath)]
+    film: Option<PathBuf>,
+    /// How long to render: 20s, 500ms, 2min. With --race: the processors' time that each integrator has [default: 2s].
     #[arg(long, value_parser = duration, conflicts_with = "print")]
     time: Option<Duration>,
     /// The relative error that is good enough, above 0 and below 1.
@@ -529,20 +632,31 @@ struct RenderArgs {
     /// The most edges of a path, instead of the scene's.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(DEEPEST)), conflicts_with = "print")]
     depth: Option<u32>,
-    /// How radiance is brought into a screen's range.
-    #[arg(
-        long,
-        value_enum,
-        help = "How radiance is brought into a screen's range [default: none]",
-        conflicts_with = "print"
-    )]
-    tone: Option<ToneArg>,
-    /// Stops by which the PNG is brighter, -30 to 30.
-    #[arg(long, value_name = "STOPS", value_parser = stops, allow_negative_numbers = true, default_value_t = 0.0, conflicts_with = "print")]
-    exposure: f64,
+    #[command(flatten)]
+    shown: ShownArgs,
     #[command(flatten)]
     help: HelpArg,
 }
+
+/// How radiance is shown.
+#[derive(Debug, Args)]
+struct ShownArgs {
+    /// How radiance is brought into a screen's range.
+    #[arg(long, value_enum, help = "How radiance is brought into a screen's range [default: none]")]
+    tone: Option<ToneArg>,
+    /// Stops by which the PNG is brighter, -30 to 30.
+    #[arg(long, value_name = "STOPS", value_parser = stops, allow_negative_numbers = true, default_value_t = 0.0)]
+    exposure: f64,
+}
+
+impl From<ShownArgs> for Shown {
+    fn from(args: ShownArgs) -> Self {
+        Self { curve: args.tone.map_or(Curve::None, Curve::from), exposure: args.exposure }
+    }
+}
+
+/// The processors' time of every integrator of a race, if nothing is said.
+const RACE: Duration = Duration::from_secs(2);
 
 /// The deepest path that can be asked for.
 const DEEPEST: u32 = 1_000_000;
@@ -581,6 +695,18 @@ fn duration(text: &str) -> Result<Duration, String> {
     }
 }
 
+/// A range of samples; they come in pairs, one of each half of the picture.
+fn sample_numbers(text: &str) -> Result<[u32; 2], String> {
+    let valid = format!("valid: A..B, both even, A below B, up to {MOST_SAMPLES}, such as 64..128");
+    let (from, to) = text.split_once("..").ok_or_else(|| format!("is no range; {valid}"))?;
+    let number = |text: &str| text.parse::<u32>().ok().filter(|number| *number <= MOST_SAMPLES);
+    let (Some(from), Some(to)) = (number(from), number(to)) else { return Err(format!("is no range; {valid}")) };
+    if from % 2 == 1 || to % 2 == 1 {
+        return Err(format!("cuts a pair of samples, which are rendered together; {valid}"));
+    }
+    if from < to { Ok([from, to]) } else { Err(format!("has no sample; {valid}")) }
+}
+
 fn share(text: &str) -> Result<f64, String> {
     let share = parse_quantity(text, "1")?;
     if share > 0.0 && share < 1.0 { Ok(share) } else { Err("out of range; valid: above 0, below 1".to_owned()) }
@@ -605,16 +731,41 @@ impl RenderArgs {
                 _ => Err(Stop::at("--out", "with --print only one folder")),
             };
         }
+        for (flag, given, other, is_there) in
+            [("--plot", self.plot, "--race", self.race), ("--format", self.format.is_some(), "--plot", self.plot)]
+        {
+            if given && !is_there {
+                return Err(Stop::at(flag, format!("needs {other}")));
+            }
+        }
+        let race = self.race.then(|| {
+            let plot = match &self.out[..] {
+                [] => Some(FOLDER.into()),
+                [folder] if self.plot => Some(folder.clone()),
+                [_, ..] if self.plot => return Err(Stop::at("--out", "with --race only one folder")),
+                [_, ..] => return Err(Stop::at("--out", "with --race needs --plot")),
+            };
+            Ok(Course {
+                time: self.time.unwrap_or(RACE),
+                spp: self.spp,
+                seed: self.seed,
+                plot: plot.filter(|_| self.plot).map(|folder| (folder, format(self.format))),
+            })
+        });
         Ok(Request::Render(Job {
             scene,
-            goal: Goal { spp: self.spp, time: self.time, error: self.error },
+            race: race.transpose()?,
+            error_map: self.error_map,
+            stats: self.stats,
+            explain: self.explain,
+            goal: Goal { spp: self.spp, samples: self.samples, time: self.time, error: self.error, round: None },
             out: self.out,
             seed: self.seed,
             threads: self.threads.map(usize::from),
             integrator: self.integrator,
             depth: self.depth,
-            curve: self.tone.map_or(Curve::None, Curve::from),
-            exposure: self.exposure,
+            shown: self.shown.into(),
+            film: self.film,
         }))
     }
 }

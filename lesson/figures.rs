@@ -30,11 +30,12 @@ impl Format {
     }
 
     /// The name of the file of what stands at an address.
-    fn file(self, address: &str) -> String {
+    pub fn file(self, address: &str) -> String {
         format!("{}.{}", address.replace('/', "-"), self.extension())
     }
 
-    fn draw(self, plot: &Plot) -> Vec<u8> {
+    /// A figure as the bytes of a file.
+    pub fn draw(self, plot: &Plot) -> Vec<u8> {
         match self {
             Self::Png => plot::png(plot),
             Self::Svg => plot::svg(plot).into_bytes(),

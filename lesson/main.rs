@@ -3,6 +3,7 @@
 mod cli;
 mod eval;
 mod figures;
+mod film;
 mod out;
 mod progress;
 mod prove;
@@ -52,6 +53,8 @@ fn serve(request: Request) -> Result<ExitCode, Stop> {
         Request::Scenes => out::show(&scene::list())?,
         Request::Print { scene, out } => scene::serve_print(&scene, out.as_deref())?,
         Request::Render(job) => return render::serve(&job, Path::new(cli::FOLDER)),
+        Request::Merge(job) => return film::merge(&job),
+        Request::Show { film } => film::show(&film)?,
         Request::Completions(script) => out::print(&script)?,
     }
     Ok(ExitCode::SUCCESS)

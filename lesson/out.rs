@@ -63,6 +63,15 @@ impl Folder {
         Ok(Self { path: path.to_owned(), drafts, _lock: lock })
     }
 
+    /// The folder that a file is to be in, tried out, and the file's name there.
+    pub fn of(path: &Path) -> Result<(Self, String), Stop> {
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let folder = Self::open(parent)?;
+        folder.expect(&name)?;
+        Ok((folder, name))
+    }
+
     /// Refuses a `name` that a folder has already.
     pub fn expect(&self, name: &str) -> Result<(), Stop> {
         let place = self.path.join(name);
@@ -71,12 +80,16 @@ impl Folder {
 
     /// Writes a file among the drafts; [`publish`] puts it in its place.
     pub fn draft(&self, name: &str, bytes: &[u8]) -> Result<Draft, Stop> {
+        self.draft_by(name, |file| file.write_all(bytes))
+    }
+
+    /// The same of a file that is too large to be held a second time.
+    pub fn draft_by(&self, name: &str, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Draft, Stop> {
         self.expect(name)?;
         let draft = Draft { path: self.path.join(name), temporary: self.drafts.join(name) };
-        match fs::write(&draft.temporary, bytes) {
-            Ok(()) => Ok(draft),
-            Err(error) => Err(cannot_write(&draft.path, error)),
-        }
+        let written = File::create(&draft.temporary).and_then(|mut file| write(&mut file));
+        written.map_err(|error| cannot_write(&draft.path, error))?;
+        Ok(draft)
     }
 }
 

@@ -9,10 +9,25 @@ use std::time::Duration;
 pub struct Goal {
     /// Samples a pixel.
     pub spp: Option<u32>,
+    /// Numbers of samples, both even, from the first up to but without the second, instead of as many as `spp`.
+    pub samples: Option<[u32; 2]>,
+    /// How long a round of work may last, if a pair of samples does not last longer.
+    pub round: Option<Duration>,
     /// Time to render, without making ready.
     pub time: Option<Duration>,
     /// Relative error [1].
     pub error: Option<f64>,
+}
+
+/// What is done.
+#[derive(Clone, Copy, Debug)]
+pub struct Done<'f> {
+    /// Pairs of samples that there are, in order.
+    pub ranges: &'f [Range<u32>],
+    /// How many of them are of this run.
+    pub now: u32,
+    /// Time that these took.
+    pub elapsed: Duration,
 }
 
 /// Samples a pixel if nothing is asked for.
@@ -25,31 +40,50 @@ pub const MOST: u32 = 1 << 24;
 const WHOLE: u64 = 1000;
 
 impl Goal {
-    /// Pairs of samples that there can be at most.
-    fn most(&self) -> u32 {
+    /// Pairs that are wanted among those there can be, and how many of them at most.
+    fn wanted(&self) -> (Range<u32>, u32) {
         let is_open = self.time.is_some() || self.error.is_some();
-        self.spp.unwrap_or(if is_open { MOST } else { USUAL }).div_ceil(2)
+        match self.samples {
+            Some([from, to]) => (from / 2..to / 2, to / 2 - from / 2),
+            None => (0..MOST / 2, self.spp.unwrap_or(if is_open { MOST } else { USUAL }).div_ceil(2)),
+        }
     }
 
-    /// The next branch of pairs to be rendered after the first `done`, which took `elapsed`; None if the goal is met.
-    pub fn next(&self, done: u32, elapsed: Duration, found: &Estimate) -> Option<Range<u32>> {
-        let most = self.most();
-        let is_met = done >= most
-            || self.time.is_some_and(|time| done > 0 && elapsed >= time)
-            || self.error.is_some_and(|error| done > 0 && found.relative_error() <= error);
+    /// Pairs that are still missing.
+    fn missing(&self, done: &Done) -> u32 {
+        let (wanted, most) = self.wanted();
+        let of_wanted = |range: &Range<u32>| range.end.min(wanted.end).saturating_sub(range.start.max(wanted.start));
+        most.saturating_sub(done.ranges.iter().map(of_wanted).sum())
+    }
+
+    /// The next branch of pairs to be rendered; None if the goal is met.
+    pub fn next(&self, done: &Done, found: &Estimate) -> Option<Range<u32>> {
+        let missing = self.missing(done);
+        let is_begun = !done.ranges.is_empty();
+        let is_met = missing == 0
+            || self.time.is_some_and(|time| is_begun && done.elapsed >= time)
+            || self.error.is_some_and(|error| is_begun && found.relative_error() <= error);
         if is_met {
             return None;
         }
-        // Twice as much in every round, each a branch of the tree: the largest that begins there.
-        let aligned = if done == 0 { 1 } else { 1 << done.trailing_zeros() };
-        let left = 1 << (most - done).ilog2();
-        let in_time = self.time.map_or(u32::MAX, |time| {
-            let of_one = elapsed.as_secs_f64() / f64::from(done.max(1));
-            let rest = time.saturating_sub(elapsed).as_secs_f64();
-            let pairs = if of_one > 0.0 { (rest / of_one).max(1.0) } else { 1.0 };
-            1 << (pairs as u32).max(1).ilog2()
-        });
-        Some(done..done + aligned.min(left).min(in_time))
+        // The first pairs that there are not, up to those that there are.
+        let (wanted, _) = self.wanted();
+        let mut start = wanted.start;
+        for range in done.ranges {
+            if range.contains(&start) {
+                start = range.end;
+            }
+        }
+        let end = done.ranges.iter().map(|range| range.start).find(|other| *other > start).unwrap_or(u32::MAX);
+        let left = missing.min(end.min(wanted.end).saturating_sub(start)).max(1);
+        // At most twice as much in every round, each a branch of the tree: the largest that begins there.
+        let aligned = if start == 0 { 1 } else { 1 << start.trailing_zeros() };
+        let of_one = done.elapsed.as_secs_f64() / f64::from(done.now.max(1));
+        let within = |time: Duration| if of_one > 0.0 { (time.as_secs_f64() / of_one).max(1.0) as u32 } else { 1 };
+        let in_time = self.time.map_or(u32::MAX, |time| within(time.saturating_sub(done.elapsed)));
+        let in_round = self.round.map_or(u32::MAX, within);
+        let most = left.min(done.now.max(1)).min(in_time).min(in_round);
+        Some(start..start + aligned.min(1 << most.ilog2()))
     }
 
     /// The bar's end.
@@ -58,9 +92,9 @@ impl Goal {
     }
 
     /// How far it is, of [`Goal::whole`]: as far as what is nearest to its end.
-    pub fn share(&self, done: u32, elapsed: Duration, found: &Estimate) -> u64 {
-        let by_pairs = f64::from(done) / f64::from(self.most());
-        let by_time = self.time.map_or(0.0, |time| elapsed.as_secs_f64() / time.as_secs_f64());
+    pub fn share(&self, done: &Done, found: &Estimate) -> u64 {
+        let by_pairs = 1.0 - f64::from(self.missing(done)) / f64::from(self.wanted().1);
+        let by_time = self.time.map_or(0.0, |time| done.elapsed.as_secs_f64() / time.as_secs_f64());
         // The square of the error falls as time grows.
         let by_error = self.error.map_or(0.0, |error| error * error / found.relative_mse.max(f64::MIN_POSITIVE));
         (by_pairs.max(by_time).max(by_error).min(1.0) * WHOLE as f64) as u64
@@ -75,20 +109,61 @@ impl Goal {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use light::transport::film::{Film, branches};
 
     /// What rounds a goal takes if a pair takes so long and errors are those of one pair over the root of their number.
     fn rounds(goal: Goal, of_one: f64, error: f64) -> Vec<Range<u32>> {
-        let mut rounds = Vec::new();
-        let mut done = 0;
+        let rounds = rounds_after(&[], goal, of_one, error);
+        assert!(rounds.windows(2).all(|two| two[0].end == two[1].start));
+        rounds
+    }
+
+    /// The same of a film that has some pairs.
+    fn rounds_after(before: &[Range<u32>], goal: Goal, of_one: f64, error: f64) -> Vec<Range<u32>> {
+        let (mut film, mut now, mut rounds) = (Film::new(1, 1), 0, Vec::new());
+        let add = |film: &mut Film, range| film.add(range, vec![[[0.0; 3]; 2]]).expect("new pairs");
+        before.iter().flat_map(|range| branches(range.clone())).for_each(|branch| add(&mut film, branch));
         loop {
-            let found = Estimate { relative_mse: error * error / f64::from(done.max(1)), ..Estimate::default() };
-            let elapsed = Duration::from_secs_f64(of_one * f64::from(done));
-            let Some(next) = goal.next(done, elapsed, &found) else { return rounds };
-            assert_eq!(next.start, done);
-            let span = next.end - next.start;
-            assert!(span.is_power_of_two() && next.start.is_multiple_of(span), "{next:?} is no branch");
-            done = next.end;
+            let relative_mse = error * error / f64::from(film.pairs().max(1));
+            let found = Estimate { relative_mse, ..Estimate::default() };
+            let elapsed = Duration::from_secs_f64(of_one * f64::from(now));
+            let Some(next) = goal.next(&Done { ranges: &film.ranges(), now, elapsed }, &found) else { return rounds };
+            now += next.end - next.start;
+            add(&mut film, next.clone());
             rounds.push(next);
+        }
+    }
+
+    #[test]
+    fn what_is_missing_is_rendered_and_nothing_else() {
+        let to = |spp| Goal { spp: Some(spp), ..Goal::default() };
+        let of = |from, to| Goal { samples: Some([from, to]), ..Goal::default() };
+        let covered = |rounds: Vec<Range<u32>>| rounds.into_iter().flatten().collect::<Vec<u32>>();
+        let after = |before: &[Range<u32>], goal| covered(rounds_after(before, goal, 0.0, 1.0));
+        // Going on from 10 pairs, and nothing to do.
+        assert_eq!(after(&[0..10; 1], to(64)), (10..32).collect::<Vec<_>>());
+        assert_eq!(after(&[0..32; 1], to(64)), [0_u32; 0]);
+        assert_eq!(after(&[0..40; 1], to(64)), [0_u32; 0]);
+        // Holes first; as many as are asked for, wherever they are.
+        assert_eq!(after(&[4..8, 16..24], to(64)), (0..4).chain(8..16).chain(24..32).collect::<Vec<_>>());
+        assert_eq!(after(&[4..8, 16..24], to(28)), [0, 1]);
+        // Numbers that are asked for, whatever else there is.
+        assert_eq!(after(&[], of(14, 40)), (7..20).collect::<Vec<_>>());
+        assert_eq!(after(&[0..4, 8..10, 30..40], of(14, 40)), (7..8).chain(10..20).collect::<Vec<_>>());
+        assert_eq!(after(&[7..20; 1], of(14, 40)), [0_u32; 0]);
+        assert_eq!(after(&[0..64; 1], of(14, 40)), [0_u32; 0]);
+    }
+
+    #[test]
+    fn a_round_is_no_longer_than_it_may_be() {
+        let goal = Goal { spp: Some(1024), round: Some(Duration::from_secs(2)), ..Goal::default() };
+        for (before, of_one) in [(0, 0.3), (0, 5.0), (64, 0.3), (37, 0.01), (256, 1.0)] {
+            let rounds = rounds_after(&[0..before; 1][usize::from(before == 0)..], goal, of_one, 1.0);
+            let most = (2.0 / of_one).max(1.0) as u32;
+            assert!(rounds.iter().all(|round| round.end - round.start <= most), "{before} {of_one}");
+            // The first one is one pair: nothing is known of its time.
+            assert_eq!(rounds[0], before..before + 1);
+            assert_eq!(rounds.last().map(|last| last.end), Some(512));
         }
     }
 

@@ -1,8 +1,10 @@
 //! Pictures as files.
 
+use super::exr;
 use crate::stop::{Stop, plain};
 use light::bsdf::Rgb;
 use light::tone::{Curve, encoded};
+use light::transport::Feature;
 use light::transport::estimate::colour;
 use light::transport::film::Halves;
 use std::path::Path;
@@ -13,6 +15,8 @@ pub struct Picture<'a> {
     pub height: u32,
     /// The means of the halves of every pixel [W m⁻² sr⁻¹].
     pub halves: &'a [Halves],
+    /// What the camera sees without any light, if a file asks for it and anyone knows.
+    pub features: Option<&'a [Feature]>,
 }
 
 /// How radiance is shown on a screen.
@@ -23,13 +27,28 @@ pub struct Shown {
     pub exposure: f64,
 }
 
+impl Shown {
+    /// What a screen is sent [1] for a radiance [W m⁻² sr⁻¹]: between 0 and 1, as sRGB codes it; black for what is no number.
+    pub fn of(&self, radiance: Rgb<f64>) -> Rgb<f64> {
+        let factor = self.exposure.exp2();
+        let is_number = radiance.iter().all(|x| x.is_finite());
+        if is_number { self.curve.apply(radiance.map(|x| x * factor)).map(encoded) } else { [0.0; 3] }
+    }
+}
+
 /// A kind of file.
 pub struct Kind {
     extension: &'static str,
+    /// Whether it tells what the camera sees without any light.
+    pub features: bool,
     pub encode: fn(&Picture, &Shown) -> Vec<u8>,
 }
 
-const KINDS: &[Kind] = &[Kind { extension: "png", encode: png }, Kind { extension: "pfm", encode: pfm }];
+const KINDS: &[Kind] = &[
+    Kind { extension: "png", features: false, encode: png },
+    Kind { extension: "exr", features: true, encode: exr::encode },
+    Kind { extension: "pfm", features: false, encode: pfm },
+];
 
 /// The kind of a file by its name.
 pub fn kind(path: &Path) -> Result<&'static Kind, Stop> {
@@ -45,13 +64,10 @@ pub fn kind(path: &Path) -> Result<&'static Kind, Stop> {
 
 /// 8-bit sRGB, dithered: between two steps a pixel takes one or the other as often as it lies near it, by a fixed pattern.
 fn png(picture: &Picture, shown: &Shown) -> Vec<u8> {
-    let factor = shown.exposure.exp2();
     let pixels = picture.halves.iter().enumerate().flat_map(|(at, halves)| {
-        let radiance = colour(halves);
-        let is_number = radiance.iter().all(|x| x.is_finite());
-        let colour = if is_number { shown.curve.apply(radiance.map(|x| x * factor)) } else { [0.0; 3] };
+        let colour = shown.of(colour(halves));
         let place = [at as u32 % picture.width, at as u32 / picture.width];
-        (0..3).map(move |c| (255.0 * encoded(colour[c]) + threshold(place, c as u32)).min(255.0) as u8)
+        (0..3).map(move |c| (255.0 * colour[c] + threshold(place, c as u32)).min(255.0) as u8)
     });
     let pixels: Vec<u8> = pixels.collect();
     let mut bytes = Vec::new();
@@ -101,7 +117,7 @@ mod tests {
         // A quarter of the way from 100 to 101.
         let linear = light::tone::decoded(100.25 / 255.0) as f32;
         let halves = vec![[[linear; 3]; 2]; 64 * 64];
-        let shown = decoded(&png(&Picture { width: 64, height: 64, halves: &halves }, &PLAIN));
+        let shown = decoded(&png(&Picture { width: 64, height: 64, halves: &halves, features: None }, &PLAIN));
         assert!(shown.iter().all(|step| (100..=101).contains(step)));
         let above = shown.iter().filter(|step| **step == 101).count() as f64 / shown.len() as f64;
         // 64² thresholds of a sequence of low discrepancy, three times.
@@ -112,20 +128,22 @@ mod tests {
     fn black_and_white_are_exact_and_what_is_no_number_is_black() {
         let grey = |x: f32| [[x; 3]; 2];
         let halves = [grey(0.0), grey(1.0), grey(7.0), grey(f32::NAN), grey(-1.0), grey(f32::INFINITY)];
-        let shown = decoded(&png(&Picture { width: 6, height: 1, halves: &halves }, &PLAIN));
+        let shown = decoded(&png(&Picture { width: 6, height: 1, halves: &halves, features: None }, &PLAIN));
         let expected: Vec<u8> = [0, 255, 255, 0, 0, 0].iter().flat_map(|step| [*step; 3]).collect();
         assert_eq!(shown, expected);
         // A stop is a factor of two.
         let [half, whole] = [grey(0.25), grey(0.5)];
         let brighter = Shown { exposure: 1.0, ..PLAIN };
-        let of = |halves: [Halves; 1], shown| decoded(&png(&Picture { width: 1, height: 1, halves: &halves }, shown));
+        let of = |halves: [Halves; 1], shown| {
+            decoded(&png(&Picture { width: 1, height: 1, halves: &halves, features: None }, shown))
+        };
         assert_eq!(of([half], &brighter), of([whole], &PLAIN));
     }
 
     #[test]
     fn floats_are_kept_from_the_bottom_row_on() {
         let halves = [[[1.0, 2.0, 3.0], [3.0, 2.0, 1.0]], [[-0.5, 0.0, f32::MAX], [-0.5, 0.0, f32::MAX]]];
-        let bytes = pfm(&Picture { width: 1, height: 2, halves: &halves }, &PLAIN);
+        let bytes = pfm(&Picture { width: 1, height: 2, halves: &halves, features: None }, &PLAIN);
         let numbers = bytes.strip_prefix(b"PF\n1 2\n-1.0\n").expect("the head");
         let numbers: Vec<f32> =
             numbers.chunks(4).map(|four| f32::from_le_bytes(four.try_into().expect("four"))).collect();
@@ -134,10 +152,13 @@ mod tests {
 
     #[test]
     fn a_kind_is_known_by_its_name_or_refused_with_those_there_are() {
-        assert!(kind(Path::new("a.PNG")).is_ok() && kind(Path::new("b.pfm")).is_ok());
+        assert!(["a.PNG", "b.pfm", "c.exr"].iter().all(|name| kind(Path::new(name)).is_ok()));
         for other in ["a", "a.jpg", ".png", "a.png/"] {
             let refused = kind(Path::new(other)).map(|kind| kind.extension);
-            assert!(other == "a.png/" || refused.is_err_and(|stop| stop.to_string().contains(".png, .pfm")), "{other}");
+            assert!(
+                other == "a.png/" || refused.is_err_and(|stop| stop.to_string().contains(".png, .exr, .pfm")),
+                "{other}"
+            );
         }
     }
 }

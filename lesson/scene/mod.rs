@@ -84,6 +84,12 @@ fn read(source: &Source, parse: Parse, files: Files) -> Result<(Scene, Vec<Strin
     Ok((scene, meshes.notes))
 }
 
+/// A scene as TOML, and the PLY of each mesh that it has: all there is of it, wherever it was read from.
+pub fn written(scene: &Scene) -> (String, Vec<Vec<u8>>) {
+    let printed = print::print(scene, true);
+    (printed.text, printed.meshes.iter().map(|(_, mesh)| ply::write(mesh)).collect())
+}
+
 /// The lecture's scenes.
 pub fn list() -> Vec<Block> {
     let item = |builtin: &builtin::Builtin| Term {

@@ -87,6 +87,28 @@ pub fn relative_mse(picture: &[Rgb<f64>], truth: &[Rgb<f64>]) -> f64 {
     picture.iter().zip(truth).map(error).sum::<f64>() / (3 * picture.len().max(1)) as f64
 }
 
+/// The relative mean square error [1] of a picture against one that is itself known by its halves only, and the standard error
+/// of that, by how pixels differ. What the reference's halves tell of its own noise is taken off, so that on average the error
+/// is that against the truth; by chance it may be below zero where the reference is not the better of the two. Pixels that
+/// are not numbers in either are left out.
+///
+/// # Panics
+/// If they are not of one size.
+pub fn relative_mse_less(picture: &[Rgb<f64>], reference: &[Halves]) -> (f64, f64) {
+    assert_eq!(picture.len(), reference.len(), "a reference a pixel");
+    let errors = picture.iter().zip(reference).map(|(x, halves)| {
+        let (truth, noise) = (colour(halves), variance(halves));
+        (0..3).map(|c| ((x[c] - truth[c]).powi(2) - noise[c]) / (truth[c] * truth[c] + DARK)).sum::<f64>() / 3.0
+    });
+    let (mut sum, mut squares, mut count) = (0.0, 0.0, 0_usize);
+    for error in errors.filter(|error| error.is_finite()) {
+        (sum, squares, count) = (sum + error, squares + error * error, count + 1);
+    }
+    let n = count.max(1) as f64;
+    let spread = (squares / n - (sum / n) * (sum / n)).max(0.0);
+    (sum / n, (spread / n).sqrt())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -113,6 +135,28 @@ mod tests {
         let truth = vec![[mean; 3]; 20_000];
         let picture: Vec<_> = pixels(20_000, mean, deviation).iter().map(colour).collect();
         assert!((relative_mse(&picture, &truth) * TAILS / expected - 1.0).abs() < 0.05);
+    }
+
+    #[test]
+    fn the_noise_of_a_reference_is_not_taken_for_an_error() {
+        let (mean, bias) = (2.0, 0.01);
+        // The reference is as noisy as the picture is wrong: halves of variance 2·bias².
+        let reference = pixels(20_000, mean, bias * 2f64.sqrt());
+        let picture = vec![[mean + bias; 3]; 20_000];
+        let expected = bias * bias / (mean * mean + DARK);
+        let (found, deviation) = relative_mse_less(&picture, &reference);
+        assert!((found - expected).abs() < 5.0 * deviation && deviation < 0.03 * expected, "{found} ± {deviation}");
+        let naive = relative_mse(&picture, &reference.iter().map(colour).collect::<Vec<_>>());
+        assert!((naive / expected - 2.0).abs() < 0.1, "{naive}");
+        // The truth itself is off by nothing, on average.
+        let (nothing, deviation) = relative_mse_less(&vec![[mean; 3]; 20_000], &reference);
+        assert!(nothing.abs() < 5.0 * deviation, "{nothing} ± {deviation}");
+        // One without a number changes nothing.
+        let (mut more, mut broken) = (picture, reference);
+        more.push([f64::NAN, 1.0, 1.0]);
+        broken.push([[1.0; 3]; 2]);
+        assert_eq!(relative_mse_less(&more, &broken).0, found);
+        assert_eq!(relative_mse_less(&[], &[]), (0.0, 0.0));
     }
 
     #[test]

@@ -26,8 +26,8 @@ pub struct Lens<N> {
 
 impl<N: Number> Lens<N> {
     /// Of a camera, seen from where `shifted` [m] is the origin and in a unit of which `scale` make a metre.
-    /// If `everything`, a pinhole is a lens whose opening has no size.
-    pub fn new(camera: &Camera, filter: Filter, (shifted, scale): (Triple, f64), everything: bool) -> Self {
+    /// If `always_open`, a pinhole is a lens whose opening has no size.
+    pub fn new(camera: &Camera, filter: Filter, (shifted, scale): (Triple, f64), always_open: bool) -> Self {
         let part = |k: usize| camera.target[k] - camera.origin[k];
         let (distance, forward) = length_and_way(Vector::<f64>::new(part(0), part(1), part(2)));
         let right = length_and_way(forward.cross(Vector::of(camera.up))).1;
@@ -41,7 +41,7 @@ impl<N: Number> Lens<N> {
             origin: Vector::of(std::array::from_fn(|k| (camera.origin[k] - shifted[k]) * scale)),
             corner: of(corner),
             pixel: [of(right.scaled(pixel)), of(up.scaled(-pixel))],
-            aperture: (camera.aperture > 0.0 || everything)
+            aperture: (camera.aperture > 0.0 || always_open)
                 .then(|| [right, up].map(|axis| of(axis.scaled(camera.aperture * scale)))),
             filter,
             is_pinhole: camera.aperture <= 0.0,

@@ -33,6 +33,6 @@ mod tests;
 pub mod waiting;
 
 pub use lens::Lens;
-pub use needs::{LeftOut, Needs};
+pub use needs::{LeftOut, Needless, Needs};
 pub use picture::{Feature, Manner, Method, Renderer};
 pub use stage::{Stage, Vertex};

@@ -36,6 +36,43 @@ pub struct LeftOut {
     pub what: &'static str,
     /// The reason.
     pub why: &'static str,
+    /// What does it all the same; None where there is nothing to be done.
+    pub needless: Option<Needless>,
+}
+
+/// Work that is done although the scene may not need it: the same picture, later.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Needless {
+    /// A hierarchy of boxes, however few the shapes.
+    pub hierarchy: bool,
+    /// Shadow tests of what has everything on one side.
+    pub walls: bool,
+    /// Light from a sky, black where there is none.
+    pub sky: bool,
+    /// Models of surfaces, Lambert's too.
+    pub models: bool,
+    /// Looking in every pixel for a mirror or glass.
+    pub specular: bool,
+    /// Absorption on the way, through air too.
+    pub absorption: bool,
+    /// Places on a lens, whose opening may have no size.
+    pub lens: bool,
+}
+
+impl Needless {
+    /// None of it.
+    pub const NOTHING: Self = Self {
+        hierarchy: false,
+        walls: false,
+        sky: false,
+        models: false,
+        specular: false,
+        absorption: false,
+        lens: false,
+    };
+    /// All of it.
+    pub const EVERYTHING: Self =
+        Self { hierarchy: true, walls: true, sky: true, models: true, specular: true, absorption: true, lens: true };
 }
 
 impl Needs {
@@ -67,22 +104,50 @@ impl Needs {
         } else {
             "nothing throws light on anything without a choice of where to go"
         };
-        let sky = if self.environment {
-            "it is the same all around: directions by the surface do better"
-        } else {
-            "it is black"
-        };
+        let none = Needless::NOTHING;
         let all = [
-            (!self.hierarchy, "hierarchy of boxes", "of so few shapes trying all is faster"),
-            (self.walls > 0, "shadow tests of walls", "all there is lies on one side of them"),
-            (!self.light_paths, "paths from lamps", light_paths),
-            (self.lamps < 2, "choice among lamps", "there are not two of them"),
-            (true, "rays to the sky", sky),
-            (!self.glossy, "models of surfaces", "all scatter as Lambert's does"),
-            (!self.specular, "more samples where a mirror or glass is seen", "there is none"),
-            (!self.absorption, "absorption on the way", "nothing clear absorbs"),
-            (!self.lens, "places on the lens", "it is a pinhole"),
+            (
+                !self.hierarchy,
+                "hierarchy of boxes",
+                "of so few shapes trying all is faster",
+                Some(Needless { hierarchy: true, ..none }),
+            ),
+            (
+                self.walls > 0,
+                "shadow tests of walls",
+                "all there is lies on one side of them",
+                Some(Needless { walls: true, ..none }),
+            ),
+            (!self.light_paths, "paths from lamps", light_paths, None),
+            (self.lamps < 2, "choice among lamps", "there are not two of them", None),
+            (!self.environment, "light from the sky", "it is black", Some(Needless { sky: true, ..none })),
+            (
+                self.environment,
+                "rays to the sky",
+                "it is the same all around: directions by the surface do better",
+                None,
+            ),
+            (
+                !self.glossy,
+                "models of surfaces",
+                "all scatter as Lambert's does",
+                Some(Needless { models: true, ..none }),
+            ),
+            (
+                !self.specular,
+                "more samples where a mirror or glass is seen",
+                "there is none",
+                Some(Needless { specular: true, ..none }),
+            ),
+            (
+                !self.absorption,
+                "absorption on the way",
+                "nothing clear absorbs",
+                Some(Needless { absorption: true, ..none }),
+            ),
+            (!self.lens, "places on the lens", "it is a pinhole", Some(Needless { lens: true, ..none })),
         ];
-        all.into_iter().filter(|(is_left_out, ..)| *is_left_out).map(|(_, what, why)| LeftOut { what, why }).collect()
+        let left_out = all.into_iter().filter(|(is_left_out, ..)| *is_left_out);
+        left_out.map(|(_, what, why, needless)| LeftOut { what, why, needless }).collect()
     }
 }

@@ -3,7 +3,7 @@
 use super::film::{Halves, Splats, tree};
 use super::kernel::{Tactics, Work};
 use super::simple::{Integrator, Numbers};
-use super::{Needs, Stage, caustics};
+use super::{Needless, Needs, Stage, caustics};
 use crate::bsdf::{Rgb, rgb};
 use crate::geometry::Structure;
 use crate::number::{F32x8, Mask, Vector, Width, vectorised_lanes};
@@ -22,8 +22,8 @@ pub struct Manner {
     pub choice: Choice,
     /// Of all numbers.
     pub seed: u64,
-    /// Whether nothing is left out that the scene does not need ([`Needs::left_out`]): the same picture, for more work.
-    pub everything: bool,
+    /// What is done although the scene may not need it ([`Needs::left_out`]): the same picture, for more work.
+    pub needless: Needless,
 }
 
 /// An integrator.
@@ -82,14 +82,14 @@ impl Renderer {
     /// # Errors
     /// If a medium is not known.
     pub fn new(scene: &Scene, manner: &Manner, pairs: u32) -> Result<Self, Flaw> {
-        let Manner { structure, everything, .. } = *manner;
+        let Manner { structure, needless, .. } = manner;
         let engine = match manner.method {
             Method::Fast(tactics) if tactics.one_lane => {
-                Engine::Single(Box::new(Stage::with(scene, structure, everything)?), tactics)
+                Engine::Single(Box::new(Stage::with(scene, *structure, needless)?), tactics)
             }
-            Method::Fast(tactics) => Engine::Fast(Box::new(Stage::with(scene, structure, everything)?), tactics),
+            Method::Fast(tactics) => Engine::Fast(Box::new(Stage::with(scene, *structure, needless)?), tactics),
             Method::Simple(integrator) => {
-                Engine::Simple(Box::new(Stage::with(scene, structure, everything)?), integrator)
+                Engine::Simple(Box::new(Stage::with(scene, *structure, needless)?), integrator)
             }
         };
         let vertices = scene.max_depth.unwrap_or(VERTICES).min(VERTICES) as usize;

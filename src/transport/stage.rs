@@ -5,7 +5,7 @@
 use super::caustics::Caustics;
 use super::lamp::{Arrival, Lamp, Piece};
 use super::surfaces::{Met, Surfaces};
-use super::{Lens, Needs};
+use super::{Lens, Needless, Needs};
 use crate::bsdf::{Rgb, Sample, grey, rgb};
 use crate::geometry::{Bounds, Ends, Hit, Owners, Primitive, Ray, Settings, Structure, Surface, World, flatten};
 use crate::number::{Frame, Mask, Vector, Width, exp, length_and_way, vectorised_lanes};
@@ -27,7 +27,7 @@ pub struct Stage<N: Width> {
     max_depth: Option<u32>,
     size: [u32; 2],
     scale: f64,
-    everything: bool,
+    needless: Needless,
     needs: Needs,
     caustics: Option<Caustics<N>>,
 }
@@ -62,16 +62,15 @@ impl<N: Width> Stage<N> {
     /// # Errors
     /// If a medium is not known.
     pub fn new(scene: &Scene, structure: Structure) -> Result<Self, Flaw> {
-        Self::with(scene, structure, false)
+        Self::with(scene, structure, &Needless::default())
     }
 
-    /// The same; if `everything`, nothing is left out that the scene does not need ([`Needs::left_out`]): more work, and the same
-    /// pictures.
+    /// The same with some work that the scene may not need.
     ///
     /// # Errors
     /// If a medium is not known.
-    pub fn with(scene: &Scene, structure: Structure, everything: bool) -> Result<Self, Flaw> {
-        let structure = if everything && structure == Structure::Best { Structure::Bvh } else { structure };
+    pub fn with(scene: &Scene, structure: Structure, needless: &Needless) -> Result<Self, Flaw> {
+        let structure = if needless.hierarchy && structure == Structure::Best { Structure::Bvh } else { structure };
         let middle = scene.camera.origin;
         let flat = flatten(scene);
         let all = flat.primitives.iter().fold(Bounds::NOTHING, |all, one| all.union(&one.bounds()));
@@ -82,7 +81,7 @@ impl<N: Width> Stage<N> {
         let flat = flat.seen_from(middle, scale);
 
         let number = |name: &str| scene.materials.iter().position(|(known, _)| known == name).unwrap_or(0);
-        let surfaces = Surfaces::new(scene.materials.iter().map(|(_, material)| material), scale, everything)?;
+        let surfaces = Surfaces::new(scene.materials.iter().map(|(_, material)| material), scale, needless.models)?;
         let mut lamps = Vec::new();
         let (mut shapes, mut shining_out) = (Vec::new(), Vec::new());
         for (at, shape) in scene.shapes.iter().enumerate() {
@@ -122,7 +121,7 @@ impl<N: Width> Stage<N> {
                 }
             });
         }
-        let lens = Lens::new(&scene.camera, scene.filter, (middle, scale), everything);
+        let lens = Lens::new(&scene.camera, scene.filter, (middle, scale), needless.lens);
         let specular: Vec<Bounds> = scene
             .shapes
             .iter()
@@ -137,7 +136,7 @@ impl<N: Width> Stage<N> {
             // Their light is joined to the camera, which is the origin.
             ends.iter_mut().for_each(|ends| ends.push([0.0; 3]));
         }
-        let ends = ends.filter(|_| !everything).map_or(Ends::Anywhere, Ends::OnSurfaces);
+        let ends = ends.filter(|_| !needless.walls).map_or(Ends::Anywhere, Ends::OnSurfaces);
         let world = World::with(&flat.primitives, &Settings { structure, ends });
         let needs = Needs {
             hierarchy: !world.is_brute(),
@@ -145,7 +144,7 @@ impl<N: Width> Stage<N> {
             light_paths: caustics.is_some(),
             ..Needs::of(scene)
         };
-        let black = everything.then_some([0.0; 3]);
+        let black = needless.sky.then_some([0.0; 3]);
         Ok(Self {
             world,
             owners: flat.owners,
@@ -158,7 +157,7 @@ impl<N: Width> Stage<N> {
             max_depth: scene.max_depth,
             size: [scene.camera.width, scene.camera.height],
             scale,
-            everything,
+            needless: *needless,
             needs,
             caustics,
         })
@@ -182,12 +181,12 @@ impl<N: Width> Stage<N> {
     /// Whether what is left on the way is asked.
     #[inline(always)]
     pub fn absorbs(&self) -> bool {
-        self.needs.absorption || self.everything
+        self.needs.absorption || self.needless.absorption
     }
 
     /// Whether pixels are asked if they show something specular.
     pub fn may_be_specular(&self) -> bool {
-        self.needs.specular || self.everything
+        self.needs.specular || self.needless.specular
     }
 
     /// The camera.

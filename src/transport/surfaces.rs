@@ -13,7 +13,7 @@ pub struct Surfaces<N: Width> {
     /// ρ of every material, and 1 if it is Lambert's.
     paints: Vec<[f64; 4]>,
     /// Whether Lambert's too are asked as models.
-    everything: bool,
+    all_by_models: bool,
 }
 
 struct Model<N: Width> {
@@ -110,14 +110,14 @@ impl Metal {
 }
 
 impl<N: Width> Surfaces<N> {
-    /// Of a scene's materials, in a unit of length of which `scale` make a metre. If `everything`, no model is done without.
+    /// Of a scene's materials, in a unit of length of which `scale` make a metre. If `all_by_models`, no model is done without.
     ///
     /// # Errors
     /// If one names a medium that there is not.
     pub fn new<'a>(
         materials: impl IntoIterator<Item = &'a Material>,
         scale: f64,
-        everything: bool,
+        all_by_models: bool,
     ) -> Result<Self, Flaw> {
         let zoo = zoo::<N>();
         let (mut models, mut paints) = (Vec::new(), Vec::new());
@@ -134,7 +134,7 @@ impl<N: Width> Surfaces<N> {
             let [red, green, blue] = setting.albedo;
             paints.push([red, green, blue, is_lambert]);
         }
-        Ok(Self { models, paints, everything })
+        Ok(Self { models, paints, all_by_models })
     }
 
     /// Whether the back of a material is like its front, 1 or 0.
@@ -157,7 +157,7 @@ impl<N: Width> Surfaces<N> {
     pub fn met(&self, material: N, [red, green, blue, is_lambert]: [N; 4]) -> Met<'_, N> {
         let paint = Lambert { albedo: [red, green, blue] };
         let is_lambert = is_lambert.gt(N::of(0.5));
-        let is_plain = if self.everything { N::Mask::of(false) } else { is_lambert };
+        let is_plain = if self.all_by_models { N::Mask::of(false) } else { is_lambert };
         Met { models: &self.models, material, paint, is_lambert, is_plain }
     }
 }

@@ -27,6 +27,18 @@ pub struct Arrangement<'a> {
     pub axes: Axes<'a>,
     bar: Bar,
     key: Option<Key<'a>>,
+    /// Across and down: what is left of the room, so that cells of a picture are as high as wide.
+    pub spare: (f64, f64),
+}
+
+/// How much longer one side of a picture's frame may be than the other, before its cells are not as high as wide.
+const LONGEST: f64 = 3.0;
+
+/// The width of a frame over its height, if its cells are a picture's: those of axes without ticks.
+fn aspect(map: &Map) -> Option<f64> {
+    let rows = map.values.len().checked_div(map.columns).filter(|rows| *rows > 0)?;
+    let aspect = map.columns as f64 / rows as f64;
+    (map.x.is_bare() && map.y.is_bare()).then(|| aspect.clamp(1.0 / LONGEST, LONGEST))
 }
 
 /// Places frame, colour bar and key.
@@ -35,12 +47,20 @@ pub fn arrange<'a>(map: &'a Map, room: &Frame) -> Arrangement<'a> {
     let key = Some(Key::new(&map.marks)).filter(|key| !key.is_empty()).map(|key| key.below(room));
     let below = key.as_ref().map_or(0.0, |key| key.size().1);
     let plane = chart::plane(&map.x, &map.y, &map.marks);
-    let spare = Spare { right: bar.width(), below };
-    Arrangement { axes: Axes::new(&map.x, &map.y, plane, &map.marks, room, spare), bar, key }
+    let beside = || Spare { right: bar.width(), below };
+    let within = |room: &Frame| Axes::new(&map.x, &map.y, plane, &map.marks, room, beside());
+    let mut axes = within(room);
+    let mut spare = (0.0, 0.0);
+    if let Some(aspect) = aspect(map) {
+        let (width, height) = (axes.frame.width(), axes.frame.height());
+        spare = ((width - height * aspect).max(0.0), (height - width / aspect).max(0.0));
+        axes = within(&Frame { right: room.right - spare.0, bottom: room.bottom - spare.1, ..*room });
+    }
+    Arrangement { axes, bar, key, spare }
 }
 
 /// Draws a map into `room` as arranged.
-pub fn draw(canvas: &dyn Canvas, map: &Map, Arrangement { axes, bar, key }: &Arrangement, room: &Frame) {
+pub fn draw(canvas: &dyn Canvas, map: &Map, Arrangement { axes, bar, key, .. }: &Arrangement, room: &Frame) {
     let plane = axes.plane;
     let cells = Cells { values: &map.values, columns: map.columns };
     cells.draw(canvas, &axes.frame, &bar.extent, map.ramp);
@@ -170,5 +190,40 @@ impl Bar {
         canvas.outline(&sign, Colour::Ink, 1.0);
         let place: Place = (sign.right + 6.0, sign.place(0.0, 0.5).1);
         canvas.text(BROKEN_NAME, place, Anchor(Across::Left, Down::Middle), TEXT, Colour::Ink);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use chapters::figure::Axis;
+
+    #[test]
+    fn the_cells_of_a_picture_are_as_high_as_wide_and_those_of_a_map_fill_the_room() {
+        let map = |columns: usize, rows: usize, x: Axis| Map {
+            title: String::new(),
+            x,
+            y: Axis::bare(0.0, 1.0),
+            colour: Axis::linear("a", "").range(0.0, 1.0),
+            ramp: Ramp::Sequential,
+            columns,
+            values: vec![0.5; columns * rows],
+            marks: Vec::new(),
+        };
+        let room = Frame::at((10.0, 20.0), 620.0, 400.0);
+        let frame = |map: &Map| {
+            let Arrangement { axes, spare, .. } = arrange(map, &room);
+            (axes.frame.width(), axes.frame.height(), spare)
+        };
+        let (full, high, _) = frame(&map(4, 4, Axis::linear("x", "").range(0.0, 1.0)));
+        assert!(full > 1.2 * high);
+        for (columns, rows, aspect) in
+            [(4, 4, 1.0), (16, 9, 16.0 / 9.0), (3, 5, 0.6), (4000, 1, LONGEST), (1, 9, 1.0 / LONGEST)]
+        {
+            let (width, height, spare) = frame(&map(columns, rows, Axis::bare(0.0, 1.0)));
+            assert!((width / height / aspect - 1.0).abs() < 1e-9, "{columns} × {rows}: {width} × {height}");
+            // As large as there is room for.
+            assert!(spare.0.min(spare.1) == 0.0, "{columns} × {rows}: {spare:?}");
+        }
     }
 }

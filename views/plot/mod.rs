@@ -190,6 +190,12 @@ fn draw_lines(canvas: &dyn Canvas, lines: &[String], middle: f64, top: f64, size
 /// The size a panel asks for: the usual one, or higher if title, names and key would leave too little to the frame.
 fn size(panel: &Panel, usual: (f64, f64)) -> (f64, f64) {
     let (width, mut height) = usual;
+    if let Panel::Map(map) = panel {
+        let spare = map::arrange(map, &under_title(&map.title, &Frame::at((0.0, 0.0), width, height)).1).spare;
+        if spare != (0.0, 0.0) {
+            return (width - spare.0, height - spare.1);
+        }
+    }
     // A frame that has no room at all does not say how much it lacks: the second time it does.
     for _ in 0..3 {
         let room = |title: &str| under_title(title, &Frame::at((0.0, 0.0), width, height)).1;

@@ -4,7 +4,7 @@
 use super::film::{Clash, Film, Halves};
 use super::kernel::{Meeting, Tactics};
 use super::simple::{INTEGRATORS, Integrator};
-use super::{Manner, Method, Renderer, Stage, picture};
+use super::{Manner, Method, Needless, Renderer, Stage, picture};
 use crate::geometry::Structure;
 use crate::number::{F32x8, Width};
 use crate::radiometry::{self, disc::Disc, polygon, sphere::Sphere};
@@ -259,15 +259,37 @@ fn no_order_and_no_threads_can_be_told_from_caustics() {
 }
 
 #[test]
+fn samples_do_not_depend_on_how_many_are_expected() {
+    // On both sides of where the table of numbers ends, too: of eight rows and eight samples a pair, after 2¹³ pairs.
+    let pairs = [0..1, 63..64, 64..128, 8191..8192, 8192..8193, 16_384..16_385];
+    for scene in [room(3), hall(3)] {
+        let all = Renderer::new(&scene, &Manner::default(), 1 << 15).expect("a scene without a flaw");
+        let mut grown = Renderer::new(&scene, &Manner::default(), 1).expect("a scene without a flaw");
+        let mut before = None;
+        for range in pairs.clone() {
+            let alone = Renderer::new(&scene, &Manner::default(), range.end).expect("a scene without a flaw");
+            grown.expect(range.end);
+            let of = |renderer: &Renderer| (renderer.sums(0..3, range.clone()), renderer.splats(range.clone()));
+            let expected = of(&all);
+            assert!(of(&alone) == expected && of(&grown) == expected, "{range:?}");
+            assert_ne!(before.replace(expected.clone()), Some(expected), "{range:?}");
+        }
+    }
+}
+
+#[test]
 fn what_is_left_out_is_not_missed() {
     let mut foggy = room(8);
     foggy.environment = Some([0.3, 0.2, 0.1]);
     for (name, scene) in [("room", room(8)), ("hall", hall(8)), ("under a sky", foggy)] {
         let least = filmed(&scene, &Manner::default(), &[0..16]);
-        let everything = filmed(&scene, &Manner { everything: true, ..Manner::default() }, &[0..16]);
-        assert_eq!(least, everything, "{name}");
+        let with = |needless| filmed(&scene, &Manner { needless, ..Manner::default() }, &[0..16]);
+        assert_eq!(least, with(Needless::EVERYTHING), "{name}");
         let renderer = Renderer::new(&scene, &Manner::default(), 1).expect("a scene without a flaw");
         let left_out = renderer.needs().left_out();
+        for (what, needless) in left_out.iter().filter_map(|one| Some((one.what, one.needless?))) {
+            assert_eq!(least, with(needless), "{name}: {what}");
+        }
         assert!(left_out.iter().any(|one| one.what == "shadow tests of walls"), "{name}");
         assert_eq!(left_out.iter().any(|one| one.what == "paths from lamps"), name != "hall", "{name}");
     }

@@ -1,0 +1,208 @@
+//! Pictures, as the real program makes, measures and tells of them.
+
+#[allow(dead_code, reason = "each test file uses its part")]
+mod common;
+
+use common::{Run, folder, lesson, lesson_fed};
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A scene of the lecture in a few pixels, as a file in `folder`.
+fn small(folder: &Path, name: &str) -> PathBuf {
+    let printed = lesson(&format!("render {name} --print"));
+    assert_eq!(printed.code, 0, "{printed:?}");
+    let side = |line: &str| line.starts_with("width = ") || line.starts_with("height = ");
+    let key = |line: &str| line.split(' ').next().map(|key| format!("{key} = {}", if key == "width" { 6 } else { 5 }));
+    let lines = printed.out.lines().map(|line| if side(line) { key(line).unwrap() } else { line.to_owned() });
+    let path = folder.join(format!("{name}.toml"));
+    fs::write(&path, lines.collect::<Vec<_>>().join("\n")).unwrap();
+    path
+}
+
+/// `lesson render SCENE ARGUMENTS`, the files among them in `folder`, where they begin with `@`.
+fn render(folder: &Path, scene: &Path, arguments: &str) -> Run {
+    let all = arguments.split_whitespace().map(|word| match word.strip_prefix('@') {
+        Some(name) => folder.join(name).to_str().unwrap().to_owned(),
+        None => word.to_owned(),
+    });
+    let all: Vec<String> = ["render".to_owned(), scene.to_str().unwrap().to_owned()].into_iter().chain(all).collect();
+    lesson_fed(&all.iter().map(String::as_str).collect::<Vec<_>>(), b"")
+}
+
+/// The names of files in a folder, in order.
+fn names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<_> =
+        fs::read_dir(folder).unwrap().map(|one| one.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+/// A channel of an EXR.
+fn channel(path: &Path, name: &str) -> Vec<f32> {
+    use exr::prelude::*;
+    let image = read().no_deep_data().largest_resolution_level().all_channels().first_valid_layer().all_attributes();
+    let image = image.from_file(path).unwrap();
+    let channel = image.layer_data.channel_data.list.iter().find(|channel| channel.name.to_string() == name);
+    channel.unwrap_or_else(|| panic!("no {name}")).sample_data.values_as_f32().collect()
+}
+
+#[test]
+fn one_run_writes_all_that_is_known_of_a_picture() {
+    let folder = folder("render-all");
+    let scene = small(&folder, "cornell");
+    let outs = "--spp 8 --out @a.png --out @a.exr --out @a.pfm --error-map @e.svg --stats @s.json";
+    let run = render(&folder, &scene, outs);
+    assert_eq!(run.code, 0, "{run:?}");
+    let written: Vec<_> = run.out.lines().map(|line| Path::new(line).file_name().unwrap().to_str().unwrap()).collect();
+    assert_eq!(written, ["a.png", "a.exr", "a.pfm", "e.svg", "s.json"]);
+    assert_eq!(names(&folder), ["a.exr", "a.pfm", "a.png", "cornell.toml", "e.svg", "s.json"]);
+    // The same radiance in both, to the last bit; a float map begins at the bottom.
+    let red = channel(&folder.join("a.exr"), "R");
+    let pfm = fs::read(folder.join("a.pfm")).unwrap();
+    let floats: Vec<f32> = pfm[pfm.len() - 6 * 5 * 12..]
+        .chunks(12)
+        .map(|pixel| f32::from_le_bytes(pixel[..4].try_into().unwrap()))
+        .collect();
+    let upright: Vec<f32> = floats.chunks(6).rev().flatten().copied().collect();
+    assert_eq!(red, upright);
+    // All that is seen of the box is at least as far as its open side, and its normals are no longer than one.
+    let depth = channel(&folder.join("a.exr"), "depth.Z");
+    let normals = ["X", "Y", "Z"].map(|axis| channel(&folder.join("a.exr"), &format!("normal.{axis}")));
+    assert!(depth.iter().any(|z| *z > 1.0) && depth.iter().all(|z| z.is_finite()));
+    assert!((0..30).all(|at| normals.iter().map(|axis| axis[at] * axis[at]).sum::<f32>() <= 1.0 + 1e-5));
+    // The errors that the statistics tell are those of the variances.
+    let stats: Value = serde_json::from_slice(&fs::read(folder.join("s.json")).unwrap()).unwrap();
+    let of = |name: &str| channel(&folder.join("a.exr"), name).into_iter().map(f64::from).collect::<Vec<_>>();
+    let mut sum = 0.0;
+    for letter in ["R", "G", "B"] {
+        let pairs = of(letter).into_iter().zip(of(&format!("variance.{letter}")));
+        sum += pairs.map(|(mean, variance)| variance / (mean * mean + 0.01)).sum::<f64>();
+    }
+    let told = stats["relative_mse"].as_f64().unwrap();
+    // Floats of 24 bits.
+    assert!((told / (1.2 * sum / 90.0) - 1.0).abs() < 1e-5, "{told} and {sum}");
+    for (key, value) in [("spp", 8), ("width", 6), ("height", 5), ("seed", 1), ("spp_before", 0), ("broken_pixels", 0)]
+    {
+        assert_eq!(stats[key], value, "{key}");
+    }
+    assert_eq!((&stats["scene"], &stats["integrator"]), (&"cornell".into(), &"fast".into()));
+    let rounds = stats["rounds"].as_array().unwrap();
+    assert_eq!(rounds.iter().map(|round| round["spp"].as_u64().unwrap()).collect::<Vec<_>>(), [2, 4, 8]);
+    assert_eq!(rounds[2]["relative_mse"], stats["relative_mse"]);
+    let time = |round: &Value| round["cpu_seconds"].as_f64().unwrap();
+    assert!(rounds.windows(2).all(|two| time(&two[0]) <= time(&two[1])));
+    assert!(fs::read_to_string(folder.join("e.svg")).unwrap().contains("relative error of a pixel"));
+}
+
+#[test]
+fn a_film_without_its_scene_has_no_features_to_write() {
+    let folder = folder("render-film-exr");
+    let scene = small(&folder, "furnace");
+    let run = render(&folder, &scene, "--spp 2 --film @a.film --out @a.pfm");
+    assert_eq!(run.code, 0, "{run:?}");
+    let [film, out] = ["a.film", "a.exr"].map(|name| folder.join(name).to_str().unwrap().to_owned());
+    let run = lesson_fed(&["film", "merge", &film, "--out", &out], b"");
+    assert_eq!(run.code, 0, "{run:?}");
+    assert_eq!(channel(Path::new(&out), "variance.G").len(), 30);
+    let bytes = fs::read(&out).unwrap();
+    assert!(!bytes.windows(7).any(|seven| seven == b"depth.Z"));
+}
+
+#[test]
+fn what_a_scene_needs_is_explained_with_what_was_measured() {
+    let folder = folder("render-explain");
+    let scene = small(&folder, "glass");
+    let run = render(&folder, &scene, "--spp 2 --explain --out @a.pfm");
+    assert_eq!(run.code, 0, "{run:?}");
+    for words in [
+        "glass needs",
+        "paths from lamps by way of mirrors and glass",
+        "the same picture, bit for bit",
+        "nothing to do",
+        "everything of it together",
+        "Left in",
+        "Measured on 6 × 5 pixels",
+    ] {
+        assert!(run.out.contains(words), "should say `{words}`: {}", run.out);
+    }
+    // The paths stand last, for who reads them off.
+    assert_eq!(run.out.lines().last(), folder.join("a.pfm").to_str());
+    let simple = render(&folder, &scene, "--spp 2 --explain --integrator lamps --out @b.pfm");
+    assert!(simple.code == 0 && !simple.out.contains("Left in"), "{simple:?}");
+}
+
+#[test]
+fn a_race_tells_of_every_integrator_that_fits_and_draws_them() {
+    let folder = folder("render-race");
+    let scene = small(&folder, "cornell");
+    let run = render(&folder, &scene, "--time 100ms --spp 64 --race --plot --format svg --out @figures");
+    assert_eq!(run.code, 0, "{run:?}");
+    for name in ["fast", "hemisphere", "surface", "lamps", "both"] {
+        assert!(run.out.contains(&format!("  {name}: ")), "{name}: {}", run.out);
+    }
+    assert!(run.out.contains("reference: fast, seed 2, ") && run.out.contains("efficiency"), "{}", run.out);
+    let figure = folder.join("figures/render-cornell-race.svg");
+    assert_eq!(run.out.lines().last(), figure.to_str());
+    assert!(fs::read_to_string(figure).unwrap().contains("CPU time"));
+    // Glass is nothing for who looks by chance alone over the hemisphere.
+    let glass = small(&folder, "glass");
+    let run = render(&folder, &glass, "--time 10ms --spp 2 --race");
+    assert!(run.code == 0 && run.out.contains("  both: ") && !run.out.contains("  hemisphere: "), "{run:?}");
+    assert_eq!(names(&folder.join("figures")), ["render-cornell-race.svg"]);
+}
+
+#[test]
+fn what_cannot_be_written_is_refused_before_the_work() {
+    let folder = folder("render-refused");
+    let scene = small(&folder, "furnace");
+    fs::create_dir(folder.join("taken.json")).unwrap();
+    let before = names(&folder);
+    // So many samples that work which began would not end.
+    for (arguments, words) in [
+        ("--stats @s.txt", "valid: .json"),
+        ("--stats @taken.json", "there is a folder of that name"),
+        ("--stats /dev/null/s.json", "cannot be used as a folder"),
+        ("--error-map @e.jpg", "valid: .png, .svg"),
+        ("--error-map /dev/null/e.png", "cannot be used as a folder"),
+        ("--out @a.tif", "valid: .png, .exr, .pfm"),
+        ("--out @a.png --out @./a.png", "is the file of another one already"),
+        ("--out @a.png --error-map @a.png", "is the file of --out already"),
+        ("--race --plot --out /dev/null/figures", "cannot be used as a folder"),
+        ("--race --out @figures", "needs --plot"),
+        ("--race --plot --out @a --out @b", "only one folder"),
+        ("--race --error 0.1", "--error"),
+        ("--race --stats @s.json", "--stats"),
+        ("--race --integrator fast", "--integrator"),
+        ("--plot", "needs --race"),
+        ("--race --format svg", "needs --plot"),
+        ("--time 0s", "out of range"),
+        ("--time 5parsec", "`parsec` is no unit here; units: fs, ps, ns, us, ms, s, min, h"),
+        ("--time min", "is not a number"),
+    ] {
+        let run = render(&folder, &scene, &format!("--spp 16777216 {arguments}"));
+        assert_eq!((run.code, run.out.as_str(), run.err.lines().count()), (2, "", 1), "{arguments}: {run:?}");
+        assert!(run.err.contains(words), "{arguments} should say `{words}`: {}", run.err);
+    }
+    assert_eq!(names(&folder), before);
+    // A scene is not overwritten by what is known of it.
+    let json = folder.join("scene.json");
+    fs::write(&json, r#"{"camera": {"origin": [0, 0, 3], "target": [0, 0, 0], "fov_y_deg": 40, "width": 4, "height": 4}, "environment": {"radiance": [1, 1, 1]}}"#).unwrap();
+    let text = fs::read(&json).unwrap();
+    let run = render(&folder, &json, "--spp 2 --out @b.pfm --stats @scene.json");
+    assert!(run.code == 2 && run.err.contains("is the file of the scene already"), "{run:?}");
+    assert_eq!(fs::read(&json).unwrap(), text);
+}
+
+#[test]
+fn times_are_taken_in_the_units_that_people_use() {
+    let folder = folder("render-time");
+    let scene = small(&folder, "furnace");
+    for time in ["1h", "2min", "20s", "500ms", "3"] {
+        let run = render(&folder, &scene, &format!("--spp 2 --time {time} --out @a.pfm"));
+        assert!(run.code == 0 && run.err.contains(", 2 spp in "), "{time}: {run:?}");
+    }
+    // Nothing of bars and pictures goes into a pipe.
+    let run = render(&folder, &scene, "--time 200ms --out @b.pfm");
+    assert!(run.err.lines().count() == 1 && !run.err.contains('\u{1b}') && !run.out.contains('\u{1b}'), "{run:?}");
+}
