@@ -108,6 +108,6 @@ mod tests {
     fn a_picture_without_error_has_a_scale_all_the_same() {
         let map = map(1, 1, &[[[1.0; 3]; 2]]);
         assert_eq!(map.values, [0.0]);
-        assert_eq!(map.colour.range, Some((1e-3, 1.0)));
+        assert_eq!(map.colour.range, Some((1.0 / 10f64.powf(DECADES), 1.0)));
     }
 }

@@ -353,7 +353,8 @@ mod tests {
     #[test]
     fn what_is_left_in_earns_its_place_in_error() {
         // Glass: light by way of it, and the samples where it is seen, each take a good part of the error off.
-        let (scene, usual) = (few(&scene("glass")), Manner::default());
+        let (mut scene, usual) = (few(&scene("glass")), Manner::default());
+        (scene.camera.width, scene.camera.height) = (16, 16);
         let renderer = Renderer::new(&scene, &usual, 1).expect("a scene of the lecture");
         let kept = left_in(&scene, renderer.needs(), &usual);
         let names: Vec<_> = kept.iter().map(|one| one.what.split(' ').next()).collect();
