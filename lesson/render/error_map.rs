@@ -38,7 +38,7 @@ pub fn plot(picture: &Picture, name: &str, spp: u32) -> Plot {
         marks: Vec::new(),
     };
     let whole = format!("{:.2} %", 100.0 * found.relative_error());
-    Plot::of(format!("{name}, {spp} spp: what its halves tell of its error; in all {whole}"), map)
+    Plot::of(format!("{name}, {spp} spp: relative error {whole}"), map)
 }
 
 /// The root mean square [1] of the relative errors of a square of pixels; not a number if one of them is none.
