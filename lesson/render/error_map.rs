@@ -94,8 +94,9 @@ mod tests {
     fn a_large_picture_is_shown_by_squares() {
         // Of every four pixels one is wrong: by 0.2, root mean square 0.1.
         let side = 2 * CELLS as usize;
-        let halves: Vec<_> =
-            (0..3 * side).map(|at| of_error(if at % 2 == 0 && (at / side) % 2 == 0 { 0.2 } else { 0.0 })).collect();
+        let halves: Vec<_> = (0..3 * side)
+            .map(|at| of_error(if at % 2 == 0 && (at / side).is_multiple_of(2) { 0.2 } else { 0.0 }))
+            .collect();
         let map = map(side as u32, 3, &halves);
         assert_eq!((map.columns, map.values.len()), (CELLS as usize, 2 * CELLS as usize));
         // The last row of squares is half as high: one pixel of two.
