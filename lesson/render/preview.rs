@@ -282,6 +282,8 @@ mod tests {
         assert_eq!(all(100, false, 0.1, 4, 4), 1);
         // Twice what took 6 s, in moments of 0.3 s: 2 of 100 rows each.
         assert_eq!(all(100, false, 6.0, 4, 8), 50);
+        // Seven rows each, and two at the end.
+        assert_eq!(all(100, false, 4.0, 4, 4), 15);
         assert_eq!(all(3, false, 1e9, 1, 1), 3);
         assert_eq!(all(7, false, 0.0, 0, 1), 1);
     }
