@@ -49,7 +49,7 @@ pub enum Request {
     /// A scene as a file.
     Print { scene: String, out: Option<PathBuf> },
     /// A picture of a scene.
-    Render(Job),
+    Render(Box<Job>),
     /// Films put together.
     Merge(Merge),
     /// What is in a film.
@@ -752,7 +752,7 @@ impl RenderArgs {
                 plot: plot.filter(|_| self.plot).map(|folder| (folder, format(self.format))),
             })
         });
-        Ok(Request::Render(Job {
+        Ok(Request::Render(Box::new(Job {
             scene,
             race: race.transpose()?,
             error_map: self.error_map,
@@ -766,7 +766,7 @@ impl RenderArgs {
             depth: self.depth,
             shown: self.shown.into(),
             film: self.film,
-        }))
+        })))
     }
 }
 

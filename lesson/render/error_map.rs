@@ -38,7 +38,7 @@ pub fn plot(picture: &Picture, name: &str, spp: u32) -> Plot {
         marks: Vec::new(),
     };
     let whole = format!("{:.2} %", 100.0 * found.relative_error());
-    Plot::of(format!("{name}, {spp} spp: what its halves tell of its error; in all {whole}"), map)
+    Plot::of(format!("{name}, {spp} spp: relative error {whole}"), map)
 }
 
 /// The root mean square [1] of the relative errors of a square of pixels; not a number if one of them is none.
@@ -94,8 +94,9 @@ mod tests {
     fn a_large_picture_is_shown_by_squares() {
         // Of every four pixels one is wrong: by 0.2, root mean square 0.1.
         let side = 2 * CELLS as usize;
-        let halves: Vec<_> =
-            (0..3 * side).map(|at| of_error(if at % 2 == 0 && (at / side) % 2 == 0 { 0.2 } else { 0.0 })).collect();
+        let halves: Vec<_> = (0..3 * side)
+            .map(|at| of_error(if at % 2 == 0 && (at / side).is_multiple_of(2) { 0.2 } else { 0.0 }))
+            .collect();
         let map = map(side as u32, 3, &halves);
         assert_eq!((map.columns, map.values.len()), (CELLS as usize, 2 * CELLS as usize));
         // The last row of squares is half as high: one pixel of two.
@@ -108,6 +109,6 @@ mod tests {
     fn a_picture_without_error_has_a_scale_all_the_same() {
         let map = map(1, 1, &[[[1.0; 3]; 2]]);
         assert_eq!(map.values, [0.0]);
-        assert_eq!(map.colour.range, Some((1e-3, 1.0)));
+        assert_eq!(map.colour.range, Some((1.0 / 10f64.powf(DECADES), 1.0)));
     }
 }

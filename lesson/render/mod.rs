@@ -289,7 +289,7 @@ fn rendered(scene: &Scene, manner: &Manner, job: &Job, features: bool) -> Result
     let goal = &Goal { round: archive.as_ref().map(|_| archive::ROUND), ..job.goal };
     let before = film.pairs();
     let making_ready = beginning.spent();
-    let preview = Preview::new(goal.whole(), job.shown);
+    let mut preview = Preview::new(goal.whole(), job.shown);
     let mut found = Estimate::of(&film.halves());
     let mut rounds = Vec::new();
     let working = Watch::started();
@@ -312,7 +312,7 @@ fn rendered(scene: &Scene, manner: &Manner, job: &Job, features: bool) -> Result
             if now > 0 {
                 let left = preview::left(share / goal.whole() as f64, working.elapsed());
                 let left = left.map_or(String::new(), |left| format!(", {} left", preview::clock(left)));
-                preview.tell(share as u64, format!("{} spp, error {}{left}", 2 * film.pairs(), percent(&found)));
+                preview.tell(share as u64, &format!("{} spp, error {}{left}", 2 * film.pairs(), percent(&found)));
             }
             sums.extend(renderer.sums(rows, pairs.clone()));
         }
@@ -354,7 +354,8 @@ fn shares_after(goal: &Goal, done: &Done, next: u32, found: &Estimate) -> u64 {
     let elapsed = done.elapsed.mul_f64(more);
     let found = Estimate { relative_mse: found.relative_mse / more, ..*found };
     let ahead = done.ranges.last().map_or(0, |last| last.end);
-    let ranges: Vec<_> = done.ranges.iter().cloned().chain([ahead..ahead.saturating_add(next)]).collect();
+    let ranges: Vec<_> =
+        done.ranges.iter().cloned().chain(std::iter::once(ahead..ahead.saturating_add(next))).collect();
     goal.share(&Done { ranges: &ranges, now: done.now + next, elapsed }, &found)
 }
 

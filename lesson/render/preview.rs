@@ -1,18 +1,20 @@
 //! The picture while it is made: a bar, and on a terminal with colours enough the picture itself, two pixels a letter.
 
 use super::pictures::Shown;
-use console::Term;
+use console::{Term, truncate_str};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use light::bsdf::Rgb;
 use light::transport::estimate::colour;
 use light::transport::film::Halves;
-use std::fmt::Write;
-use std::io::{IsTerminal, stderr};
+use std::fmt::Write as _;
+use std::io::{IsTerminal, Write as _, stderr};
 use std::ops::Range;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-/// How often a second all of it is drawn anew at most.
-const RATE: u8 = 2;
+/// How often all of it is drawn anew at most.
+const APART: Duration = Duration::from_millis(500);
+/// Letters that the bar is long.
+const BAR: usize = 24;
 /// Letters across below which a picture tells nothing.
 const NARROW: u16 = 40;
 /// Lines kept for the bar and for what was said before.
@@ -22,10 +24,21 @@ const MOMENT: f64 = 0.3;
 
 /// What is shown on standard error while a picture is made; nothing if that is no terminal.
 pub struct Preview {
+    /// Alone, where there is no picture.
     bar: ProgressBar,
+    screen: Option<Screen>,
+}
+
+/// A part of a terminal that is drawn again and again.
+struct Screen {
     /// Letters across and down that a picture may have.
-    room: Option<[usize; 2]>,
+    room: [usize; 2],
     shown: Shown,
+    /// The picture, line by line.
+    letters: String,
+    /// Lines that were drawn above the last one.
+    lines: usize,
+    drawn: Option<Instant>,
 }
 
 /// Letters across and down that a terminal of this size has for a picture, if it has.
@@ -48,37 +61,73 @@ impl Preview {
     /// Up to so many steps.
     pub fn new(steps: u64, shown: Shown) -> Self {
         if !stderr().is_terminal() {
-            return Self { bar: ProgressBar::hidden(), room: None, shown };
+            return Self { bar: ProgressBar::hidden(), screen: None };
         }
         let room = room(Term::stderr().size_checked(), is_coloured(|name| std::env::var(name).ok()));
-        let (picture, rate) = if room.is_some() { ("{msg}", RATE) } else { ("", 5) };
-        let template = format!("{picture}{{bar:24}} {{percent}} % {{prefix}}");
-        let style = ProgressStyle::with_template(&template).expect("a valid template");
-        let target = ProgressDrawTarget::stderr_with_hz(rate);
-        Self { bar: ProgressBar::with_draw_target(Some(steps), target).with_style(style), room, shown }
+        let screen = room.map(|room| Screen { room, shown, letters: String::new(), lines: 0, drawn: None });
+        let target = if screen.is_some() { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+        let style = ProgressStyle::with_template(&format!("{{bar:{BAR}}} {{percent}} % {{wide_msg}}"));
+        let bar = ProgressBar::with_draw_target(Some(steps), target).with_style(style.expect("a valid template"));
+        Self { bar, screen }
     }
 
     /// Whether nobody sees anything of it.
     pub fn is_hidden(&self) -> bool {
-        self.bar.is_hidden()
+        self.bar.is_hidden() && self.screen.is_none()
     }
 
     /// How far it is, and what else there is to say.
-    pub fn tell(&self, steps: u64, says: String) {
-        self.bar.set_prefix(says);
-        self.bar.set_position(steps);
+    pub fn tell(&mut self, steps: u64, says: &str) {
+        if let Some(screen) = self.screen.as_mut().filter(|screen| screen.is_due(Instant::now())) {
+            let frame = screen.frame(steps as f64 / self.bar.length().unwrap_or(1).max(1) as f64, says);
+            // Nobody may be looking.
+            let _ = stderr().lock().write_all(frame.as_bytes());
+        } else {
+            self.bar.set_message(says.to_owned());
+            self.bar.set_position(steps);
+        }
     }
 
-    /// What the picture looks like.
-    pub fn show(&self, halves: &[Halves], width: u32) {
-        if let Some(room) = self.room {
-            self.bar.set_message(letters(halves, width as usize, room, &self.shown));
+    /// What the picture looks like, from the next time on that something is told.
+    pub fn show(&mut self, halves: &[Halves], width: u32) {
+        if let Some(screen) = self.screen.as_mut().filter(|screen| screen.may_be_due(Instant::now())) {
+            screen.letters = letters(halves, width as usize, screen.room, &screen.shown);
         }
     }
 
     /// Takes all of it off the screen.
-    pub fn end(&self) {
+    pub fn end(&mut self) {
         self.bar.finish_and_clear();
+        if let Some(screen) = self.screen.take().filter(|screen| screen.drawn.is_some()) {
+            let _ = stderr().lock().write_all(format!("{}\x1b[J", screen.to_its_top()).as_bytes());
+        }
+    }
+}
+
+impl Screen {
+    fn is_due(&self, now: Instant) -> bool {
+        !self.letters.is_empty() && self.may_be_due(now)
+    }
+
+    fn may_be_due(&self, now: Instant) -> bool {
+        self.drawn.is_none_or(|drawn| now.duration_since(drawn) >= APART)
+    }
+
+    /// The way from the end of what was drawn to its beginning.
+    fn to_its_top(&self) -> String {
+        if self.lines > 0 { format!("\r\x1b[{}A", self.lines) } else { "\r".to_owned() }
+    }
+
+    /// All of it, over what was drawn before, and it is noted as drawn.
+    fn frame(&mut self, share: f64, says: &str) -> String {
+        let full = ((share * BAR as f64) as usize).min(BAR);
+        let bar = format!("{}{} {:.0} % {says}", "█".repeat(full), "░".repeat(BAR - full), 100.0 * share);
+        let bar = truncate_str(&bar, self.room[0], "…").into_owned();
+        // What stood there is taken away with the first letter of each line, and under the last one.
+        let frame = format!("{}{}{bar}\x1b[K\x1b[J", self.to_its_top(), self.letters);
+        self.lines = self.letters.matches('\n').count();
+        self.drawn = Some(Instant::now());
+        frame
     }
 }
 
@@ -141,7 +190,7 @@ fn letters(halves: &[Halves], width: usize, room: [usize; 2], shown: &Shown) -> 
             let ground = ground.map_or("49".to_owned(), |[r, g, b]| format!("48;2;{r};{g};{b}"));
             let _ = write!(text, "\x1b[38;2;{r};{g};{b};{ground}m▀");
         }
-        text.push_str("\x1b[0m\n");
+        text.push_str("\x1b[0m\x1b[K\n");
     }
     text
 }
@@ -160,7 +209,7 @@ mod tests {
     #[test]
     fn two_pixels_stand_in_a_letter_the_upper_on_top() {
         let text = letters(&[grey(1.0), grey(0.0), grey(f32::NAN)], 1, [80, 20], &PLAIN);
-        assert_eq!(text, "\x1b[38;2;255;255;255;48;2;0;0;0m▀\x1b[0m\n\x1b[38;2;0;0;0;49m▀\x1b[0m\n");
+        assert_eq!(text, "\x1b[38;2;255;255;255;48;2;0;0;0m▀\x1b[0m\x1b[K\n\x1b[38;2;0;0;0;49m▀\x1b[0m\x1b[K\n");
     }
 
     #[test]
@@ -177,11 +226,30 @@ mod tests {
             // It fills the room in one of the two.
             assert!(across == room[0] || 2 * lines.len() + 1 >= 2 * room[1], "{width} × {height}: {across}");
         }
-        let halves: Vec<_> = (0..400 * 40).map(|at| grey((at % 2) as f32)).collect();
+        let halves: Vec<_> = (0..400 * 48).map(|at| grey((at % 2) as f32)).collect();
         let text = letters(&halves, 400, [50, 20], &PLAIN);
         let half = (255.0 * light::tone::encoded(0.5)).round();
         let due = format!("\x1b[38;2;{half};{half};{half};48;2;{half};{half};{half}m▀");
-        assert_eq!(text.matches(&due).count(), text.matches('▀').count(), "{text:?}");
+        assert_eq!(text.matches(&due).count(), 50 * 3);
+    }
+
+    #[test]
+    fn a_frame_is_drawn_over_the_last_one_and_not_too_soon() {
+        let mut screen = Screen { room: [40, 10], shown: PLAIN, letters: String::new(), lines: 0, drawn: None };
+        let now = Instant::now();
+        assert!(!screen.is_due(now), "without a picture");
+        screen.letters = "a\nb\nc\n".to_owned();
+        assert!(screen.is_due(now));
+        let first = screen.frame(0.5, "1 spp");
+        assert_eq!(first, format!("\ra\nb\nc\n{}{} 50 % 1 spp\x1b[K\x1b[J", "█".repeat(12), "░".repeat(12)));
+        let drawn = screen.drawn.unwrap();
+        assert!(!screen.is_due(drawn + APART / 2) && screen.is_due(drawn + APART));
+        // Three lines up, and no line wider than there is room.
+        let second = screen.frame(1.0, &"long ".repeat(20));
+        assert!(second.starts_with("\r\x1b[3Aa\n") && second.contains("100 %"), "{second:?}");
+        let last = second.lines().last().unwrap();
+        assert_eq!(console::measure_text_width(last), 40, "{last:?}");
+        assert_eq!(screen.to_its_top(), "\r\x1b[3A");
     }
 
     #[test]
@@ -214,6 +282,8 @@ mod tests {
         assert_eq!(all(100, false, 0.1, 4, 4), 1);
         // Twice what took 6 s, in moments of 0.3 s: 2 of 100 rows each.
         assert_eq!(all(100, false, 6.0, 4, 8), 50);
+        // Seven rows each, and two at the end.
+        assert_eq!(all(100, false, 4.0, 4, 4), 15);
         assert_eq!(all(3, false, 1e9, 1, 1), 3);
         assert_eq!(all(7, false, 0.0, 0, 1), 1);
     }

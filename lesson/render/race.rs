@@ -117,20 +117,20 @@ pub fn serve(scene: &Scene, course: &Course, shown: Shown) -> Result<ExitCode, S
     // The truth takes as long as the course says, whatever number of samples that is.
     let longer = Goal { spp: None, time: Some(course.time * LONGER), ..goal };
     let parts = entrants.len() as u32 + LONGER;
-    let preview = Preview::new(1000, shown);
+    let mut preview = Preview::new(1000, shown);
     let begun = Watch::started();
-    let tell = |part: f64, name: &str, spent: Spent, time: Duration, weight: f64| {
+    let tell = |preview: &mut Preview, part: f64, name: &str, spent: Spent, time: Duration, weight: f64| {
         let share = (part + weight * (spent.cpu_seconds / time.as_secs_f64()).min(1.0)) / f64::from(parts);
         let left = left(share, Duration::from_secs_f64(begun.spent().seconds))
             .map_or(String::new(), |left| format!(", {} left", clock(left)));
-        preview.tell((1000.0 * share) as u64, format!("{name}{left}"));
+        preview.tell((1000.0 * share) as u64, &format!("{name}{left}"));
     };
     let width = scene.camera.width;
     let seed = course.seed.wrapping_add(1);
     let manner = Manner { seed, ..Manner::default() };
     let (truth, sure) = run(scene, &manner, &longer, |run, _| {
-        tell(0.0, "reference", run.spent, course.time * LONGER, f64::from(LONGER));
         preview.show(&run.film.halves(), width);
+        tell(&mut preview, 0.0, "reference", run.spent, course.time * LONGER, f64::from(LONGER));
     })?;
     let reference = truth.film.halves();
 
@@ -140,9 +140,9 @@ pub fn serve(scene: &Scene, course: &Course, shown: Shown) -> Result<ExitCode, S
         let mut points: Vec<Point> = Vec::new();
         let (mut last, mut broken) = (None, 0);
         run(scene, &manner, &goal, |run, found| {
-            tell(f64::from(at + LONGER), name, run.spent, course.time, 1.0);
             let halves = run.film.halves();
             preview.show(&halves, width);
+            tell(&mut preview, f64::from(at + LONGER), name, run.spent, course.time, 1.0);
             let point = point(&halves, &reference, 2 * run.film.pairs(), run.spent.cpu_seconds);
             if points.last().is_none_or(|before| f64::from(point.spp) >= APART * f64::from(before.spp)) {
                 points.push(point);

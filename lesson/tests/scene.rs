@@ -388,7 +388,7 @@ fn what_is_asked_of_render_is_refused_like_everything_else() {
     refused_line("render", &["scene: missing"]);
     refused_line("render cornel", &["no such scene", "did you mean `cornell`", "Known: cornell, glass"]);
     refused_line("render --print cornel", &["did you mean `cornell`"]);
-    refused_line("render cornell --out there", &["--out there", "valid: .png, .pfm"]);
+    refused_line("render cornell --out there", &["--out there", "valid: .png, .exr, .pfm"]);
     refused_line("render cornell --out /dev/null/there.png", &["cannot be used as a folder"]);
     refused_line("render cornell --spp 0", &["--spp"]);
     refused_line("render cornell --integrator lamp", &["did you mean `lamps`"]);
