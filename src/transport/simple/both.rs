@@ -40,6 +40,10 @@ pub fn radiance(stage: &Stage<f64>, mut ray: Ray<f64>, numbers: &mut Numbers<'_>
         }
         let drawn = vertex.scatter(row.surface);
         carries = carried(carries, drawn.weight);
+        // A draw that failed has no density either.
+        if carries == [0.0; 3] {
+            break;
+        }
         pdf = if drawn.is_delta { f64::INFINITY } else { drawn.pdf };
         squeeze *= drawn.compression;
         ray = stage.leave(&vertex, vertex.frame.outward(drawn.wi));

@@ -66,6 +66,19 @@ fn a_white_world_is_white_at_every_extreme() {
     }
 }
 
+/// Off rough facets many a direction is drawn that leads into the body: there the path ends.
+#[test]
+fn draws_that_fail_end_paths() {
+    let ball = Geometry::Sphere { center: [0.0; 3], radius: 1.0 };
+    let of = world([0.0, -4.0, 1.5], [0.0; 3], mirror_of(0.2), vec![ball]);
+    for integrator in INTEGRATORS.iter().filter(|one| one.name != "hemisphere") {
+        let manner = Manner { method: Method::Simple(integrator), ..with(Tactics::default(), 1) };
+        let halves = filmed(&of, &manner, &[0..128]).halves();
+        let odd = halves.iter().flatten().flatten().filter(|x| !x.is_finite()).count();
+        assert_eq!(odd, 0, "{}", integrator.name);
+    }
+}
+
 #[test]
 fn who_stands_in_glass_sees_a_brighter_sky() {
     // L/n² is what stays the same (Planck): all around it is n² times as bright.
