@@ -9,8 +9,9 @@ use crate::stop::Stop;
 use chapters::parameter::{Fault, excerpt, parse_quantity};
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{ArgAction, Args, CommandFactory, Parser, Subcommand, ValueEnum, ValueHint};
+use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
+use light::scene::builtin::BUILTIN;
 use light::tone::Curve;
 use std::error::Error;
 use std::path::PathBuf;
@@ -85,7 +86,7 @@ pub struct Lesson {
 
 /// Reads the command line.
 pub fn parse() -> Result<Request, Stop> {
-    let cli = match Cli::try_parse() {
+    let cli = match command().try_get_matches().and_then(|found| Cli::from_arg_matches(&found)) {
         Ok(cli) => cli,
         Err(error) if error.use_stderr() => return Err(refusal(&error)),
         Err(help) => return Ok(Request::Help { text: styled(&help.render()) }),
@@ -110,9 +111,20 @@ pub fn parse() -> Result<Request, Stop> {
     }
 }
 
+/// The command line. Of the lecture's own options the last one counts where it is given twice; other commands refuse that.
+fn command() -> clap::Command {
+    Cli::command().mut_args(|argument| match argument.get_action() {
+        ArgAction::Set | ArgAction::SetTrue if !argument.is_positional() => {
+            let own = argument.get_id().clone();
+            argument.overrides_with(own)
+        }
+        _ => argument,
+    })
+}
+
 /// Help on the program, on one of its commands, or on a part of the curriculum.
 fn help(words: Vec<String>) -> Request {
-    let mut command = Cli::command();
+    let mut command = command();
     // Only then its commands know whose they are.
     command.build();
     let asked = match &words[..] {
@@ -164,8 +176,10 @@ fn refusal(error: &clap::Error) -> Stop {
         }
         ErrorKind::ArgumentConflict if !place.is_empty() => {
             let other = argument(&first(ContextKind::PriorArg));
-            let other = if other == argument(&place) { "another one".to_owned() } else { other };
-            Stop::at(argument(&place), format!("cannot stand beside {other}"))
+            match other == argument(&place) {
+                true => Stop::at(other, "given twice; valid: once"),
+                false => Stop::at(argument(&place), format!("cannot stand beside {other}")),
+            }
         }
         ErrorKind::MissingRequiredArgument => Stop::at(argument(&place), "missing; `--help` tells what it may be"),
         _ => {
@@ -223,7 +237,7 @@ fn after_help() -> String {
 
 /// A lecture on the physics of rendering that proves itself.
 #[derive(Debug, Parser)]
-#[command(name = "lesson", version, after_help = after_help(), disable_help_flag = true, disable_help_subcommand = true, args_conflicts_with_subcommands = true, args_override_self = true, max_term_width = 80)]
+#[command(name = "lesson", version, after_help = after_help(), disable_help_flag = true, disable_help_subcommand = true, args_conflicts_with_subcommands = true, propagate_version = true, max_term_width = 80)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -512,7 +526,7 @@ Examples:
   lesson render cornell --integrator hemisphere --spp 16
   lesson render cornell --print > my.toml  the scene as a file
   lesson render mesh --print --out scenes  with the mesh that it names
-  lesson render my.toml --spp 256 --out my.png
+  lesson render my.toml --spp 256 --width 640 --out my.png
   lesson render cornell --spp 4096 --film c.film
   lesson render cornell --samples 64..128 --film b.film
 
@@ -522,6 +536,10 @@ and --error the first that is reached ends the work. The relative error is the
 root of the mean over pixels and channels of (x − truth)²/(truth² + 0.01), as the
 picture's two independent halves tell it. Same scene and seed, same picture,
 whatever the number of threads.
+
+Ctrl-C or a request to terminate ends the work after some tenths of a second, and
+what there is of the picture is written; the exit status is then 130 or 143. A
+second one ends the program at once.
 
 A --film is kept at least every ten seconds, unless one pair of samples of the
 whole picture takes longer. Whatever ends the program, the same line goes on from
@@ -545,7 +563,7 @@ enum FilmCommand {
         /// The films.
         #[arg(required = true, value_hint = ValueHint::FilePath)]
         films: Vec<PathBuf>,
-        /// A file for what comes of it, .png, .pfm or .film; may be repeated.
+        /// A file for what comes of it, .png, .exr, .pfm or .film; may be repeated.
         #[arg(long, value_name = "FILE", required = true, value_hint = ValueHint::AnyPath)]
         out: Vec<PathBuf>,
         #[command(flatten)]
@@ -575,7 +593,7 @@ impl FilmCommand {
 #[derive(Debug, Args)]
 struct RenderArgs {
     /// A scene of the lecture, or a file that ends in .toml or .json.
-    #[arg(required_unless_present = "list", value_hint = ValueHint::FilePath)]
+    #[arg(value_hint = ValueHint::FilePath)]
     scene: Option<String>,
     /// The scenes of the lecture, one line each.
     #[arg(long, conflicts_with_all = ["scene", "print", "out"])]
@@ -583,15 +601,15 @@ struct RenderArgs {
     /// Print the scene as a TOML file.
     #[arg(long, conflicts_with_all = ["tone", "exposure"])]
     print: bool,
-    /// A file for the picture, .png, .exr or .pfm; may be repeated. With --print: a folder for the scene and its meshes.
-    /// With --race --plot: a folder for the figure.
+    /// A file for the picture, .png, .exr or .pfm; may be repeated. With --print: a .toml for the scene, or a folder for it,
+    /// and its meshes beside. With --race --plot: a .png or .svg for the figure, or a folder for it.
     #[arg(long, value_name = "FILE", value_hint = ValueHint::AnyPath)]
     out: Vec<PathBuf>,
     /// Samples a pixel; an odd number is taken as the next even one.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_SAMPLES)), conflicts_with = "print")]
+    #[arg(long, value_name = "N", value_parser = |text: &str| whole(text, 1, MOST_SAMPLES), allow_negative_numbers = true, conflicts_with = "print")]
     spp: Option<u32>,
     /// Numbers of the samples, such as 64..128: from the first up to but without the second, both even.
-    #[arg(long, value_name = "A..B", value_parser = sample_numbers, conflicts_with_all = ["spp", "print"])]
+    #[arg(long, value_name = "A..B", value_parser = sample_numbers, allow_hyphen_values = true, conflicts_with_all = ["spp", "print"])]
     samples: Option<[u32; 2]>,
     /// A file for the error of every pixel in false colours, .png or .svg.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["print", "race"], value_hint = ValueHint::FilePath)]
@@ -614,24 +632,31 @@ struct RenderArgs {
     /// A film, .film: gone on from if it is there, and kept while rendering.
     #[arg(long, value_name = "FILE", conflicts_with = "print", value_hint = ValueHint::FilePath)]
     film: Option<PathBuf>,
-    /// How long to render: 20s, 500ms, 2min. With --race: the processors' time that each integrator has [default: 2s].
-    #[arg(long, value_parser = duration, conflicts_with = "print")]
+    /// How long to render: 20s, 500ms, 2min, 1h; a number alone is seconds. With --race: the processors' time that each
+    /// integrator has [default: 2s].
+    #[arg(long, value_parser = duration, allow_hyphen_values = true, conflicts_with = "print")]
     time: Option<Duration>,
     /// The relative error that is good enough, above 0 and below 1.
-    #[arg(long, value_parser = share, conflicts_with = "print")]
+    #[arg(long, value_parser = share, allow_hyphen_values = true, conflicts_with = "print")]
     error: Option<f64>,
     /// Of all random numbers.
-    #[arg(long, default_value_t = 1, conflicts_with = "print")]
+    #[arg(long, default_value_t = 1, value_parser = seed, allow_hyphen_values = true, conflicts_with = "print")]
     seed: u64,
     /// Threads; as many as there are cores if left out.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), conflicts_with = "print")]
-    threads: Option<u16>,
+    #[arg(long, value_name = "N", value_parser = |text: &str| whole(text, 1, 1024), allow_negative_numbers = true, conflicts_with = "print")]
+    threads: Option<u32>,
     /// The integrator: fast, or one to read: hemisphere, surface, lamps, both.
     #[arg(long, value_name = "NAME", conflicts_with = "print")]
     integrator: Option<String>,
     /// The most edges of a path, instead of the scene's.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(DEEPEST)), conflicts_with = "print")]
+    #[arg(long, value_name = "N", value_parser = |text: &str| whole(text, 1, DEEPEST), allow_negative_numbers = true, conflicts_with = "print")]
     depth: Option<u32>,
+    /// The picture's width [pixels], instead of the scene's; without --height the picture keeps its shape.
+    #[arg(long, value_name = "N", value_parser = |text: &str| whole(text, 1, u32::MAX), allow_negative_numbers = true, conflicts_with = "print")]
+    width: Option<u32>,
+    /// The picture's height [pixels], instead of the scene's; without --width the picture keeps its shape.
+    #[arg(long, value_name = "N", value_parser = |text: &str| whole(text, 1, u32::MAX), allow_negative_numbers = true, conflicts_with = "print")]
+    height: Option<u32>,
     #[command(flatten)]
     shown: ShownArgs,
     #[command(flatten)]
@@ -685,6 +710,16 @@ impl From<ToneArg> for Curve {
     }
 }
 
+/// A whole number from the first to the last.
+fn whole(text: &str, first: u32, last: u32) -> Result<u32, String> {
+    let number = text.parse().ok().filter(|number| (first..=last).contains(number));
+    number.ok_or_else(|| format!("must be a whole number from {first} to {last}"))
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("must be a whole number from 0 to {}", u64::MAX))
+}
+
 /// A time of at most a month.
 fn duration(text: &str) -> Result<Duration, String> {
     const MONTH: f64 = 30.0 * 86_400.0;
@@ -722,13 +757,17 @@ impl RenderArgs {
         let Some(scene) = self.scene else {
             return match self.list {
                 true => Ok(Request::Scenes),
-                false => Err(Stop::at("scene", "missing; `lesson render --list` names those of the lecture")),
+                false => {
+                    let names: Vec<&str> = BUILTIN.iter().map(|builtin| builtin.name).collect();
+                    let valid = format!("valid: a file that ends in .toml or .json, or {}", names.join(", "));
+                    Err(Stop::at("scene", format!("missing; {valid}; `lesson render --list` tells of those")))
+                }
             };
         };
         if self.print {
             return match &self.out[..] {
                 [] | [_] => Ok(Request::Print { scene, out: self.out.into_iter().next() }),
-                _ => Err(Stop::at("--out", "with --print only one folder")),
+                _ => Err(Stop::at("--out", "with --print only one file or folder")),
             };
         }
         for (flag, given, other, is_there) in
@@ -742,14 +781,14 @@ impl RenderArgs {
             let plot = match &self.out[..] {
                 [] => Some(FOLDER.into()),
                 [folder] if self.plot => Some(folder.clone()),
-                [_, ..] if self.plot => return Err(Stop::at("--out", "with --race only one folder")),
+                [_, ..] if self.plot => return Err(Stop::at("--out", "with --race only one file or folder")),
                 [_, ..] => return Err(Stop::at("--out", "with --race needs --plot")),
             };
             Ok(Course {
                 time: self.time.unwrap_or(RACE),
                 spp: self.spp,
                 seed: self.seed,
-                plot: plot.filter(|_| self.plot).map(|folder| (folder, format(self.format))),
+                plot: plot.filter(|_| self.plot).map(|path| (path, self.format.map(|word| format(Some(word))))),
             })
         });
         Ok(Request::Render(Box::new(Job {
@@ -761,9 +800,10 @@ impl RenderArgs {
             goal: Goal { spp: self.spp, samples: self.samples, time: self.time, error: self.error, round: None },
             out: self.out,
             seed: self.seed,
-            threads: self.threads.map(usize::from),
+            threads: self.threads.map(|threads| threads as usize),
             integrator: self.integrator,
             depth: self.depth,
+            size: [self.width, self.height],
             shown: self.shown.into(),
             film: self.film,
         })))

@@ -3,7 +3,7 @@
 use crate::out::{self, Folder};
 use crate::progress::Progress;
 use crate::select::{Chosen, Selection};
-use crate::stop::Stop;
+use crate::stop::{Stop, plain};
 use chapters::figure::Plot;
 use chapters::vocabulary::Item;
 use rayon::prelude::*;
@@ -22,6 +22,12 @@ pub enum Format {
 }
 
 impl Format {
+    /// That of a file by its name, if it is one of them.
+    pub fn of(path: &Path) -> Option<Self> {
+        let extension = plain(&path.extension()?.to_string_lossy());
+        [Self::Png, Self::Svg].into_iter().find(|format| format.extension() == extension)
+    }
+
     fn extension(self) -> &'static str {
         match self {
             Self::Png => "png",

@@ -4,6 +4,7 @@ mod cli;
 mod eval;
 mod figures;
 mod film;
+mod memory;
 mod out;
 mod progress;
 mod prove;
@@ -26,6 +27,7 @@ fn main() -> ExitCode {
     match cli::parse().and_then(serve) {
         Ok(code) => code,
         Err(Stop::ClosedPipe) => ExitCode::SUCCESS,
+        Err(Stop::Interrupted(code)) => ExitCode::from(code),
         Err(Stop::Refused(message)) => {
             out::say(&format!("error: {message}"));
             ExitCode::from(2)

@@ -3,7 +3,7 @@
 use crate::stop::Stop;
 use console::Term;
 use std::fmt::Display;
-use std::fs::{self, File};
+use std::fs::{self, File, TryLockError};
 use std::io::{self, ErrorKind, IsTerminal, Write, stderr, stdout};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -63,10 +63,13 @@ impl Folder {
         Ok(Self { path: path.to_owned(), drafts, _lock: lock })
     }
 
-    /// The folder that a file is to be in, tried out, and the file's name there.
+    /// The folder that a file is to be in, which must be there, tried out, and the file's name there.
     pub fn of(path: &Path) -> Result<(Self, String), Stop> {
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let parent = parent(path);
+        if matches!(fs::metadata(parent), Err(error) if error.kind() == ErrorKind::NotFound) {
+            return Err(cannot_write(path, format!("there is no folder {}", parent.display())));
+        }
         let folder = Self::open(parent)?;
         folder.expect(&name)?;
         Ok((folder, name))
@@ -78,6 +81,31 @@ impl Folder {
         if place.is_dir() { Err(cannot_write(&place, "there is a folder of that name")) } else { Ok(()) }
     }
 
+    /// Keeps the file `name` for this run alone, as long as the folder is held; refused if another run has it.
+    pub fn reserve(&self, name: &str) -> Result<(), Stop> {
+        let mark = format!("{name}{RESERVED}");
+        let place = self.path.join(name);
+        File::create(self.drafts.join(&mark)).map_err(|error| cannot_write(&place, error))?;
+        let others = fs::read_dir(&self.path).into_iter().flatten().flatten();
+        let others = others.filter(|entry| entry.file_name().to_str().is_some_and(is_drafts_name));
+        let is_taken = others.map(|entry| entry.path()).filter(|drafts| *drafts != self.drafts).any(|drafts| {
+            let lock = File::open(drafts.join(LOCK));
+            drafts.join(&mark).exists()
+                && lock.is_ok_and(|lock| matches!(lock.try_lock(), Err(TryLockError::WouldBlock)))
+        });
+        if is_taken { Err(cannot_write(&place, "another run is writing it; valid: another file")) } else { Ok(()) }
+    }
+
+    /// Refuses a `name` that a file of other `bytes` has already: somebody may have written it by hand.
+    pub fn unlike(&self, name: &str, bytes: &[u8]) -> Result<(), Stop> {
+        let place = self.path.join(name);
+        match fs::metadata(&place).is_ok_and(|about| about.is_file()) && fs::read(&place).is_ok_and(|own| own != bytes)
+        {
+            true => Err(cannot_write(&place, "it is there already, with other content; valid: another file or folder")),
+            false => Ok(()),
+        }
+    }
+
     /// Writes a file among the drafts; [`publish`] puts it in its place.
     pub fn draft(&self, name: &str, bytes: &[u8]) -> Result<Draft, Stop> {
         self.draft_by(name, |file| file.write_all(bytes))
@@ -87,7 +115,10 @@ impl Folder {
     pub fn draft_by(&self, name: &str, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Draft, Stop> {
         self.expect(name)?;
         let draft = Draft { path: self.path.join(name), temporary: self.drafts.join(name) };
-        let written = File::create(&draft.temporary).and_then(|mut file| write(&mut file));
+        // Whoever took the folder away meanwhile shall not cost the work.
+        let written = fs::create_dir_all(&self.drafts)
+            .and_then(|()| File::create(&draft.temporary))
+            .and_then(|mut file| write(&mut file));
         written.map_err(|error| cannot_write(&draft.path, error))?;
         Ok(draft)
     }
@@ -100,8 +131,16 @@ impl Drop for Folder {
     }
 }
 
+/// The folder that a file is in by its path.
+pub fn parent(path: &Path) -> &Path {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
 /// The file in a folder of drafts that its owner holds locked.
 const LOCK: &str = "lock";
+
+/// What follows a file's name among the drafts of the run that alone may write it.
+const RESERVED: &str = ".reserved";
 
 /// A name for a folder of drafts that this process has not used: whoever still looks at an old one takes away no new one.
 fn drafts_name() -> String {
@@ -187,7 +226,20 @@ impl Draft {
     }
 }
 
-/// Moves all of `drafts` into place, or none: those already moved are taken away again.
+/// Moves each of `drafts` into place that can be: the paths of those, and why others are not there. For what each stands
+/// for itself and took long to make.
+pub fn publish_each(drafts: &[Draft]) -> (Vec<&Path>, Vec<Stop>) {
+    let (mut paths, mut failures) = (Vec::new(), Vec::new());
+    for draft in drafts {
+        match fs::rename(&draft.temporary, &draft.path) {
+            Ok(()) => paths.push(draft.path()),
+            Err(error) => failures.push(cannot_write(&draft.path, error)),
+        }
+    }
+    (paths, failures)
+}
+
+/// Moves all of `drafts` into place, or none: those already moved are taken away again. For what belongs together.
 pub fn publish(drafts: &[Draft]) -> Result<(), Stop> {
     for (at, draft) in drafts.iter().enumerate() {
         fs::rename(&draft.temporary, &draft.path).map_err(|error| {
@@ -271,6 +323,34 @@ mod tests {
             }
         });
         assert_eq!(names(&path).len(), 8 * 50);
+        fs::remove_dir_all(&path).unwrap();
+    }
+
+    #[test]
+    fn what_can_be_put_in_place_is_though_something_else_cannot() {
+        let path = std::env::temp_dir().join(format!("lesson-each-test-{}", std::process::id()));
+        let [one, two] = ["one", "two"].map(|name| Folder::open(&path.join(name)).unwrap());
+        // The folder that was taken away is made again.
+        fs::remove_dir_all(path.join("two")).unwrap();
+        let drafts = [one.draft("taken.png", b"x"), one.draft("a.png", b"x"), two.draft("b.png", b"x")];
+        let drafts = drafts.map(Result::unwrap);
+        fs::create_dir(path.join("one/taken.png")).unwrap();
+        let (paths, failures) = publish_each(&drafts);
+        assert_eq!(paths, [path.join("one/a.png"), path.join("two/b.png")]);
+        assert!(failures.len() == 1 && failures[0].to_string().contains("taken.png: cannot be written"));
+        drop((one, two));
+        fs::remove_dir_all(&path).unwrap();
+    }
+
+    #[test]
+    fn a_file_is_one_runs_alone_as_long_as_that_lasts() {
+        let path = std::env::temp_dir().join(format!("lesson-reserve-test-{}", std::process::id()));
+        let [first, second] = [0, 1].map(|_| Folder::open(&path).unwrap());
+        first.reserve("a.film").unwrap();
+        assert!(second.reserve("a.film").unwrap_err().to_string().contains("another run is writing it"));
+        second.reserve("b.film").unwrap();
+        drop((first, second));
+        Folder::open(&path).unwrap().reserve("a.film").unwrap();
         fs::remove_dir_all(&path).unwrap();
     }
 

@@ -11,6 +11,8 @@ pub enum Stop {
     Refused(String),
     /// Whoever read our output has had enough: exit code 0, in silence.
     ClosedPipe,
+    /// Somebody ended it before there was anything, which has been said: their exit code.
+    Interrupted(u8),
 }
 
 impl Stop {
@@ -23,7 +25,7 @@ impl Stop {
     pub fn within(self, place: impl Display) -> Self {
         match self {
             Self::Refused(message) => Self::at(place, message),
-            Self::ClosedPipe => self,
+            Self::ClosedPipe | Self::Interrupted(_) => self,
         }
     }
 
@@ -41,6 +43,7 @@ impl fmt::Display for Stop {
         f.write_str(match self {
             Self::Refused(message) => message,
             Self::ClosedPipe => "nobody reads any more",
+            Self::Interrupted(_) => "somebody ended it",
         })
     }
 }

@@ -2,9 +2,10 @@
 
 use super::{Reel, Shelf, is_film, samples};
 use crate::out;
-use crate::render::{self, Place, Shown};
+use crate::render::{self, Picture, Place, Shown};
 use crate::stop::Stop;
 use light::transport::estimate::Estimate;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -24,17 +25,25 @@ pub fn merge(job: &Merge) -> Result<ExitCode, Stop> {
     let (films, pictures): (Vec<&PathBuf>, Vec<&PathBuf>) = job.out.iter().partition(|path| is_film(path));
     let shelves = films.iter().map(|path| Shelf::of(path)).collect::<Result<Vec<_>, _>>()?;
     let places = pictures.iter().map(|path| Place::of(path)).collect::<Result<Vec<_>, _>>()?;
+    let own: BTreeSet<&PathBuf> = job.films.iter().collect();
+    let own = own.into_iter().map(|path| ("one of the films", path.as_path()));
+    render::distinct(own.chain(job.out.iter().map(|path| ("--out", path.as_path()))))?;
     let mut films = job.films.iter();
     let first = films.next().ok_or_else(|| Stop::at("films", "missing: at least one"))?;
     let mut reel = Reel::open(first)?;
     for path in films {
         reel.join(path, Reel::open(path)?)?;
     }
-    let mut drafts = shelves.iter().map(|shelf| shelf.draft(&reel.head, &reel.film)).collect::<Result<Vec<_>, _>>()?;
-    let (pictures, found) = render::drafts(&places, &reel.film, None, &job.shown)?;
-    drafts.extend(pictures);
-    out::say(&format!("{}: {} spp of {} films", reel.head.name, 2 * reel.film.pairs(), job.films.len()));
-    render::publish(&drafts, found.broken)
+    let mut drafts: Vec<_> = shelves.iter().map(|shelf| shelf.draft(&reel.head, &reel.film)).collect();
+    let Reel { head, film } = reel;
+    let ([width, height], spp) = (film.size(), 2 * film.pairs());
+    let (halves, about) = (film.halves(), head.about(spp));
+    drop(film);
+    let picture = Picture { width, height, halves: &halves, features: None, about: &about };
+    drafts.extend(render::drafts(&places, &picture, &job.shown));
+    let count = job.films.len();
+    out::say(&format!("{}: {spp} spp of {count} film{}", head.name, if count == 1 { "" } else { "s" }));
+    render::publish(drafts, Estimate::of(&halves).broken)
 }
 
 /// What is in a film.
@@ -52,15 +61,7 @@ pub fn show(path: &Path) -> Result<(), Stop> {
         ("spp", (2 * film.pairs()).to_string()),
         ("samples", ranges.join(", ")),
         ("seconds", format!("{:.2}", head.seconds)),
-        (
-            "error",
-            format!(
-                "{:.2} % (relMSE {:.3e} ± {:.0e})",
-                100.0 * found.relative_error(),
-                found.relative_mse,
-                found.deviation
-            ),
-        ),
+        ("error", render::error_told(&found, width as usize * height as usize)),
         ("not numbers", format!("{} pixels", found.broken)),
         ("light paths", if is_lit { "yes" } else { "no" }.to_owned()),
     ];

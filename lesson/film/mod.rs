@@ -7,7 +7,7 @@
 //! | 8 | [`MAGIC`] |
 //! | u32 | [`VERSION`] |
 //! | u32, u32 | width and height \[pixels\], each at least 1 |
-//! | 32 | SHA-256 of the scene: its TOML without its name, then of every mesh the length (u64) and bytes of its PLY |
+//! | 32 | SHA-256 of the scene: its TOML without its name and its depth, then of every mesh the length (u64) and bytes of its PLY |
 //! | f64 | seconds it took to render, ≥ 0 |
 //! | u32, text | length and UTF-8 of what is told: on the first line the scene's name, then a line `key: value` for each thing besides the scene that decides the samples |
 //! | u32, i32 | whether paths from lamps brought light, 0 or 1; the power of two that is a unit of it \[W m⁻² sr⁻¹\], else 0 |
@@ -33,15 +33,17 @@ mod tests;
 
 pub use command::{Merge, merge, show};
 
+use crate::memory;
 use crate::out::{Draft, Folder};
-use crate::render::MOST;
+use crate::render::{About, FAST, MOST};
 use crate::scene;
 use crate::stop::{Stop, plain};
 use light::scene::Scene;
 use light::transport::film::{Clash, Film};
+use light::transport::kernel::Tactics;
 use light::transport::{Manner, Method};
 use sha2::{Digest, Sha256};
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::BufReader;
 use std::ops::Range;
 use std::path::Path;
@@ -50,7 +52,7 @@ use std::path::Path;
 pub const MAGIC: [u8; 8] = *b"\x89film\r\n\x1a";
 
 /// Of the format.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 /// Whence a film's samples are.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,27 +70,24 @@ pub struct Head {
 impl Head {
     /// Of pictures of a scene, none yet rendered.
     pub fn new(scene: &Scene, manner: &Manner) -> Self {
-        // No field can be forgotten here when one comes to be.
-        // What is done needlessly changes no bit.
-        let Manner { method, structure, choice, seed, needless: _ } = manner;
-        let method = match method {
-            Method::Fast(tactics) => format!("fast, {tactics:?}"),
-            Method::Simple(integrator) => integrator.name.to_owned(),
-        };
-        let manner = [
-            ("integrator", method),
-            ("seed", seed.to_string()),
-            ("numbers", format!("{choice:?}")),
-            ("structure", format!("{structure:?}")),
-        ];
-        let manner = manner.map(|(key, value)| (key.to_owned(), value)).to_vec();
+        let manner = self::manner(scene, manner);
         Self { name: scene::stem(&scene.name), scene: hash(scene), manner, seconds: 0.0 }
     }
 
-    /// Why samples of `other` are none of the same picture, if so.
-    fn differs(&self, other: &Self) -> Option<String> {
+    /// What a picture of so many samples a pixel tells of itself.
+    fn about(&self, spp: u32) -> About {
+        let manner = self.manner.iter().filter(|(key, _)| key != ARITHMETIC).cloned().collect();
+        About { scene: self.name.clone(), spp, manner }
+    }
+
+    /// Why samples of `other`, which are those of `whom`, are none of the same picture, if so.
+    fn differs(&self, other: &Self, whom: &str) -> Option<String> {
         if self.scene != other.scene {
-            return Some(format!("is of another scene, {}, or one that has changed", other.name));
+            let [own, others] = [&self.name, &other.name];
+            return Some(match own == others {
+                true => format!("is of the scene {own} as it was otherwise than that of {whom}"),
+                false => format!("is of the scene {own}, {whom} of {others}"),
+            });
         }
         let value = |head: &Self, key: &str| {
             let found = head.manner.iter().find(|(own, _)| own == key);
@@ -97,13 +96,36 @@ impl Head {
         let keys = self.manner.iter().chain(&other.manner).map(|(key, _)| key);
         keys.map(|key| (key, value(self, key), value(other, key)))
             .find(|(_, own, others)| own != others)
-            .map(|(key, own, others)| format!("is made otherwise: {key} is {others} there, and {own} here"))
+            .map(|(key, own, others)| format!("has {key} {own}, {whom} {others}"))
     }
 }
 
-/// What a scene is, in 32 bytes; its name is no part of it.
+/// What besides the scene decides the samples, by name, in words; its depth is told apart.
+pub fn manner(scene: &Scene, manner: &Manner) -> Vec<(String, String)> {
+    // No field can be forgotten here when one comes to be.
+    // What is done needlessly changes no bit.
+    let Manner { method, structure, choice, seed, needless: _ } = manner;
+    let method = match method {
+        Method::Fast(tactics) if *tactics == Tactics::default() => FAST.to_owned(),
+        Method::Fast(tactics) => format!("{FAST}, {tactics:?}"),
+        Method::Simple(integrator) => integrator.name.to_owned(),
+    };
+    let manner = [
+        ("integrator", method),
+        ("depth", scene.max_depth.map_or("unlimited".to_owned(), |depth| depth.to_string())),
+        ("seed", seed.to_string()),
+        ("numbers", format!("{choice:?}").to_lowercase()),
+        ("structure", format!("{structure:?}").to_lowercase()),
+    ];
+    manner.map(|(key, value)| (key.to_owned(), value)).to_vec()
+}
+
+/// The key of what tells one machine's arithmetic from another's.
+pub const ARITHMETIC: &str = "arithmetic";
+
+/// What a scene is, in 32 bytes; its name and its depth are no part of it.
 fn hash(scene: &Scene) -> [u8; 32] {
-    let (text, meshes) = scene::written(&Scene { name: String::new(), ..scene.clone() });
+    let (text, meshes) = scene::written(&Scene { name: String::new(), max_depth: None, ..scene.clone() });
     let mut hash = Sha256::new();
     hash.update(text.as_bytes());
     for mesh in meshes {
@@ -125,12 +147,13 @@ impl Reel {
     pub fn open(path: &Path) -> Result<Self, Stop> {
         let read = || {
             let cannot = |error| format!("cannot be read: {error}");
-            let file = File::open(path).map_err(cannot)?;
-            let about = file.metadata().map_err(cannot)?;
-            // A pipe or a device has no length to hold its counts to.
+            let about = fs::metadata(path).map_err(cannot)?;
+            // A pipe or a device has no length to hold its counts to, and to open it may take forever.
             if !about.is_file() {
                 return Err("is no film".to_owned());
             }
+            let file = File::open(path).map_err(cannot)?;
+            memory::suffices("all of it", about.len(), "a film of fewer pixels").map_err(|stop| stop.to_string())?;
             bytes::read(BufReader::new(file), about.len())
         };
         read().map_err(|why| Stop::at(path.display(), why))
@@ -139,7 +162,8 @@ impl Reel {
     /// With all the samples of another, which was found in `path`.
     pub fn join(&mut self, path: &Path, other: Self) -> Result<(), Stop> {
         let refused = |why: String| Stop::at(path.display(), why);
-        self.refuse(&other.head, other.film.size()).map_or(Ok(()), |why| Err(refused(why)))?;
+        let why = other.refuse(&self.head, self.film.size(), "the films before it");
+        why.map_or(Ok(()), |why| Err(refused(why)))?;
         let twice = shared(&self.film, &other.film);
         if !twice.is_empty() {
             let twice: Vec<String> = twice.iter().map(samples).collect();
@@ -151,14 +175,13 @@ impl Reel {
         Ok(())
     }
 
-    /// Why samples of such an origin and size are none of the same picture, if so.
-    pub fn refuse(&self, head: &Head, size: [u32; 2]) -> Option<String> {
-        let own = self.film.size();
-        if own != size {
-            let [width, height] = size;
-            return Some(format!("has {width} × {height} pixels, and not {} × {}", own[0], own[1]));
+    /// Why samples of such an origin and size, which are those of `whom`, are none of the same picture, if so.
+    pub fn refuse(&self, head: &Head, size: [u32; 2], whom: &str) -> Option<String> {
+        let [own, others] = [self.film.size(), size];
+        if own != others {
+            return Some(format!("has {} × {} pixels, {whom} {} × {}", own[0], own[1], others[0], others[1]));
         }
-        self.head.differs(head)
+        self.head.differs(head, whom)
     }
 }
 
@@ -200,12 +223,13 @@ pub struct Shelf {
 }
 
 impl Shelf {
-    /// Finds out whether it can be, before the work.
+    /// Finds out whether it can be, before the work, and keeps others from writing it.
     pub fn of(path: &Path) -> Result<Self, Stop> {
         if !is_film(path) {
             return Err(Stop::at(path.display(), format!("is no film by its name; valid: .{EXTENSION}")));
         }
         let (folder, name) = Folder::of(path)?;
+        folder.reserve(&name)?;
         Ok(Self { folder, name })
     }
 

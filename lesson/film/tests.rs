@@ -163,7 +163,7 @@ fn small() -> Reel {
 #[test]
 fn the_format_is_the_one_that_is_described() {
     let mut bytes = vec![0x89, b'f', b'i', b'l', b'm', 13, 10, 26];
-    bytes.extend([1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]);
+    bytes.extend([2, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]);
     bytes.extend([9; 32]);
     bytes.extend([0, 0, 0, 0, 0, 0, 0xF8, 0x3F]);
     bytes.extend([12, 0, 0, 0]);
@@ -201,7 +201,7 @@ fn what_is_wrong_is_said() {
     for (bytes, why) in [
         (b"P6\n".to_vec(), "is no film"),
         (changed(0, b"X"), "is no film"),
-        (changed(8, &2_u32.to_le_bytes()), "version 2, which is not known; valid: 1"),
+        (changed(8, &1_u32.to_le_bytes()), "version 1, which is not known; valid: 2"),
         (changed(12, &few), "absurd"),
         (changed(12, &many), "172 bytes, and"),
         (changed(52, &(-1.0_f64).to_le_bytes()), "absurd"),
@@ -278,7 +278,7 @@ fn a_scene_is_known_by_all_there_is_of_it() {
         assert_eq!(own, of(&Scene { name: "other".into(), ..scene.clone() }), "{}", builtin.name);
         let mut others = vec![scene.clone(); 4];
         others[0].camera.fov_y_deg += 1e-12;
-        others[1].max_depth = Some(scene.max_depth.map_or(3, |depth| depth + 1));
+        others[1].camera.height += 1;
         others[2].camera.width += 1;
         others[3].materials.reverse();
         others[3].materials.push(scene.materials[0].clone());
@@ -306,19 +306,25 @@ fn a_scene_is_known_by_all_there_is_of_it() {
 
 #[test]
 fn films_made_otherwise_are_refused_with_what_differs() {
+    let deeper =
+        |scene: &Scene| Scene { max_depth: Some(scene.max_depth.map_or(3, |depth| depth + 1)), ..scene.clone() };
     let usual = Manner::default();
     let own = Reel { head: Head::new(&scene("cornell"), &usual), film: Film::new(1, 1) };
-    let refuse = |scene: &Scene, manner: Manner, size| own.refuse(&Head::new(scene, &manner), size);
+    let refuse = |scene: &Scene, manner: Manner, size| own.refuse(&Head::new(scene, &manner), size, "this run");
     let cornell = scene("cornell");
     assert_eq!(refuse(&cornell, usual, [1, 1]), None);
     assert_eq!(refuse(&cornell, Manner { needless: Needless::EVERYTHING, ..usual }, [1, 1]), None);
     let tactics = Tactics { patience: 7, ..Tactics::default() };
     for (found, words) in [
-        (refuse(&scene("glass"), usual, [1, 1]), "another scene, glass"),
-        (refuse(&cornell, Manner { seed: 2, ..usual }, [1, 1]), "seed is 2 there, and 0 here"),
-        (refuse(&cornell, Manner { method: Method::Simple(&INTEGRATORS[0]), ..usual }, [1, 1]), "integrator is"),
+        (refuse(&scene("glass"), usual, [1, 1]), "is of the scene cornell, this run of glass"),
+        (refuse(&deeper(&cornell), usual, [1, 1]), "has depth "),
+        (refuse(&cornell, Manner { seed: 2, ..usual }, [1, 1]), "has seed 0, this run 2"),
+        (
+            refuse(&cornell, Manner { method: Method::Simple(&INTEGRATORS[0]), ..usual }, [1, 1]),
+            "has integrator fast, this run ",
+        ),
         (refuse(&cornell, Manner { method: Method::Fast(tactics), ..usual }, [1, 1]), "patience: 7"),
-        (refuse(&cornell, usual, [2, 1]), "2 × 1 pixels, and not 1 × 1"),
+        (refuse(&cornell, usual, [2, 1]), "has 1 × 1 pixels, this run 2 × 1"),
     ] {
         assert!(found.as_ref().is_some_and(|found| found.contains(words)), "should say `{words}`: {found:?}");
     }

@@ -1,6 +1,6 @@
 //! The film beside a run: what was there when it began, and what is kept while it lasts.
 
-use crate::film::{Head, Reel, Shelf};
+use crate::film::{ARITHMETIC, Head, Reel, Shelf};
 use crate::out;
 use crate::stop::Stop;
 use light::scene::Scene;
@@ -45,13 +45,13 @@ impl Archive {
     pub fn open(path: &Path, scene: &Scene, manner: &Manner, renderer: &Renderer) -> Result<(Self, Film), Stop> {
         let size = [scene.camera.width, scene.camera.height];
         let mut head = Head::new(scene, manner);
-        head.manner.push(("arithmetic".to_owned(), arithmetic(renderer, size[1])));
+        head.manner.push((ARITHMETIC.to_owned(), arithmetic(renderer, size[1])));
         let seen = stamp(path);
         let shelf = Shelf::of(path)?;
         let mut film = Film::new(size[0], size[1]);
         if seen.is_some() {
             let reel = Reel::open(path)?;
-            if let Some(why) = reel.refuse(&head, size) {
+            if let Some(why) = reel.refuse(&head, size, "this run") {
                 return Err(Stop::at(path.display(), why));
             }
             head.seconds = reel.head.seconds;

@@ -1,6 +1,6 @@
 //! How wrong a picture is, pixel by pixel, in false colours.
 
-use super::pictures::Picture;
+use super::pictures::{About, Picture};
 use chapters::figure::{Axis, Map, Plot, Ramp};
 use light::transport::estimate::{Estimate, pixel_error};
 
@@ -9,8 +9,8 @@ const CELLS: u32 = 512;
 /// Decades of the colours.
 const DECADES: f64 = 2.0;
 
-/// The map of a picture of so many samples a pixel. A cell is a pixel, or of large pictures a square of them.
-pub fn plot(picture: &Picture, name: &str, spp: u32) -> Plot {
+/// The map of a picture. A cell is a pixel, or of large pictures a square of them.
+pub fn plot(picture: &Picture) -> Plot {
     let found = Estimate::of(picture.halves);
     let side = picture.width.max(picture.height).div_ceil(CELLS);
     let (columns, rows) = (picture.width.div_ceil(side), picture.height.div_ceil(side));
@@ -38,7 +38,8 @@ pub fn plot(picture: &Picture, name: &str, spp: u32) -> Plot {
         marks: Vec::new(),
     };
     let whole = format!("{:.2} %", 100.0 * found.relative_error());
-    Plot::of(format!("{name}, {spp} spp: relative error {whole}"), map)
+    let About { scene, spp, .. } = picture.about;
+    Plot::of(format!("{scene}, {spp} spp: relative error {whole}"), map)
 }
 
 /// The root mean square [1] of the relative errors of a square of pixels; not a number if one of them is none.
@@ -62,8 +63,8 @@ mod tests {
     use light::transport::film::Halves;
 
     fn map(width: u32, height: u32, halves: &[Halves]) -> Map {
-        let picture = Picture { width, height, halves, features: None };
-        match plot(&picture, "a", 2).panels.remove(0) {
+        let about = About { scene: "a".to_owned(), spp: 2, ..About::default() };
+        match plot(&Picture { width, height, halves, features: None, about: &about }).panels.remove(0) {
             Panel::Map(map) => map,
             other => panic!("{other:?}"),
         }

@@ -10,7 +10,7 @@
 //!
 //! The last three are left out where only the film is known and not the scene.
 
-use super::pictures::{Picture, Shown};
+use super::pictures::{Picture, SOFTWARE, Shown};
 use ::exr::prelude::*;
 use light::transport::estimate::{colour, variance};
 use std::io::Cursor;
@@ -44,7 +44,11 @@ pub fn encode(picture: &Picture, _: &Shown) -> Vec<u8> {
     }
     let layer = Layer::new(
         size,
-        LayerAttributes { software_name: Some("lesson".into()), ..LayerAttributes::default() },
+        LayerAttributes {
+            software_name: Some(SOFTWARE.into()),
+            comments: Some(picture.about.told().as_str().into()),
+            ..LayerAttributes::default()
+        },
         Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing },
         AnyChannels::sort(channels.into_iter().collect()),
     );
@@ -58,6 +62,7 @@ pub fn encode(picture: &Picture, _: &Shown) -> Vec<u8> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::pictures::About;
     use super::*;
     use light::tone::Curve;
     use light::transport::Feature;
@@ -87,10 +92,14 @@ mod tests {
         let halves: Vec<_> = (0..6u8).map(f32::from).map(|k| [[k, 1.0, f32::MAX], [k + 2.0, 1.0, f32::MAX]]).collect();
         let feature = |k: f32| Feature { distance: k + 0.5, normal: [k, 0.0, -1.0], albedo: [0.25, k / 8.0, 1.0] };
         let features: Vec<_> = (0..6u8).map(f32::from).map(feature).collect();
-        let picture = Picture { width: 2, height: 3, halves: &halves, features: Some(&features) };
+        let about = About { scene: "a".to_owned(), spp: 8, manner: vec![("seed".to_owned(), "3".to_owned())] };
+        let picture = Picture { width: 2, height: 3, halves: &halves, features: Some(&features), about: &about };
         // Tone and exposure are for screens.
         let shown = Shown { curve: Curve::Agx, exposure: 3.0 };
-        let (size, found) = channels(&encode(&picture, &shown));
+        let bytes = encode(&picture, &shown);
+        let told = b"a, 8 spp, seed 3";
+        assert!(bytes.windows(told.len()).any(|some| some == told) && bytes == encode(&picture, &shown));
+        let (size, found) = channels(&bytes);
         assert_eq!(size, Vec2(2, 3));
         let of = |f: &dyn Fn(f32) -> f32| (0..6u8).map(f32::from).map(f).collect::<Vec<_>>();
         let expected: BTreeMap<String, Vec<f32>> = [
@@ -117,7 +126,8 @@ mod tests {
     #[test]
     fn what_is_no_number_stays_none() {
         let halves = [[[f32::NAN, 1.0, f32::INFINITY], [1.0; 3]]];
-        let picture = Picture { width: 1, height: 1, halves: &halves, features: None };
+        let about = About::default();
+        let picture = Picture { width: 1, height: 1, halves: &halves, features: None, about: &about };
         let (_, found) = channels(&encode(&picture, &Shown { curve: Curve::None, exposure: 0.0 }));
         assert!(found["R"][0].is_nan() && found["G"][0] == 1.0 && found["B"][0] == f32::INFINITY);
         // Nor is anything made up of what is not known.

@@ -36,6 +36,12 @@ const USUAL: u32 = 64;
 /// The most samples a pixel.
 pub const MOST: u32 = 1 << 24;
 
+/// More samples in a second than any machine makes.
+const FASTEST: f64 = 1e8;
+
+/// How long nobody renders at once who has not said how long.
+const DAY: Duration = Duration::from_secs(86_400);
+
 /// Steps of the bar.
 const WHOLE: u64 = 1000;
 
@@ -47,6 +53,20 @@ impl Goal {
             Some([from, to]) => (from / 2..to / 2, to / 2 - from / 2),
             None => (0..MOST / 2, self.spp.unwrap_or(if is_open { MOST } else { USUAL }).div_ceil(2)),
         }
+    }
+
+    /// Samples a pixel that are wanted, if neither time nor an error ends the work.
+    pub fn samples_wanted(&self) -> Option<u32> {
+        let is_open = self.spp.is_none() && self.samples.is_none() && (self.time.is_some() || self.error.is_some());
+        (!is_open).then(|| 2 * self.wanted().1)
+    }
+
+    /// The most branches that the samples of a picture of so many pixels may be in at once: as many as the number of pairs
+    /// has binary digits.
+    pub fn most_branches(&self, pixels: usize) -> usize {
+        let in_time = self.time.unwrap_or(DAY).as_secs_f64() * FASTEST / (2 * pixels) as f64;
+        let pairs = self.wanted().1.min((in_time as u32).max(1));
+        (u32::BITS - pairs.leading_zeros()) as usize
     }
 
     /// Pairs that are still missing.
@@ -165,6 +185,27 @@ mod tests {
             assert_eq!(rounds[0], before..before + 1);
             assert_eq!(rounds.last().map(|last| last.end), Some(512));
         }
+    }
+
+    #[test]
+    fn a_film_has_no_more_branches_than_are_counted_on() {
+        for (spp, of_one) in [(2, 1.0), (64, 0.3), (62, 5.0), (1000, 0.01)] {
+            let goal = Goal { spp: Some(spp), round: Some(Duration::from_secs(2)), ..Goal::default() };
+            let mut film = Film::new(1, 1);
+            let of_round = |range: Range<u32>| {
+                film.add(range, vec![[[0.0; 3]; 2]]).expect("new pairs");
+                film.branches().len()
+            };
+            let most = rounds(goal, of_one, 1.0).into_iter().map(of_round).max();
+            assert!(most.is_some_and(|most| most <= goal.most_branches(1 << 20)), "{spp}: {most:?}");
+        }
+        let of = |goal: Goal| goal.most_branches(1 << 24);
+        assert_eq!(of(Goal { spp: Some(64), ..Goal::default() }), 6);
+        // A minute: 178 pairs. Without any end: a day.
+        assert_eq!(of(Goal { time: Some(Duration::from_secs(60)), ..Goal::default() }), 8);
+        assert_eq!(of(Goal { error: Some(0.1), ..Goal::default() }), 18);
+        assert_eq!(Goal { error: Some(0.1), ..Goal::default() }.samples_wanted(), None);
+        assert_eq!(Goal { error: Some(0.1), spp: Some(7), ..Goal::default() }.samples_wanted(), Some(8));
     }
 
     #[test]

@@ -6,34 +6,32 @@ mod error_map;
 mod explain;
 mod exr;
 mod goal;
+mod interrupt;
 mod pictures;
 mod preview;
 mod race;
 mod stats;
+mod work;
 
 pub use goal::{Goal, MOST};
-pub use pictures::Shown;
+pub use pictures::{About, Picture, Shown};
 pub use race::Course;
 
 use crate::figures::Format;
+use crate::film;
 use crate::out::{self, Draft, Folder};
 use crate::scene;
 use crate::stop::{Stop, plain};
-use archive::Archive;
 use chapters::parameter::Fault;
-use clock::{Spent, Watch};
-use goal::Done;
-use light::scene::Scene;
+use light::scene::{Light, Scene};
 use light::transport::estimate::Estimate;
-use light::transport::film::Film;
 use light::transport::simple::{INTEGRATORS, Integrator};
-use light::transport::{Feature, Manner, Method, Needs, Renderer};
-use pictures::Picture;
-use preview::Preview;
-use stats::{Facts, Round};
+use light::transport::{Manner, Method};
+use stats::Facts;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use work::{Rendered, rendered};
 
 /// A picture to be made.
 #[derive(Debug)]
@@ -52,6 +50,8 @@ pub struct Job {
     pub integrator: Option<String>,
     /// The most edges of a path, instead of the scene's.
     pub depth: Option<u32>,
+    /// Width and height [pixels], instead of the scene's; of one that is left out the picture's shape stays.
+    pub size: [Option<u32>; 2],
     /// How radiance is shown.
     pub shown: Shown,
     /// A film to go on from, and to keep.
@@ -67,13 +67,17 @@ pub struct Job {
 }
 
 /// The fast integrator's name.
-const FAST: &str = "fast";
+pub const FAST: &str = "fast";
 
 /// Renders, writes the files, and says where they are.
 pub fn serve(job: &Job, folder: &Path) -> Result<ExitCode, Stop> {
     let mut scene = scene::load(&job.scene)?;
     if job.depth.is_some() {
         scene.max_depth = job.depth;
+    }
+    resize(&mut scene, job.size)?;
+    if is_dark(&scene) {
+        out::say("note: nothing in it emits light: the picture is black");
     }
     let method = match &job.integrator {
         Some(name) if plain(name) != FAST => Method::Simple(integrator(name, &scene)?),
@@ -92,18 +96,58 @@ pub fn serve(job: &Job, folder: &Path) -> Result<ExitCode, Stop> {
         return race::serve(&scene, course, job.shown);
     }
     // What cannot be written is found before the work, not after.
-    let usual = [folder.join(format!("{}.png", scene::stem(&scene.name)))];
+    let usual = [folder.join(usual_name(&job.scene, &scene.name))];
     let paths = if job.out.is_empty() { &usual[..] } else { &job.out[..] };
+    let _made = if job.out.is_empty() { Some(Folder::open(folder)?) } else { None };
     let places = paths.iter().map(|path| Place::of(path)).collect::<Result<Vec<_>, _>>()?;
     let besides = Besides::of(job)?;
-    distinct(job, paths)?;
+    let files = [("--film", &job.film), ("--error-map", &job.error_map), ("--stats", &job.stats)];
+    let files = files.into_iter().filter_map(|(option, path)| Some((option, path.as_deref()?)));
+    let own = Some(("the scene", Path::new(&job.scene))).filter(|(_, path)| path.is_file());
+    distinct(own.into_iter().chain(paths.iter().map(|path| ("--out", path.as_path()))).chain(files))?;
     if job.explain {
         out::show(&explain::told(&scene, name, &manner)?)?;
     }
-    let made = rendered(&scene, &manner, job, places.iter().any(|place| place.kind.features))?;
-    let (mut drafts, found) = drafts(&places, &made.film, made.features.as_deref(), &job.shown)?;
-    drafts.extend(besides.drafts(&scene, job, &method, &made)?);
-    publish(&drafts, found.broken)
+    let kinds: Vec<&pictures::Kind> = places.iter().map(|place| place.kind).collect();
+    let made = rendered(&scene, &manner, job, &kinds)?;
+    let about = About { scene: scene::stem(&scene.name), spp: made.spp, manner: film::manner(&scene, &manner) };
+    let mut drafts = drafts(&places, &made.picture(&about), &job.shown);
+    drafts.extend(besides.drafts(&scene, job, &method, &made, &about));
+    let code = publish(drafts, made.found.broken)?;
+    Ok(made.interrupted.filter(|_| code == ExitCode::SUCCESS).map_or(code, ExitCode::from))
+}
+
+/// The name of a scene's picture if nothing is said: after its file, or what it is called among those of the lecture.
+fn usual_name(asked: &str, name: &str) -> String {
+    let path = Path::new(asked);
+    let stem = path.file_stem().filter(|_| path.extension().is_some());
+    format!("{}.png", stem.map_or_else(|| scene::stem(name), |stem| stem.to_string_lossy().into_owned()))
+}
+
+/// Gives a scene's picture another size.
+fn resize(scene: &mut Scene, size: [Option<u32>; 2]) -> Result<(), Stop> {
+    let [width, height] = [scene.camera.width, scene.camera.height].map(f64::from);
+    // Beyond what a whole number holds it is its largest one, which is refused below.
+    let scaled = |side: u32, by: f64| (f64::from(side) * by).round().max(1.0) as u32;
+    let [width, height] = match size {
+        [None, None] => return Ok(()),
+        [Some(wide), None] => [wide, scaled(wide, height / width)],
+        [None, Some(high)] => [scaled(high, width / height), high],
+        [Some(wide), Some(high)] => [wide, high],
+    };
+    (scene.camera.width, scene.camera.height) = (width, height);
+    scene.flaw().map_or(Ok(()), |flaw| Err(Stop::at("--width, --height", flaw.why)))
+}
+
+/// Whether nothing in a scene emits light.
+fn is_dark(scene: &Scene) -> bool {
+    let is_black = |light: &[f64; 3]| *light == [0.0; 3];
+    let shapes = scene.shapes.iter().filter_map(|shape| shape.emission.as_ref());
+    let lights = scene.lights.iter().map(|light| match light {
+        Light::Point { intensity, .. } => intensity,
+        Light::Directional { irradiance, .. } => irradiance,
+    });
+    scene.environment.iter().chain(shapes.map(|emission| &emission.radiance)).chain(lights).all(is_black)
 }
 
 /// What an integrator is called.
@@ -122,37 +166,37 @@ struct Besides {
 
 impl Besides {
     fn of(job: &Job) -> Result<Self, Stop> {
-        let extension = |path: &Path| path.extension().map_or(String::new(), |word| plain(&word.to_string_lossy()));
         let error_map = job.error_map.as_ref().map(|path| {
-            let format = match extension(path).as_str() {
-                "png" => Format::Png,
-                "svg" => Format::Svg,
-                _ => return Err(refused("--error-map", path, "is no kind of figure that is known; valid: .png, .svg")),
-            };
+            let unknown = || refused("--error-map", path, "is no kind of figure that is known; valid: .png, .svg");
+            let format = Format::of(path).ok_or_else(unknown)?;
             let (folder, name) = Folder::of(path)?;
-            Ok((folder, name, format))
+            Ok::<_, Stop>((folder, name, format))
         });
-        let stats = job.stats.as_ref().map(|path| match extension(path).as_str() {
-            "json" => Folder::of(path),
+        let stats = job.stats.as_ref().map(|path| match path.extension() {
+            Some(word) if plain(&word.to_string_lossy()) == "json" => Folder::of(path),
             _ => Err(refused("--stats", path, "is written as JSON; valid: .json")),
         });
         Ok(Self { error_map: error_map.transpose()?, stats: stats.transpose()? })
     }
 
-    fn drafts(&self, scene: &Scene, job: &Job, method: &Method, made: &Rendered) -> Result<Vec<Draft>, Stop> {
-        let [width, height] = made.film.size();
-        let spp = 2 * made.film.pairs();
+    fn drafts(
+        &self,
+        scene: &Scene,
+        job: &Job,
+        method: &Method,
+        made: &Rendered,
+        about: &About,
+    ) -> Vec<Result<Draft, Stop>> {
         let mut drafts = Vec::new();
         if let Some((folder, name, format)) = &self.error_map {
-            let picture = Picture { width, height, halves: &made.film.halves(), features: None };
-            let map = error_map::plot(&picture, &scene.name, spp);
-            drafts.push(folder.draft(name, &format.draw(&map))?);
+            let map = error_map::plot(&made.picture(about));
+            drafts.push(folder.draft(name, &format.draw(&map)));
         }
         if let Some((folder, name)) = &self.stats {
             let left_out = explain::left_out(&made.needs, method);
             let facts = Facts {
                 scene: &scene.name,
-                size: [width, height],
+                size: made.size,
                 integrator: integrator_name(method),
                 seed: job.seed,
                 max_depth: scene.max_depth,
@@ -161,14 +205,14 @@ impl Besides {
                 bytes: made.bytes,
                 making_ready: made.making_ready,
                 spent: made.spent,
-                spp,
+                spp: made.spp,
                 spp_before: 2 * made.before,
                 found: made.found,
                 rounds: &made.rounds,
             };
-            drafts.push(folder.draft(name, &facts.json())?);
+            drafts.push(folder.draft(name, &facts.json()));
         }
-        Ok(drafts)
+        drafts
     }
 }
 
@@ -176,20 +220,12 @@ fn refused(option: &str, path: &Path, why: &str) -> Stop {
     Stop::at(format!("{option} {}", path.display()), why)
 }
 
-/// Refuses two files of one name, and one that is the scene's own: the last one written would be all there is.
-fn distinct(job: &Job, pictures: &[PathBuf]) -> Result<(), Stop> {
+/// Refuses two files of one name, each told with its option: the last one written would be all there is.
+pub fn distinct<'p>(files: impl Iterator<Item = (&'p str, &'p Path)>) -> Result<(), Stop> {
     // Their folders are there by now.
-    let place = |path: &Path| {
-        let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        Some(fs::canonicalize(parent).ok()?.join(path.file_name()?))
-    };
-    let pictures = pictures.iter().map(|path| ("--out", path));
-    let besides = [("--film", &job.film), ("--error-map", &job.error_map), ("--stats", &job.stats)];
-    let besides = besides.into_iter().filter_map(|(option, path)| Some((option, path.as_ref()?)));
-    let scene = PathBuf::from(&job.scene);
-    let scene = Some(("the scene", &scene)).filter(|(_, path)| path.is_file());
+    let place = |path: &Path| Some(fs::canonicalize(out::parent(path)).ok()?.join(path.file_name()?));
     let mut seen: Vec<(&str, PathBuf)> = Vec::new();
-    for (option, path) in scene.into_iter().chain(pictures).chain(besides) {
+    for (option, path) in files {
         let Some(own) = place(path) else { continue };
         if let Some((other, _)) = seen.iter().find(|(_, taken)| *taken == own) {
             let other = if *other == option { "another one" } else { other };
@@ -200,30 +236,43 @@ fn distinct(job: &Job, pictures: &[PathBuf]) -> Result<(), Stop> {
     Ok(())
 }
 
-/// A picture among the drafts, and how wrong it is.
-pub fn drafts(
-    places: &[Place],
-    film: &Film,
-    features: Option<&[Feature]>,
-    shown: &Shown,
-) -> Result<(Vec<Draft>, Estimate), Stop> {
-    let [width, height] = film.size();
-    let halves = film.halves();
-    let picture = Picture { width, height, halves: &halves, features };
-    let drafts = places.iter().map(|place| place.folder.draft(&place.name, &(place.kind.encode)(&picture, shown)));
-    Ok((drafts.collect::<Result<_, _>>()?, Estimate::of(&halves)))
+/// A picture among the drafts, as far as it can be.
+pub fn drafts(places: &[Place], picture: &Picture, shown: &Shown) -> Vec<Result<Draft, Stop>> {
+    places.iter().map(|place| place.folder.draft(&place.name, &(place.kind.encode)(picture, shown))).collect()
 }
 
-/// Puts files in place, and says where they are, and whether pixels are broken.
-pub fn publish(drafts: &[Draft], broken: usize) -> Result<ExitCode, Stop> {
-    out::publish(drafts)?;
-    let paths: String = drafts.iter().map(|draft| format!("{}\n", draft.path().display())).collect();
+/// Puts files in place, and says where they are, which cannot be, and whether pixels are broken.
+pub fn publish(drafts: Vec<Result<Draft, Stop>>, broken: usize) -> Result<ExitCode, Stop> {
+    let (drafts, failures): (Vec<_>, Vec<_>) = drafts.into_iter().partition(Result::is_ok);
+    let drafts: Vec<Draft> = drafts.into_iter().flatten().collect();
+    let (paths, unpublished) = out::publish_each(&drafts);
+    let paths: String = paths.iter().map(|path| format!("{}\n", path.display())).collect();
     out::print(paths.as_bytes())?;
     if broken > 0 {
         out::say(&format!("error: {broken} pixels are not numbers, and black in the picture"));
-        return Ok(ExitCode::from(1));
     }
-    Ok(ExitCode::SUCCESS)
+    let failures: Vec<Stop> = failures.into_iter().filter_map(Result::err).chain(unpublished).collect();
+    failures.iter().for_each(|failure| out::say(&format!("error: {failure}")));
+    Ok(match (failures.len(), broken) {
+        (0, 0) => ExitCode::SUCCESS,
+        (0, _) => ExitCode::from(1),
+        _ => ExitCode::from(2),
+    })
+}
+
+/// The relative error of a picture of so many pixels in words: of one alone nothing tells how sure it is.
+pub fn error_told(found: &Estimate, pixels: usize) -> String {
+    let deviation = deviation(found, pixels).map_or("unknown".to_owned(), |deviation| format!("{deviation:.0e}"));
+    format!("{} (relMSE {:.3e} ± {deviation})", percent(found), found.relative_mse)
+}
+
+/// The standard error [1] of the relative error of a picture of so many pixels, if there are enough to tell.
+fn deviation(found: &Estimate, pixels: usize) -> Option<f64> {
+    (pixels - found.broken > 1).then_some(found.deviation)
+}
+
+fn percent(found: &Estimate) -> String {
+    format!("{:.2} %", 100.0 * found.relative_error())
 }
 
 /// A file to be written.
@@ -256,109 +305,4 @@ fn integrator(name: &str, scene: &Scene) -> Result<&'static Integrator, Stop> {
         return Err(Stop::at("--integrator", why));
     }
     Ok(found)
-}
-
-/// A picture, and what is known of it.
-struct Rendered {
-    film: Film,
-    found: Estimate,
-    /// What the camera sees without any light, if that was asked for.
-    features: Option<Vec<Feature>>,
-    /// After each round.
-    rounds: Vec<Round>,
-    /// Pairs that there were before.
-    before: u32,
-    making_ready: Spent,
-    /// Without making ready.
-    spent: Spent,
-    needs: Needs,
-    bytes: usize,
-}
-
-/// Renders until the goal is met, from a film on and into it if one is named; what came of it is said on standard error.
-fn rendered(scene: &Scene, manner: &Manner, job: &Job, features: bool) -> Result<Rendered, Stop> {
-    let beginning = Watch::started();
-    let mut renderer = Renderer::new(scene, manner, 1).map_err(|flaw| Stop::Refused(flaw.to_string()))?;
-    let [width, height] = [scene.camera.width, scene.camera.height];
-    let mut film = Film::new(width, height);
-    let mut archive = None;
-    if let Some(path) = &job.film {
-        let (own, found) = Archive::open(path, scene, manner, &renderer)?;
-        (archive, film) = (Some(own), found);
-    }
-    let goal = &Goal { round: archive.as_ref().map(|_| archive::ROUND), ..job.goal };
-    let before = film.pairs();
-    let making_ready = beginning.spent();
-    let mut preview = Preview::new(goal.whole(), job.shown);
-    let mut found = Estimate::of(&film.halves());
-    let mut rounds = Vec::new();
-    let working = Watch::started();
-    loop {
-        let (ranges, now, elapsed) = (film.ranges(), film.pairs() - before, working.elapsed());
-        let done = Done { ranges: &ranges, now, elapsed };
-        let share = if now > 0 { goal.share(&done, &found) } else { 0 };
-        let Some(pairs) = goal.next(&done, &found) else { break };
-        if let Some(archive) = archive.as_mut().filter(|_| now > 0) {
-            archive.look_after(&film, elapsed, elapsed / now * (pairs.end - pairs.start))?;
-        }
-        // Numbers are made for twice as many whenever they are not enough.
-        renderer.expect(pairs.end.next_power_of_two());
-        let next = pairs.end - pairs.start;
-        let after = shares_after(goal, &done, next, &found);
-        let mut sums = Vec::with_capacity(width as usize * height as usize);
-        for rows in preview::bands(height, preview.is_hidden(), elapsed, now, next) {
-            let within = f64::from(rows.start) / f64::from(height);
-            let share = share as f64 + within * (after.max(share) - share) as f64;
-            if now > 0 {
-                let left = preview::left(share / goal.whole() as f64, working.elapsed());
-                let left = left.map_or(String::new(), |left| format!(", {} left", preview::clock(left)));
-                preview.tell(share as u64, &format!("{} spp, error {}{left}", 2 * film.pairs(), percent(&found)));
-            }
-            sums.extend(renderer.sums(rows, pairs.clone()));
-        }
-        let splats = renderer.splats(pairs.clone());
-        film.add_lit(pairs, sums, splats).expect("pairs that are new");
-        let halves = film.halves();
-        found = Estimate::of(&halves);
-        preview.show(&halves, width);
-        let Estimate { relative_mse, deviation, .. } = found;
-        rounds.push(Round { spp: 2 * film.pairs(), spent: working.spent(), relative_mse, deviation });
-    }
-    let spent = working.spent();
-    if let Some(archive) = archive.as_mut().filter(|_| film.pairs() > before) {
-        archive.save(&film, working.elapsed())?;
-    }
-    preview.end();
-    let earlier = if before > 0 { format!(", {} of them before,", 2 * before) } else { String::new() };
-    out::say(&format!(
-        "{}: {width} × {height}, {} spp{earlier} in {:.2} s after {:.2} s to make ready; relative error {} (relMSE {:.3e} ± {:.0e})",
-        scene.name,
-        2 * film.pairs(),
-        spent.seconds,
-        making_ready.seconds,
-        percent(&found),
-        found.relative_mse,
-        found.deviation,
-    ));
-    if let Some(error) = goal.missed(&found) {
-        out::say(&format!("note: the error asked for, {error}, was not reached"));
-    }
-    let (needs, bytes) = (*renderer.needs(), renderer.bytes());
-    let features = features.then(|| renderer.features(0..height));
-    Ok(Rendered { film, found, features, rounds, before, making_ready, spent, needs, bytes })
-}
-
-/// How far it will be, of [`Goal::whole`], after `next` more pairs that take as long as those before, each.
-fn shares_after(goal: &Goal, done: &Done, next: u32, found: &Estimate) -> u64 {
-    let more = f64::from(done.now + next) / f64::from(done.now.max(1));
-    let elapsed = done.elapsed.mul_f64(more);
-    let found = Estimate { relative_mse: found.relative_mse / more, ..*found };
-    let ahead = done.ranges.last().map_or(0, |last| last.end);
-    let ranges: Vec<_> =
-        done.ranges.iter().cloned().chain(std::iter::once(ahead..ahead.saturating_add(next))).collect();
-    goal.share(&Done { ranges: &ranges, now: done.now + next, elapsed }, &found)
-}
-
-fn percent(found: &Estimate) -> String {
-    format!("{:.2} %", 100.0 * found.relative_error())
 }

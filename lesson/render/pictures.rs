@@ -17,6 +17,30 @@ pub struct Picture<'a> {
     pub halves: &'a [Halves],
     /// What the camera sees without any light, if a file asks for it and anyone knows.
     pub features: Option<&'a [Feature]>,
+    /// What is told beside.
+    pub about: &'a About,
+}
+
+/// Whence a picture is, as its file tells it; nothing of when, so that the same picture is the same file.
+#[derive(Clone, Debug, Default)]
+pub struct About {
+    /// What its scene is called.
+    pub scene: String,
+    /// Samples a pixel.
+    pub spp: u32,
+    /// What else decides the samples, by name.
+    pub manner: Vec<(String, String)>,
+}
+
+/// The program, as files name it.
+pub const SOFTWARE: &str = concat!("lesson ", env!("CARGO_PKG_VERSION"));
+
+impl About {
+    /// In a line.
+    pub fn told(&self) -> String {
+        let manner: String = self.manner.iter().map(|(key, value)| format!(", {key} {value}")).collect();
+        format!("{}, {} spp{manner}", self.scene, self.spp)
+    }
 }
 
 /// How radiance is shown on a screen.
@@ -39,15 +63,17 @@ impl Shown {
 /// A kind of file.
 pub struct Kind {
     extension: &'static str,
+    /// The most bytes a pixel that are held while one is made, beside the picture.
+    pub bytes: u64,
     /// Whether it tells what the camera sees without any light.
     pub features: bool,
     pub encode: fn(&Picture, &Shown) -> Vec<u8>,
 }
 
 const KINDS: &[Kind] = &[
-    Kind { extension: "png", features: false, encode: png },
-    Kind { extension: "exr", features: true, encode: exr::encode },
-    Kind { extension: "pfm", features: false, encode: pfm },
+    Kind { extension: "png", bytes: 3 * 3, features: false, encode: png },
+    Kind { extension: "exr", bytes: 3 * 13 * 4, features: true, encode: exr::encode },
+    Kind { extension: "pfm", bytes: 3 * 4, features: false, encode: pfm },
 ];
 
 /// The kind of a file by its name.
@@ -64,17 +90,23 @@ pub fn kind(path: &Path) -> Result<&'static Kind, Stop> {
 
 /// 8-bit sRGB, dithered: between two steps a pixel takes one or the other as often as it lies near it, by a fixed pattern.
 fn png(picture: &Picture, shown: &Shown) -> Vec<u8> {
-    let pixels = picture.halves.iter().enumerate().flat_map(|(at, halves)| {
+    let mut pixels = Vec::with_capacity(3 * picture.halves.len());
+    pixels.extend(picture.halves.iter().enumerate().flat_map(|(at, halves)| {
         let colour = shown.of(colour(halves));
         let place = [at as u32 % picture.width, at as u32 / picture.width];
         (0..3).map(move |c| (255.0 * colour[c] + threshold(place, c as u32)).min(255.0) as u8)
-    });
-    let pixels: Vec<u8> = pixels.collect();
+    }));
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, picture.width, picture.height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let Shown { curve, exposure } = shown;
+    let shown = format!("{}, tone {}, exposure {exposure}", picture.about.told(), format!("{curve:?}").to_lowercase());
+    let told = encoder
+        .add_text_chunk("Software".to_owned(), SOFTWARE.to_owned())
+        .and_then(|()| encoder.add_itxt_chunk("Comment".to_owned(), shown));
+    told.expect("no picture is written yet");
     let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(&pixels));
     written.expect("a picture in memory can be encoded into memory");
     bytes
@@ -90,6 +122,7 @@ fn threshold([x, y]: [u32; 2], channel: u32) -> f64 {
 /// Linear radiance in 32-bit floats, little-endian, row by row from the bottom (P. Debevec's portable float map).
 fn pfm(picture: &Picture, _: &Shown) -> Vec<u8> {
     let mut bytes = format!("PF\n{} {}\n-1.0\n", picture.width, picture.height).into_bytes();
+    bytes.reserve_exact(12 * picture.halves.len());
     for row in picture.halves.chunks(picture.width as usize).rev() {
         for halves in row {
             let radiance: Rgb<f64> = colour(halves);
@@ -102,6 +135,12 @@ fn pfm(picture: &Picture, _: &Shown) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A picture of which nothing else is told.
+    fn of(width: u32, height: u32, halves: &[Halves]) -> Picture<'_> {
+        static NOTHING: About = About { scene: String::new(), spp: 0, manner: Vec::new() };
+        Picture { width, height, halves, features: None, about: &NOTHING }
+    }
 
     const PLAIN: Shown = Shown { curve: Curve::None, exposure: 0.0 };
 
@@ -117,7 +156,7 @@ mod tests {
         // A quarter of the way from 100 to 101.
         let linear = light::tone::decoded(100.25 / 255.0) as f32;
         let halves = vec![[[linear; 3]; 2]; 64 * 64];
-        let shown = decoded(&png(&Picture { width: 64, height: 64, halves: &halves, features: None }, &PLAIN));
+        let shown = decoded(&png(&of(64, 64, &halves), &PLAIN));
         assert!(shown.iter().all(|step| (100..=101).contains(step)));
         let above = shown.iter().filter(|step| **step == 101).count() as f64 / shown.len() as f64;
         // 64² thresholds of a sequence of low discrepancy, three times.
@@ -128,22 +167,34 @@ mod tests {
     fn black_and_white_are_exact_and_what_is_no_number_is_black() {
         let grey = |x: f32| [[x; 3]; 2];
         let halves = [grey(0.0), grey(1.0), grey(7.0), grey(f32::NAN), grey(-1.0), grey(f32::INFINITY)];
-        let shown = decoded(&png(&Picture { width: 6, height: 1, halves: &halves, features: None }, &PLAIN));
+        let shown = decoded(&png(&of(6, 1, &halves), &PLAIN));
         let expected: Vec<u8> = [0, 255, 255, 0, 0, 0].iter().flat_map(|step| [*step; 3]).collect();
         assert_eq!(shown, expected);
         // A stop is a factor of two.
         let [half, whole] = [grey(0.25), grey(0.5)];
         let brighter = Shown { exposure: 1.0, ..PLAIN };
-        let of = |halves: [Halves; 1], shown| {
-            decoded(&png(&Picture { width: 1, height: 1, halves: &halves, features: None }, shown))
-        };
-        assert_eq!(of([half], &brighter), of([whole], &PLAIN));
+        let one = |halves: [Halves; 1], shown| decoded(&png(&of(1, 1, &halves), shown));
+        assert_eq!(one([half], &brighter), one([whole], &PLAIN));
+    }
+
+    #[test]
+    fn a_png_tells_whence_it_is() {
+        let about = About { scene: "Küche".to_owned(), spp: 8, manner: vec![("seed".to_owned(), "3".to_owned())] };
+        let picture = Picture { about: &about, ..of(1, 1, &[[[1.0; 3]; 2]]) };
+        let bytes = png(&picture, &Shown { curve: Curve::Agx, exposure: -0.5 });
+        assert_eq!(bytes, png(&picture, &Shown { curve: Curve::Agx, exposure: -0.5 }));
+        let reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().expect("a PNG");
+        let info = reader.info();
+        let software = &info.uncompressed_latin1_text[0];
+        assert_eq!((software.keyword.as_str(), software.text.as_str()), ("Software", SOFTWARE));
+        let comment = info.utf8_text[0].get_text().expect("a text");
+        assert_eq!(comment, "Küche, 8 spp, seed 3, tone agx, exposure -0.5");
     }
 
     #[test]
     fn floats_are_kept_from_the_bottom_row_on() {
         let halves = [[[1.0, 2.0, 3.0], [3.0, 2.0, 1.0]], [[-0.5, 0.0, f32::MAX], [-0.5, 0.0, f32::MAX]]];
-        let bytes = pfm(&Picture { width: 1, height: 2, halves: &halves, features: None }, &PLAIN);
+        let bytes = pfm(&of(1, 2, &halves), &PLAIN);
         let numbers = bytes.strip_prefix(b"PF\n1 2\n-1.0\n").expect("the head");
         let numbers: Vec<f32> =
             numbers.chunks(4).map(|four| f32::from_le_bytes(four.try_into().expect("four"))).collect();

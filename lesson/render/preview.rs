@@ -13,14 +13,18 @@ use std::time::{Duration, Instant};
 
 /// How often all of it is drawn anew at most.
 const APART: Duration = Duration::from_millis(500);
-/// Letters that the bar is long.
+/// Letters that the bar is long at most.
 const BAR: usize = 24;
+/// Letters that are left for what is said beside it, before the bar shrinks.
+const SAID: usize = 50;
 /// Letters across below which a picture tells nothing.
 const NARROW: u16 = 40;
 /// Lines kept for the bar and for what was said before.
 const KEPT: usize = 3;
 /// How long nothing moves at most, as far as can be foreseen [s].
 const MOMENT: f64 = 0.3;
+/// Pixels of the first band, of whose time nothing is known.
+const FIRST: f64 = 262_144.0;
 
 /// What is shown on standard error while a picture is made; nothing if that is no terminal.
 pub struct Preview {
@@ -48,6 +52,11 @@ fn room(size: Option<(u16, u16)>, is_coloured: bool) -> Option<[usize; 2]> {
     (is_coloured && columns >= NARROW && down > 0).then_some([across, down])
 }
 
+/// Letters that the bar is long in so many columns; none where what is said beside it needs all of them.
+fn bar(columns: usize) -> usize {
+    columns.saturating_sub(SAID).clamp(1, BAR)
+}
+
 /// Whether a terminal says that it has colours of 24 bits, and nobody has declined them.
 fn is_coloured(variable: impl Fn(&str) -> Option<String>) -> bool {
     let declined = variable("NO_COLOR").is_some_and(|value| !value.is_empty());
@@ -66,20 +75,22 @@ impl Preview {
         let room = room(Term::stderr().size_checked(), is_coloured(|name| std::env::var(name).ok()));
         let screen = room.map(|room| Screen { room, shown, letters: String::new(), lines: 0, drawn: None });
         let target = if screen.is_some() { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-        let style = ProgressStyle::with_template(&format!("{{bar:{BAR}}} {{percent}} % {{wide_msg}}"));
+        let columns = Term::stderr().size_checked().map_or(usize::MAX, |(_, columns)| usize::from(columns));
+        let style = ProgressStyle::with_template(&format!("{{bar:{}}} {{percent}} % {{wide_msg}}", bar(columns)));
         let bar = ProgressBar::with_draw_target(Some(steps), target).with_style(style.expect("a valid template"));
         Self { bar, screen }
     }
 
-    /// Whether nobody sees anything of it.
-    pub fn is_hidden(&self) -> bool {
-        self.bar.is_hidden() && self.screen.is_none()
+    /// The bar's end.
+    pub fn whole(&self) -> u64 {
+        self.bar.length().unwrap_or(1).max(1)
     }
 
     /// How far it is, and what else there is to say.
     pub fn tell(&mut self, steps: u64, says: &str) {
+        let whole = self.whole();
         if let Some(screen) = self.screen.as_mut().filter(|screen| screen.is_due(Instant::now())) {
-            let frame = screen.frame(steps as f64 / self.bar.length().unwrap_or(1).max(1) as f64, says);
+            let frame = screen.frame(steps as f64 / whole as f64, says);
             // Nobody may be looking.
             let _ = stderr().lock().write_all(frame.as_bytes());
         } else {
@@ -120,8 +131,9 @@ impl Screen {
 
     /// All of it, over what was drawn before, and it is noted as drawn.
     fn frame(&mut self, share: f64, says: &str) -> String {
-        let full = ((share * BAR as f64) as usize).min(BAR);
-        let bar = format!("{}{} {:.0} % {says}", "█".repeat(full), "░".repeat(BAR - full), 100.0 * share);
+        let whole = bar(self.room[0]);
+        let full = ((share * whole as f64) as usize).min(whole);
+        let bar = format!("{}{} {:.0} % {says}", "█".repeat(full), "░".repeat(whole - full), 100.0 * share);
         let bar = truncate_str(&bar, self.room[0], "…").into_owned();
         // What stood there is taken away with the first letter of each line, and under the last one.
         let frame = format!("{}{}{bar}\x1b[K\x1b[J", self.to_its_top(), self.letters);
@@ -132,16 +144,13 @@ impl Screen {
 }
 
 /// The rows of a picture in bands, top to bottom, so that each takes a moment if `done` pairs took so long and `next` are to
-/// come; all at once if nobody is there to see how far it is.
-pub fn bands(
-    height: u32,
-    is_hidden: bool,
-    elapsed: Duration,
-    done: u32,
-    next: u32,
-) -> impl Iterator<Item = Range<u32>> {
-    let expected = elapsed.as_secs_f64() / f64::from(done.max(1)) * f64::from(next);
-    let rows = if is_hidden || expected <= MOMENT { height } else { (f64::from(height) * MOMENT / expected) as u32 };
+/// come: between two of them it can be told how far it is, and ended. Of the first pair so many pixels are taken for a moment.
+pub fn bands([width, height]: [u32; 2], elapsed: Duration, done: u32, next: u32) -> impl Iterator<Item = Range<u32>> {
+    let expected = match done {
+        0 => MOMENT * f64::from(width) * f64::from(height) / FIRST,
+        _ => elapsed.as_secs_f64() / f64::from(done) * f64::from(next),
+    };
+    let rows = if expected <= MOMENT { height } else { (f64::from(height) * MOMENT / expected) as u32 };
     let rows = rows.clamp(1, height);
     (0..height.div_ceil(rows)).map(move |band| band * rows..((band + 1) * rows).min(height))
 }
@@ -241,7 +250,8 @@ mod tests {
         screen.letters = "a\nb\nc\n".to_owned();
         assert!(screen.is_due(now));
         let first = screen.frame(0.5, "1 spp");
-        assert_eq!(first, format!("\ra\nb\nc\n{}{} 50 % 1 spp\x1b[K\x1b[J", "█".repeat(12), "░".repeat(12)));
+        assert_eq!(first, "\ra\nb\nc\n░ 50 % 1 spp\x1b[K\x1b[J");
+        assert_eq!([bar(10), bar(60), bar(80), bar(200)], [1, 10, 24, 24]);
         let drawn = screen.drawn.unwrap();
         assert!(!screen.is_due(drawn + APART / 2) && screen.is_due(drawn + APART));
         // Three lines up, and no line wider than there is room.
@@ -272,20 +282,20 @@ mod tests {
 
     #[test]
     fn bands_are_all_rows_once_and_take_a_moment() {
-        let all = |height, is_hidden, seconds, done, next| {
-            let bands: Vec<_> = bands(height, is_hidden, Duration::from_secs_f64(seconds), done, next).collect();
+        let all = |height, seconds, done, next| {
+            let bands: Vec<_> = bands([1024, height], Duration::from_secs_f64(seconds), done, next).collect();
             assert!(bands[0].start == 0 && bands.windows(2).all(|two| two[0].end == two[1].start));
             assert_eq!(bands[bands.len() - 1].end, height);
             bands.len()
         };
-        assert_eq!(all(100, true, 1e6, 1, 1), 1);
-        assert_eq!(all(100, false, 0.1, 4, 4), 1);
+        assert_eq!(all(100, 0.1, 4, 4), 1);
         // Twice what took 6 s, in moments of 0.3 s: 2 of 100 rows each.
-        assert_eq!(all(100, false, 6.0, 4, 8), 50);
+        assert_eq!(all(100, 6.0, 4, 8), 50);
         // Seven rows each, and two at the end.
-        assert_eq!(all(100, false, 4.0, 4, 4), 15);
-        assert_eq!(all(3, false, 1e9, 1, 1), 3);
-        assert_eq!(all(7, false, 0.0, 0, 1), 1);
+        assert_eq!(all(100, 4.0, 4, 4), 15);
+        assert_eq!(all(3, 1e9, 1, 1), 3);
+        // Nothing is known: 256 rows of 1024 pixels.
+        assert_eq!((all(7, 0.0, 0, 1), all(1024, 9.0, 0, 1)), (1, 4));
     }
 
     #[test]

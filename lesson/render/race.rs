@@ -34,8 +34,8 @@ pub struct Course {
     pub spp: Option<u32>,
     /// Of all random numbers.
     pub seed: u64,
-    /// Where the figure goes, if one is wanted, and as what.
-    pub plot: Option<(PathBuf, Format)>,
+    /// Where the figure goes, if one is wanted: a file of its kind, or a folder; and as what in a folder, if that is said.
+    pub plot: Option<(PathBuf, Option<Format>)>,
 }
 
 /// How much longer than an integrator the picture is made that stands for the truth.
@@ -101,10 +101,18 @@ fn run(
 /// Runs the race, prints what came of it, and draws it if that is asked for.
 pub fn serve(scene: &Scene, course: &Course, shown: Shown) -> Result<ExitCode, Stop> {
     let plot = course.plot.as_ref().map(|(path, format)| {
-        let folder = Folder::open(path)?;
+        let of_file = Format::of(path).filter(|_| !path.is_dir());
+        if let Some(own) = of_file {
+            if format.is_some_and(|format| format != own) {
+                return Err(Stop::at("--format", format!("is not that of {}", path.display())));
+            }
+            let (folder, name) = Folder::of(path)?;
+            return Ok((folder, name, own));
+        }
+        let (folder, format) = (Folder::open(path)?, format.unwrap_or(Format::Png));
         let name = format.file(&format!("render/{}/race", scene::stem(&scene.name)));
         folder.expect(&name)?;
-        Ok::<_, Stop>((folder, name, *format))
+        Ok::<_, Stop>((folder, name, format))
     });
     let plot = plot.transpose()?;
     let needs = Needs::of(scene);

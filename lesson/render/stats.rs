@@ -1,6 +1,7 @@
 //! What a picture took and what is known of it, for scripts.
 
 use super::clock::{Spent, efficiency};
+use super::deviation;
 use crate::run::machine;
 use light::transport::estimate::Estimate;
 use serde::Serialize;
@@ -24,9 +25,8 @@ pub struct Round {
     /// The picture's relative mean square error [1].
     #[serde(serialize_with = "number")]
     pub relative_mse: f64,
-    /// Its standard error [1].
-    #[serde(serialize_with = "number")]
-    pub deviation: f64,
+    /// Its standard error [1], if that is known.
+    pub deviation: Option<f64>,
 }
 
 /// The document, but for what it finds out itself.
@@ -74,7 +74,7 @@ struct Document<'a> {
     spp: u32,
     spp_before: u32,
     relative_mse: Number,
-    deviation: Number,
+    deviation: Option<Number>,
     relative_error: Number,
     relative_mse_is: &'static str,
     /// 1/(relMSE × CPU s); none for a picture that was partly rendered before, or is without error.
@@ -118,7 +118,7 @@ impl Facts<'_> {
             spp: self.spp,
             spp_before: self.spp_before,
             relative_mse: Number(found.relative_mse),
-            deviation: Number(found.deviation),
+            deviation: deviation(found, self.size[0] as usize * self.size[1] as usize).map(Number),
             relative_error: Number(found.relative_error()),
             relative_mse_is: ESTIMATE,
             efficiency: Some(efficiency).filter(|x| x.is_finite() && self.spp_before == 0),
@@ -163,7 +163,7 @@ mod tests {
     #[test]
     fn the_document_says_what_is_known_and_nothing_else() {
         let spent = Spent { seconds: 1.0, cpu_seconds: 2.0 };
-        let rounds = [Round { spp: 4, spent, relative_mse: f64::INFINITY, deviation: 0.5 }];
+        let rounds = [Round { spp: 4, spent, relative_mse: f64::INFINITY, deviation: Some(0.5) }];
         let found = read(&facts(&rounds));
         // 1/(0.0025 · 4): by the processors' time.
         assert_eq!(found["efficiency"], 100.0);
@@ -186,5 +186,8 @@ mod tests {
         assert!(resumed["efficiency"].is_null() && resumed["spp_before"] == 4);
         let exact = Estimate { relative_mse: 0.0, ..Estimate::default() };
         assert!(read(&Facts { found: exact, ..facts(&[]) })["efficiency"].is_null());
+        // Of one pixel nothing tells how sure its error is.
+        let one = Facts { size: [1, 1], found: exact, ..facts(&[]) };
+        assert!(read(&one)["deviation"].is_null() && read(&facts(&[]))["deviation"] == 1e-4);
     }
 }

@@ -32,8 +32,9 @@ impl<'t> Item<'t> {
 
     /// That it is not what it should be.
     pub fn wrong(&self, message: impl Into<String>) -> Snag {
-        let span = (!self.place.parts().is_empty()).then(|| self.node.span.clone());
-        Snag { span, fault: Fault::new(self.place.to_string(), message) }
+        let is_all = self.place.parts().is_empty();
+        let place = if is_all { "the scene".to_owned() } else { self.place.to_string() };
+        Snag { span: (!is_all).then(|| self.node.span.clone()), fault: Fault::new(place, message) }
     }
 
     /// That it is not `expected`.
@@ -68,6 +69,15 @@ impl<'t> Item<'t> {
             Value::Text(text) => Ok(text),
             _ => Err(self.must_be("a text")),
         }
+    }
+
+    /// As a text that a terminal shows as it is.
+    pub fn plain_text(&self) -> Result<&'t str, Snag> {
+        let text = self.text()?;
+        if text.chars().any(char::is_control) {
+            return Err(self.wrong("has control characters; valid: letters and signs that can be seen"));
+        }
+        Ok(text)
     }
 
     /// As true or false.

@@ -79,6 +79,7 @@ fn read(source: &Source, parse: Parse, files: Files) -> Result<(Scene, Vec<Strin
         source.refuse(Snag { span: Some(span), fault: Fault::new("cannot be read", why) })
     })?;
     let name = source.path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
+    let name: String = name.chars().filter(|c| !c.is_control()).collect();
     let mut meshes = Meshes::new(files);
     let scene = read::scene(&root, &name, &mut meshes).map_err(|snag| source.refuse(snag))?;
     Ok((scene, meshes.notes))
@@ -100,21 +101,32 @@ pub fn list() -> Vec<Block> {
     vec![Block::section(vec![Block::Terms(Terms { width: Some(12), items: BUILTIN.iter().map(item).collect() })])]
 }
 
-/// Writes a scene as TOML to standard output; or into a `folder`, with its meshes.
-pub fn serve_print(name: &str, folder: Option<&Path>) -> Result<(), Stop> {
+/// Writes a scene as TOML to standard output; or as a file `to`, or into a folder of that name, with its meshes.
+pub fn serve_print(name: &str, to: Option<&Path>) -> Result<(), Stop> {
     let scene = load(name)?;
-    let printed = print::print(&scene, folder.is_some());
-    let Some(folder) = folder else {
+    let printed = print::print(&scene, to.is_some());
+    let Some(to) = to else {
         out::print(printed.text.as_bytes())?;
         for (file, _) in &printed.meshes {
             out::say(&format!("note: {file} is made by the program; --out DIR writes it beside the scene"));
         }
         return Ok(());
     };
-    let folder = Folder::open(folder)?;
-    let scene = folder.draft(&format!("{}.toml", print::stem(&scene.name)), printed.text.as_bytes())?;
-    let meshes = printed.meshes.iter().map(|(file, mesh)| folder.draft(file, &ply::write(mesh)));
-    let drafts = std::iter::once(Ok(scene)).chain(meshes).collect::<Result<Vec<_>, _>>()?;
+    let (folder, own) = match to.extension().filter(|_| !to.is_dir()) {
+        None => (Folder::open(to)?, format!("{}.toml", print::stem(&scene.name))),
+        Some(extension) if plain(&extension.to_string_lossy()) == "toml" => Folder::of(to)?,
+        Some(_) => {
+            let why = "a scene is printed as TOML; valid: a file that ends in .toml, or a folder";
+            return Err(Stop::at(format!("--out {}", to.display()), why));
+        }
+    };
+    let meshes = printed.meshes.iter().map(|(file, mesh)| (file.clone(), ply::write(mesh)));
+    let files = std::iter::once((own, printed.text.into_bytes())).chain(meshes);
+    let draft = |(file, bytes): (String, Vec<u8>)| {
+        folder.unlike(&file, &bytes)?;
+        folder.draft(&file, &bytes)
+    };
+    let drafts = files.map(draft).collect::<Result<Vec<_>, _>>()?;
     out::publish(&drafts)?;
     let paths: String = drafts.iter().map(|draft| format!("{}\n", draft.path().display())).collect();
     out::print(paths.as_bytes())

@@ -35,7 +35,7 @@ pub fn scene(root: &Node, name: &str, meshes: &mut Meshes) -> Result<Scene, Snag
     let fields = Item::root(root).fields("a scene", &keys)?;
     let list = |key: &str| fields.get(key).map_or(Ok(Vec::new()), |item| item.list());
     let scene = Scene {
-        name: fields.may("name", Item::text)?.unwrap_or(name).to_owned(),
+        name: fields.may("name", Item::plain_text)?.unwrap_or(name).to_owned(),
         max_depth: fields.may("max_depth", Item::count)?,
         filter: fields
             .may("filter", |item| item.word("pixel filter", &words(Filter::ALL, Filter::name)))?

@@ -8,7 +8,10 @@ use toml::de::{DeFloat, DeInteger, DeTable, DeValue};
 pub fn parse(text: &str) -> Result<Node, Malformed> {
     match DeTable::parse(text) {
         Ok(table) => Ok(Node { span: 0..0, value: self::table(table.into_inner()) }),
-        Err(error) => Err(Malformed { why: error.message().to_owned(), span: error.span().unwrap_or_default() }),
+        Err(error) => Err(Malformed {
+            why: error.message().lines().collect::<Vec<_>>().join("; "),
+            span: error.span().unwrap_or_default(),
+        }),
     }
 }
 

@@ -230,15 +230,23 @@ fn a_film_of_anything_else_is_refused_and_left_alone() {
     let place = Place::new("film-refused", &["cornell", "glass"]);
     place.ok("render cornell.toml --spp 4 --film c.film --out c.png");
     let render = "render cornell.toml --spp 8 --film c.film --out no.png";
-    place.refused(&format!("{render} --seed 2"), "c.film", "seed is 2 there, and 1 here");
-    place.refused(&format!("{render} --integrator both"), "c.film", "integrator is both there, and fast");
-    place.refused(&format!("{render} --depth 3"), "c.film", "another scene, cornell, or one that has changed");
-    place.refused("render glass.toml --film c.film --out no.png", "c.film", "another scene, glass");
+    place.refused(&format!("{render} --seed 2"), "c.film", "has seed 1, this run 2");
+    place.refused(&format!("{render} --integrator both"), "c.film", "has integrator fast, this run both");
+    place.refused(&format!("{render} --depth 3"), "c.film", "has depth ");
+    place.refused(
+        "render glass.toml --film c.film --out no.png",
+        "c.film",
+        "is of the scene cornell, this run of glass",
+    );
     let text = String::from_utf8(place.bytes("cornell.toml")).unwrap();
     place.write("brighter", &text.replace("emission = [", "emission = [1"));
-    place.refused("render brighter.toml --film c.film --out no.png", "c.film", "another scene");
+    place.refused(
+        "render brighter.toml --film c.film --out no.png",
+        "c.film",
+        "as it was otherwise than that of this run",
+    );
     std::fs::write(place.path("larger.toml"), text.replace("width = 16", "width = 17")).unwrap();
-    place.refused("render larger.toml --film c.film --out no.png", "c.film", "17 × 12 pixels, and not 16 × 12");
+    place.refused("render larger.toml --film c.film --out no.png", "c.film", "has 16 × 12 pixels, this run 17 × 12");
     // By another name and in another place it is the same scene.
     place.write("renamed", &text.replace("name = \"cornell\"", "name = \"renamed\""));
     place.ok("render renamed.toml --spp 6 --film c.film --out c.png");
@@ -258,7 +266,7 @@ fn a_film_of_anything_else_is_refused_and_left_alone() {
     for (film, words) in [
         ("cut.film", "is damaged: it has"),
         ("bent.film", "is damaged: its checksum"),
-        ("newer.film", "version 5, which is not known"),
+        ("newer.film", "version 6, which is not known"),
         ("none.film", "is no film"),
         ("empty.film", "is no film"),
         ("folder.film", ""),
@@ -276,8 +284,20 @@ fn a_film_of_anything_else_is_refused_and_left_alone() {
     let sum = crc32fast::hash(&other[..end]);
     other[end..].copy_from_slice(&sum.to_le_bytes());
     std::fs::write(place.path("other.film"), other).unwrap();
-    place.refused("render cornell.toml --spp 8 --film other.film --out no.png", "other.film", "arithmetic is");
+    place.refused("render cornell.toml --spp 8 --film other.film --out no.png", "other.film", "has arithmetic ");
 
+    #[cfg(unix)]
+    {
+        // To open it would wait for somebody who writes.
+        let fifo = std::process::Command::new("mkfifo").arg(place.path("pipe.film")).status();
+        assert!(fifo.unwrap().success());
+        let run = place.run("film show pipe.film");
+        assert!(run.code == 2 && run.err.contains("pipe.film: is no film"), "{run:?}");
+        std::fs::remove_file(place.path("pipe.film")).unwrap();
+    }
+    place.refused("film merge c.film --out c.film", "c.film", "is the file of one of the films already");
+    assert!(place.ok("film merge c.film --out d.png").err.contains(" spp of 1 film\n"));
+    assert_eq!(place.told("c.film", "integrator"), "fast");
     place.refused("film show nothing.film", "nothing.film", "cannot be read");
     place.refused("film merge c.film --out no.jpg", "no.jpg", "no kind of picture that is known");
     place.refused("film merge c.film", "--out", "missing");

@@ -3,7 +3,7 @@
 #[allow(dead_code, reason = "each test file uses its part")]
 mod common;
 
-use common::{Run, folder, lesson, lesson_fed};
+use common::{Run, command, folder, lesson, lesson_fed};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -150,6 +150,9 @@ fn a_race_tells_of_every_integrator_that_fits_and_draws_them() {
     let run = render(&folder, &glass, "--time 10ms --spp 2 --race");
     assert!(run.code == 0 && run.out.contains("  both: ") && !run.out.contains("  hemisphere: "), "{run:?}");
     assert_eq!(names(&folder.join("figures")), ["render-cornell-race.svg"]);
+    // A file by its name, in a folder that is there.
+    let run = render(&folder, &glass, "--time 10ms --spp 2 --race --plot --out @r.svg");
+    assert!(run.code == 0 && folder.join("r.svg").is_file(), "{run:?}");
 }
 
 #[test]
@@ -170,7 +173,16 @@ fn what_cannot_be_written_is_refused_before_the_work() {
         ("--out @a.png --error-map @a.png", "is the file of --out already"),
         ("--race --plot --out /dev/null/figures", "cannot be used as a folder"),
         ("--race --out @figures", "needs --plot"),
-        ("--race --plot --out @a --out @b", "only one folder"),
+        ("--race --plot --out @a --out @b", "only one file or folder"),
+        ("--race --plot --format svg --out @r.png", "--format: is not that of "),
+        ("--out /nowhere/at/all/x.png", "there is no folder /nowhere/at/all"),
+        ("--spp 4", "--spp: given twice; valid: once"),
+        ("--stats @s.json --stats @t.json", "--stats: given twice"),
+        ("--threads -3", "--threads: must be a whole number from 1 to 1024, found `-3`"),
+        ("--depth 0", "--depth: must be a whole number from 1 to 1000000, found `0`"),
+        ("--seed -1", "--seed: must be a whole number from 0 to 18446744073709551615, found `-1`"),
+        ("--time -5s", "--time: out of range"),
+        ("--width 1000000", "--width, --height: 1000000 × "),
         ("--race --error 0.1", "--error"),
         ("--race --stats @s.json", "--stats"),
         ("--race --integrator fast", "--integrator"),
@@ -192,6 +204,101 @@ fn what_cannot_be_written_is_refused_before_the_work() {
     let run = render(&folder, &json, "--spp 2 --out @b.pfm --stats @scene.json");
     assert!(run.code == 2 && run.err.contains("is the file of the scene already"), "{run:?}");
     assert_eq!(fs::read(&json).unwrap(), text);
+}
+
+#[test]
+fn a_picture_is_as_large_as_is_asked_and_named_after_its_file() {
+    let folder = folder("render-size");
+    let scene = small(&folder, "furnace");
+    for (arguments, head) in
+        [("", "6 5"), ("--width 12", "12 10"), ("--height 10", "12 10"), ("--width 3 --height 7", "3 7")]
+    {
+        let run = render(&folder, &scene, &format!("--spp 2 --out @a.pfm {arguments}"));
+        assert_eq!(run.code, 0, "{run:?}");
+        assert!(fs::read(folder.join("a.pfm")).unwrap().starts_with(format!("PF\n{head}\n").as_bytes()), "{arguments}");
+    }
+    // Of one pixel nothing tells how sure its error is.
+    let run = render(&folder, &scene, "--spp 2 --width 1 --height 1 --out @a.pfm --stats @s.json");
+    assert!(run.code == 0 && run.err.contains(" ± unknown)"), "{run:?}");
+    let stats: Value = serde_json::from_slice(&fs::read(folder.join("s.json")).unwrap()).unwrap();
+    assert!(stats["deviation"].is_null() && stats["rounds"][0]["deviation"].is_null(), "{stats}");
+    fs::copy(&scene, folder.join("my scene.toml")).unwrap();
+    let output = command(&["render", "my scene.toml", "--spp", "2"]).current_dir(&folder).output().unwrap();
+    assert_eq!(String::from_utf8(output.stdout).unwrap(), "lesson-out/my scene.png\n");
+    let output = command(&["render", "Cornell", "--spp", "2", "--width", "4"]).current_dir(&folder).output().unwrap();
+    assert_eq!(String::from_utf8(output.stdout).unwrap(), "lesson-out/cornell.png\n");
+}
+
+#[test]
+fn what_a_newcomer_forgets_is_told() {
+    let run = lesson("render");
+    assert!(run.code == 2 && run.err.contains("scene: missing") && run.err.contains("cornell"), "{run:?}");
+    assert!(lesson("render --version").out.ends_with(&format!("{}\n", env!("CARGO_PKG_VERSION"))));
+    let folder = folder("render-dark");
+    let dark = folder.join("dark.json");
+    fs::write(
+        &dark,
+        r#"{"camera": {"origin": [0, 0, 3], "target": [0, 0, 0], "fov_y_deg": 40, "width": 4, "height": 4}}"#,
+    )
+    .unwrap();
+    let run = render(&folder, &dark, "--spp 2 --out @a.png");
+    assert!(run.code == 0 && run.err.contains("note: nothing in it emits light"), "{run:?}");
+    let run = render(&folder, &small(&folder, "cornell"), "--spp 2 --out @a.png");
+    assert!(run.code == 0 && !run.err.contains("note: "), "{run:?}");
+}
+
+/// Waits until a file is there, while the program runs.
+#[cfg(unix)]
+fn awaited(child: &mut std::process::Child, path: &Path) {
+    let begun = std::time::Instant::now();
+    while !path.exists() {
+        assert!(
+            child.try_wait().unwrap().is_none() && begun.elapsed().as_secs() < 120,
+            "{} is not there",
+            path.display()
+        );
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn who_is_asked_to_end_keeps_what_there_is() {
+    let folder = folder("render-interrupted");
+    let scene = small(&folder, "cornell");
+    let of = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    for (signal, code, is_in_the_way) in [("INT", 130, false), ("TERM", 143, false), ("INT", 2, true)] {
+        let _ = fs::remove_file(folder.join("c.film"));
+        let _ = fs::remove_file(folder.join("a.png"));
+        fs::create_dir_all(folder.join("sub")).unwrap();
+        let [scene, png, pfm, film] = [scene.to_str().unwrap().to_owned(), of("a.png"), of("sub/b.pfm"), of("c.film")];
+        let arguments =
+            ["render", &scene, "--spp", "16777216", "--threads", "1", "--out", &png, "--out", &pfm, "--film", &film];
+        let mut child = command(&arguments).spawn().unwrap();
+        awaited(&mut child, Path::new(&film));
+        // A second run on the same film would undo what this one does.
+        let second = lesson_fed(&["render", &scene, "--spp", "2", "--out", &of("d.png"), "--film", &film], b"");
+        assert!(second.code == 2 && second.err.contains("another run is writing it"), "{second:?}");
+        if is_in_the_way {
+            fs::remove_dir_all(folder.join("sub")).unwrap();
+            fs::write(folder.join("sub"), "a file of somebody's").unwrap();
+        }
+        let killed = std::process::Command::new("kill").args([format!("-{signal}"), child.id().to_string()]).status();
+        assert!(killed.unwrap().success());
+        let output = child.wait_with_output().unwrap();
+        let [out, err] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
+        assert_eq!(output.status.code(), Some(code), "{err}");
+        assert!(
+            err.contains("stopped: ") && err.contains(" of 16777216 spp; the same command goes on from there"),
+            "{err}"
+        );
+        let written = if is_in_the_way { format!("{png}\n") } else { format!("{png}\n{pfm}\n") };
+        assert_eq!(out, written, "{err}");
+        assert!(folder.join("a.png").is_file() && !folder.join("d.png").exists());
+        assert_eq!(err.contains("sub/b.pfm: cannot be written"), is_in_the_way, "{err}");
+        let shown = lesson_fed(&["film", "show", &film], b"");
+        assert!(shown.code == 0 && shown.out.contains("samples      0.."), "{shown:?}");
+    }
 }
 
 #[test]

@@ -346,6 +346,39 @@ fn mesh(folder: &Path, file: &str) -> std::path::PathBuf {
 }
 
 #[test]
+fn a_printed_scene_that_somebody_changed_is_left_as_it_is() {
+    let folder = folder("scene-kept");
+    let to = |to: &Path| lesson_fed(&["render", "mesh", "--print", "--out", to.to_str().unwrap()], b"");
+    let (own, below) = (folder.join("own.toml"), folder.join("below"));
+    for place in [&own, &below] {
+        // The same again changes nothing.
+        for _ in 0..2 {
+            let run = to(place);
+            assert_eq!((run.code, run.out.lines().count()), (0, 2), "{run:?}");
+        }
+    }
+    assert!(own.is_file() && folder.join("mesh.ply").is_file() && below.join("mesh.toml").is_file());
+    assert_eq!(print(&own).code, 0);
+    for (place, file) in [(&own, own.clone()), (&below, below.join("mesh.toml"))] {
+        std::fs::write(&file, "mine").unwrap();
+        let run = to(place);
+        assert!(run.code == 2 && run.err.contains("it is there already, with other content"), "{run:?}");
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), "mine");
+    }
+}
+
+#[test]
+fn a_name_is_one_that_a_terminal_shows_and_a_list_is_no_scene() -> Result<(), String> {
+    let folder = folder("scene-name");
+    let path = folder.join("a.toml");
+    std::fs::write(&path, format!("name = \"a\\u001b[2J\"\n{SCENE}")).unwrap();
+    refusal(&path, ":1:8: name: ", &["has control characters"])?;
+    let path = folder.join("a.json");
+    std::fs::write(&path, "[1, 2]").unwrap();
+    refusal(&path, ": the scene: must be a table, found a list of 2", &[])
+}
+
+#[test]
 fn the_scenes_of_the_lecture_are_listed_and_printed() {
     let list = lesson("render --list");
     assert_eq!((list.code, list.err.as_str()), (0, ""));
@@ -396,4 +429,5 @@ fn what_is_asked_of_render_is_refused_like_everything_else() {
     refused_line("render cornell furnace", &["one word too many"]);
     refused_line("render ./cornell", &["valid: .toml, .json"]);
     refused_line("render cornell --print --out /dev/null/there", &["cannot be used as a folder"]);
+    refused_line("render cornell --print --out cornell.json", &["valid: a file that ends in .toml, or a folder"]);
 }
