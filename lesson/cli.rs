@@ -172,7 +172,9 @@ fn refusal(error: &clap::Error) -> Stop {
         }
         ErrorKind::ValueValidation => {
             let why = error.source().map_or("not valid".to_owned(), ToString::to_string);
-            Stop::at(argument(&place), format!("{why}, found `{}`", excerpt(&value)))
+            let found = format!("`{}`", excerpt(&value));
+            let found = if why.contains(&found) { String::new() } else { format!(", found {found}") };
+            Stop::at(argument(&place), format!("{why}{found}"))
         }
         ErrorKind::ArgumentConflict if !place.is_empty() => {
             let other = argument(&first(ContextKind::PriorArg));

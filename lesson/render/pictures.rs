@@ -72,7 +72,7 @@ pub struct Kind {
 
 const KINDS: &[Kind] = &[
     Kind { extension: "png", bytes: 3 * 3, features: false, encode: png },
-    Kind { extension: "exr", bytes: 3 * 13 * 4, features: true, encode: exr::encode },
+    Kind { extension: "exr", bytes: 2 * 13 * 4, features: true, encode: exr::encode },
     Kind { extension: "pfm", bytes: 3 * 4, features: false, encode: pfm },
 ];
 

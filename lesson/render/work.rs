@@ -66,7 +66,7 @@ pub fn rendered(scene: &Scene, manner: &Manner, job: &Job, kinds: &[&Kind]) -> R
     let sends_light = renderer.needs().light_paths && matches!(manner.method, Method::Fast(_));
     let needed = renderer.bytes() as u64 + most(pixels, branches, sends_light, kinds);
     let what = format!("{}: {width} × {height} pixels", scene.name);
-    memory::suffices(&what, needed, "fewer pixels or samples, or no .exr")?;
+    memory::suffices(&what, needed, "fewer pixels or samples")?;
     let interrupt = Interrupt::watched();
     let making_ready = beginning.spent();
     let mut preview = Preview::new(goal.whole(), job.shown);

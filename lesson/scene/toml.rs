@@ -6,12 +6,11 @@ use toml::de::{DeFloat, DeInteger, DeTable, DeValue};
 
 /// Reads a document.
 pub fn parse(text: &str) -> Result<Node, Malformed> {
+    // What the parser says in lines of their own, and what it says of nothing, is no sentence.
+    let why = |message: &str| message.lines().collect::<Vec<_>>().join("; ").replace(", expected nothing", "");
     match DeTable::parse(text) {
         Ok(table) => Ok(Node { span: 0..0, value: self::table(table.into_inner()) }),
-        Err(error) => Err(Malformed {
-            why: error.message().lines().collect::<Vec<_>>().join("; "),
-            span: error.span().unwrap_or_default(),
-        }),
+        Err(error) => Err(Malformed { why: why(error.message()), span: error.span().unwrap_or_default() }),
     }
 }
 

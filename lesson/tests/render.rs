@@ -189,7 +189,7 @@ fn what_cannot_be_written_is_refused_before_the_work() {
         ("--plot", "needs --race"),
         ("--race --format svg", "needs --plot"),
         ("--time 0s", "out of range"),
-        ("--time 5parsec", "`parsec` is no unit here; units: fs, ps, ns, us, ms, s, min, h"),
+        ("--time 5parsec", "--time: `5parsec`: `parsec` is no unit here; units: fs, ps, ns, us, ms, s, min, h\n"),
         ("--time min", "is not a number"),
     ] {
         let run = render(&folder, &scene, &format!("--spp 16777216 {arguments}"));
