@@ -272,8 +272,22 @@ fn who_is_asked_to_end_keeps_what_there_is() {
         let _ = fs::remove_file(folder.join("a.png"));
         fs::create_dir_all(folder.join("sub")).unwrap();
         let [scene, png, pfm, film] = [scene.to_str().unwrap().to_owned(), of("a.png"), of("sub/b.pfm"), of("c.film")];
-        let arguments =
-            ["render", &scene, "--spp", "16777216", "--threads", "1", "--out", &png, "--out", &pfm, "--film", &film];
+        let arguments = [
+            "render",
+            &scene,
+            "--spp",
+            "16777216",
+            "--time",
+            "600s",
+            "--threads",
+            "1",
+            "--out",
+            &png,
+            "--out",
+            &pfm,
+            "--film",
+            &film,
+        ];
         let mut child = command(&arguments).spawn().unwrap();
         awaited(&mut child, Path::new(&film));
         // A second run on the same film would undo what this one does.
