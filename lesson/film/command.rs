@@ -41,7 +41,7 @@ pub fn merge(job: &Merge) -> Result<ExitCode, Stop> {
 pub fn show(path: &Path) -> Result<(), Stop> {
     let Reel { head, film } = Reel::open(path)?;
     let [width, height] = film.size();
-    let found = Estimate::of(&film.halves());
+    let found = Estimate::of(&film.halves(), width);
     let ranges: Vec<String> = film.ranges().iter().map(samples).collect();
     let hash: String = head.scene.iter().map(|byte| format!("{byte:02x}")).collect();
     let is_lit = film.parts().any(|(.., splats)| splats.is_some());

@@ -211,7 +211,7 @@ pub fn drafts(
     let halves = film.halves();
     let picture = Picture { width, height, halves: &halves, features };
     let drafts = places.iter().map(|place| place.folder.draft(&place.name, &(place.kind.encode)(&picture, shown)));
-    Ok((drafts.collect::<Result<_, _>>()?, Estimate::of(&halves)))
+    Ok((drafts.collect::<Result<_, _>>()?, Estimate::of(&halves, width)))
 }
 
 /// Puts files in place, and says where they are, and whether pixels are broken.
@@ -290,7 +290,7 @@ fn rendered(scene: &Scene, manner: &Manner, job: &Job, features: bool) -> Result
     let before = film.pairs();
     let making_ready = beginning.spent();
     let mut preview = Preview::new(goal.whole(), job.shown);
-    let mut found = Estimate::of(&film.halves());
+    let mut found = Estimate::of(&film.halves(), width);
     let mut rounds = Vec::new();
     let working = Watch::started();
     loop {
@@ -319,7 +319,7 @@ fn rendered(scene: &Scene, manner: &Manner, job: &Job, features: bool) -> Result
         let splats = renderer.splats(pairs.clone());
         film.add_lit(pairs, sums, splats).expect("pairs that are new");
         let halves = film.halves();
-        found = Estimate::of(&halves);
+        found = Estimate::of(&halves, width);
         preview.show(&halves, width);
         let Estimate { relative_mse, deviation, .. } = found;
         rounds.push(Round { spp: 2 * film.pairs(), spent: working.spent(), relative_mse, deviation });

@@ -94,7 +94,7 @@ fn run(
         let splats = renderer.splats(pairs.clone());
         run.film.add_lit(pairs, sums, splats).expect("pairs that are new");
         run.spent = run.spent.plus(watch.spent());
-        found = Estimate::of(&run.film.halves());
+        found = Estimate::of(&run.film.halves(), scene.camera.width);
         after(&run, &found);
     }
 }
