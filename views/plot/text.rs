@@ -88,19 +88,34 @@ pub fn wrap(label: &str, size: f64, limit: f64) -> Vec<String> {
     filled(label, size, high)
 }
 
-/// The label in lines as full as can be. A per cent sign stays with its number.
+/// The label in lines as full as can be.
 fn filled(label: &str, size: f64, limit: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in label.split_whitespace() {
+    for word in words(label) {
         match lines.last_mut() {
-            Some(line) if word.starts_with('%') || width(&format!("{line} {word}"), size) <= limit => {
+            Some(line) if width(&format!("{line} {word}"), size) <= limit => {
                 line.push(' ');
-                line.push_str(word);
+                line.push_str(&word);
             }
-            _ => lines.push(word.to_owned()),
+            _ => lines.push(word),
         }
     }
     lines
+}
+
+/// The words of a label; a per cent sign is one with its number.
+fn words(label: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    for word in label.split_whitespace() {
+        match words.last_mut() {
+            Some(number) if word.starts_with('%') => {
+                number.push(' ');
+                number.push_str(word);
+            }
+            _ => words.push(word.to_owned()),
+        }
+    }
+    words
 }
 
 #[cfg(test)]
