@@ -103,8 +103,13 @@ pub fn variance(halves: &Halves) -> Rgb<f64> {
 pub fn pixel_errors(halves: &[Halves], width: u32) -> Vec<f64> {
     let width = (width as usize).max(1);
     assert!(halves.len().is_multiple_of(width), "rows that are whole");
-    let logarithms: Vec<Rgb<f64>> =
-        halves.iter().map(|pixel| colour(pixel).map(|mean| (mean * mean + DARK).ln())).collect();
+    // A pixel that is not whole is no neighbour in any channel.
+    let logarithms = halves.iter().map(|pixel| {
+        let mean = colour(pixel);
+        let is_whole = mean.iter().all(|x| x.is_finite());
+        mean.map(|mean| if is_whole { (mean * mean + DARK).ln() } else { f64::NAN })
+    });
+    let logarithms: Vec<Rgb<f64>> = logarithms.collect();
     let height = halves.len() / width;
     let rows: Vec<usize> = (0..height).collect();
     let of = |row: &usize| -> Vec<f64> {

@@ -202,7 +202,6 @@ fn what_few_paths_meet_does_not_hide_its_own_error() {
     let truth = filmed(&hall, &with(Tactics::default(), 1000), &[0..2048]).halves();
     for (pairs, seeds) in [(2, 256), (4, 128), (16, 64)] {
         let told = told_over_true(&hall, &truth, pairs, seeds);
-        eprintln!("{pairs} {told:?}");
         assert!((0.8 - 3.0 * told.noise..1.3 + 3.0 * told.noise).contains(&told.ratio), "{pairs} pairs: {told:?}");
         // Its own mean alone would say too little.
         assert!(told.noise < 0.1 && told.alone < 0.8, "{pairs} pairs: {told:?}");
