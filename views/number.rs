@@ -51,6 +51,11 @@ pub fn limit(x: f64) -> String {
     if (1.0..=1e6).contains(&units) && units.fract() == 0.0 { format!("{units} ulp") } else { short(x) }
 }
 
+/// To a hundredth; zero has no sign.
+pub fn hundredths(x: f64) -> String {
+    format!("{:.2}", (100.0 * x).round() / 100.0 + 0.0)
+}
+
 /// Up to six significant digits.
 pub fn short(x: f64) -> String {
     significant(x, 6)

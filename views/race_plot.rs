@@ -1,5 +1,6 @@
 //! A race as a figure: error against time on logarithmic axes.
 
+use crate::number::hundredths;
 use crate::report::{LaneReport, RaceReport};
 use chapters::figure::{Axis, Chart, Dash, Hue, Mark, Plot, Shape};
 use chapters::vocabulary::Expects;
@@ -13,13 +14,14 @@ const LOWEST: f64 = -17.0;
 /// Share of the errors' span that is left free on both sides.
 const MARGIN: f64 = 0.05;
 
-/// Error against time: of a whole run [µs] where an order is asserted, otherwise of one unit of work [ns].
+/// Error against time: of a whole run [µs or ms] where an order is asserted, otherwise of one unit of work [ns].
 pub fn plot(race: &RaceReport) -> Plot {
     let whole = race.lanes.iter().any(|lane| matches!(lane.asserted, Expects::Order { .. }));
-    let (label, unit) = if whole { ("time of a run", "µs") } else { ("time per unit of work", "ns") };
-    let mut chart = Chart::new("", Axis::log(label, unit), errors(race));
+    let unit = whole.then(|| unit(race));
+    let (label, name) = unit.map_or(("time per unit of work", "ns"), |(name, _)| ("time of a run", name));
+    let mut chart = Chart::new("", Axis::log(label, name), errors(race));
     for (lane, at) in race.lanes.iter().zip(0..) {
-        let points = curve(lane, whole);
+        let points = curve(lane, unit.map(|(_, units)| units));
         if let Expects::Order { order, .. } = lane.asserted {
             chart.marks.extend(guide(lane, &points, order).filter(|_| works_for_time(lane)));
         }
@@ -49,9 +51,16 @@ fn sentence(claim: &str) -> String {
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
-fn curve(lane: &LaneReport, whole: bool) -> Vec<[f64; 2]> {
+/// The unit of the time of a run, and how many are a second: whole numbers of few digits for most.
+fn unit(race: &RaceReport) -> (&'static str, f64) {
+    let longest = race.lanes.iter().flat_map(|lane| &lane.points).map(|point| point.seconds).fold(0.0, f64::max);
+    if longest < 0.01 { ("µs", 1e6) } else { ("ms", 1e3) }
+}
+
+/// Errors over the time of a run, in units of which so many are a second, or else over that of one unit of work.
+fn curve(lane: &LaneReport, units: Option<f64>) -> Vec<[f64; 2]> {
     let points = lane.points.iter().map(|point| {
-        let time = if whole { point.seconds * 1e6 } else { point.ns_per_work };
+        let time = units.map_or(point.ns_per_work, |units| point.seconds * units);
         [time, point.error.0]
     });
     points.collect()
@@ -60,7 +69,7 @@ fn curve(lane: &LaneReport, whole: bool) -> Vec<[f64; 2]> {
 /// The axis of the errors, wide enough that roundings of the same size stand at the same height.
 fn errors(race: &RaceReport) -> Axis {
     let axis = Axis::log(race.error, "");
-    let drawn = race.lanes.iter().flat_map(|lane| curve(lane, false)).map(|[_, error]| error.log10());
+    let drawn = race.lanes.iter().flat_map(|lane| curve(lane, None)).map(|[_, error]| error.log10());
     let ends = drawn.filter(|power| power.is_finite()).fold(None, |ends: Option<(f64, f64)>, power| {
         Some(ends.map_or((power, power), |(low, high)| (low.min(power), high.max(power))))
     });
@@ -74,7 +83,7 @@ fn errors(race: &RaceReport) -> Axis {
 
 fn legend(lane: &LaneReport) -> String {
     match (lane.asserted, lane.order) {
-        (Expects::Order { .. }, Some(order)) => format!("{} (order {order:.2})", lane.label),
+        (Expects::Order { .. }, Some(order)) => format!("{} (order {})", lane.label, hundredths(order)),
         (Expects::Breaks { .. }, _) => format!("{} (breaks)", lane.label),
         _ => lane.label.to_owned(),
     }
@@ -164,6 +173,22 @@ mod tests {
             points.iter().flatten().zip(due.iter().flatten()).all(|(a, b)| (a / b - 1.0).abs() < 1e-12),
             "{points:?}"
         );
+    }
+
+    #[test]
+    fn long_runs_are_told_in_milliseconds() {
+        let mut race = race(&[1.0, 0.25, 0.0625], Expects::Order { order: 2.0, tolerance: 0.1 });
+        race.lanes[0].points[2].seconds = 0.02;
+        let Panel::Chart(chart) = plot(&race).panels.remove(0) else { panic!("no chart") };
+        let Some(Mark::Points { points, .. }) = chart.marks.last() else { panic!("{:?}", chart.marks) };
+        assert!(chart.x.unit == "ms" && (points[2][0] - 20.0).abs() < 1e-9, "{points:?}");
+    }
+
+    #[test]
+    fn an_order_of_nothing_has_no_sign() {
+        let mut race = race(&[1.0, 1.0, 1.0], Expects::Order { order: 0.0, tolerance: 0.1 });
+        race.lanes[0].order = Some(-1e-5);
+        assert_eq!(legend(&race.lanes[0]), "lane (order 0.00)");
     }
 
     #[test]

@@ -249,7 +249,7 @@ fn time(setting: &Setting) -> Plot {
         let mut chart = Chart::new(
             title,
             Axis::linear("steps", "").range(0.0, f64::from(STEPS)).tick(4.0),
-            Axis::linear("lane", "").range(0.0, 9.0).tick(1.0),
+            Axis::linear("lane", "").range(0.5, 8.5).tick(1.0),
         );
         let mut count = 0_u8;
         while free.iter().any(|at| *at < STEPS) {

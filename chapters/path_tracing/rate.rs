@@ -57,7 +57,7 @@ pub(super) const STEP: Step = step(
 .readout(|setting| {
     let pairs = setting.number("pairs") as u32;
     let found = rendered(&view("cornell", SIDE), &Manner::default(), pairs);
-    let guess = Estimate::of(&found);
+    let guess = Estimate::of(&found, SIDE);
     let truth = relative_mse(&colours(&found), &converged("cornell", SIDE, 1024)).sqrt();
     let quantity = |key, symbol, says, value| Quantity { key, symbol, says, value, unit: "1" };
     vec![

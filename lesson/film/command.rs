@@ -43,14 +43,14 @@ pub fn merge(job: &Merge) -> Result<ExitCode, Stop> {
     drafts.extend(render::drafts(&places, &picture, &job.shown));
     let count = job.films.len();
     out::say(&format!("{}: {spp} spp of {count} film{}", head.name, if count == 1 { "" } else { "s" }));
-    render::publish(drafts, Estimate::of(&halves).broken)
+    render::publish(drafts, Estimate::of(&halves, width).broken)
 }
 
 /// What is in a film.
 pub fn show(path: &Path) -> Result<(), Stop> {
     let Reel { head, film } = Reel::open(path)?;
     let [width, height] = film.size();
-    let found = Estimate::of(&film.halves());
+    let found = Estimate::of(&film.halves(), width);
     let ranges: Vec<String> = film.ranges().iter().map(samples).collect();
     let hash: String = head.scene.iter().map(|byte| format!("{byte:02x}")).collect();
     let is_lit = film.parts().any(|(.., splats)| splats.is_some());

@@ -2,7 +2,7 @@
 
 use super::pictures::{About, Picture};
 use chapters::figure::{Axis, Map, Plot, Ramp};
-use light::transport::estimate::{Estimate, pixel_error};
+use light::transport::estimate::{Estimate, pixel_errors};
 
 /// Cells along the longer side at most: a sheet shows no more.
 const CELLS: u32 = 512;
@@ -11,17 +11,18 @@ const DECADES: f64 = 2.0;
 
 /// The map of a picture. A cell is a pixel, or of large pictures a square of them.
 pub fn plot(picture: &Picture) -> Plot {
-    let found = Estimate::of(picture.halves);
+    let found = Estimate::of(picture.halves, picture.width);
+    let errors = pixel_errors(picture.halves, picture.width);
     let side = picture.width.max(picture.height).div_ceil(CELLS);
     let (columns, rows) = (picture.width.div_ceil(side), picture.height.div_ceil(side));
     let cells: Vec<f64> = (0..rows)
         .flat_map(|row| (0..columns).map(move |column| [column, row]))
-        .map(|at| cell(picture, side, at))
+        .map(|at| cell(&errors, [picture.width, picture.height], side, at))
         .collect();
-    let mut errors: Vec<f64> = cells.iter().copied().filter(|error| error.is_finite()).collect();
-    errors.sort_by(f64::total_cmp);
+    let mut ranked: Vec<f64> = cells.iter().copied().filter(|error| error.is_finite()).collect();
+    ranked.sort_by(f64::total_cmp);
     // Up to the worst but one in a hundred, which may be one stray path; those above have the last colour.
-    let most = errors.get(errors.len() * 99 / 100).copied().filter(|most| *most > 0.0).unwrap_or(1.0);
+    let most = ranked.get(ranked.len() * 99 / 100).copied().filter(|most| *most > 0.0).unwrap_or(1.0);
     let what = match side {
         1 => "relative error of a pixel".to_owned(),
         _ => format!("relative error, rms of {side} × {side} pixels"),
@@ -43,12 +44,12 @@ pub fn plot(picture: &Picture) -> Plot {
 }
 
 /// The root mean square [1] of the relative errors of a square of pixels; not a number if one of them is none.
-fn cell(picture: &Picture, side: u32, [column, row]: [u32; 2]) -> f64 {
+fn cell(errors: &[f64], [width, height]: [u32; 2], side: u32, [column, row]: [u32; 2]) -> f64 {
     let of = |start: u32, end: u32| start * side..((start + 1) * side).min(end);
     let (mut sum, mut count) = (0.0, 0.0);
-    for y in of(row, picture.height) {
-        for x in of(column, picture.width) {
-            sum += pixel_error(&picture.halves[y as usize * picture.width as usize + x as usize]);
+    for y in of(row, height) {
+        for x in of(column, width) {
+            sum += errors[y as usize * width as usize + x as usize];
             count += 1.0;
         }
     }

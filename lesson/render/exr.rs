@@ -6,7 +6,7 @@
 //! | `variance.R` … | the variance [W² m⁻⁴ sr⁻²] of its mean, by the picture's two halves: one degree of freedom |
 //! | `normal.X` … | the normal that shades, a mean of unit vectors; 0 where nothing is |
 //! | `albedo.R` … | the share [1] of light from all around that comes this way; 0 where nothing is |
-//! | `depth.Z` | distance from the camera [m]; 0 where nothing is |
+//! | `depth.Z` | distance from the camera along the ray [m], not along its axis, the mean of the rays that meet something; +∞ where none does |
 //!
 //! The last three are left out where only the film is known and not the scene.
 

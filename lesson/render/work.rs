@@ -71,7 +71,7 @@ pub fn rendered(scene: &Scene, manner: &Manner, job: &Job, kinds: &[&Kind]) -> R
     let making_ready = beginning.spent();
     let mut preview = Preview::new(goal.whole(), job.shown);
     let mut halves = film.halves();
-    let mut found = Estimate::of(&halves);
+    let mut found = Estimate::of(&halves, width);
     let mut rounds = Vec::new();
     let working = Watch::started();
     'rounds: loop {
@@ -105,7 +105,7 @@ pub fn rendered(scene: &Scene, manner: &Manner, job: &Job, kinds: &[&Kind]) -> R
         let splats = renderer.splats(pairs.clone());
         film.add_lit(pairs, sums, splats).expect("pairs that are new");
         halves = film.halves();
-        found = Estimate::of(&halves);
+        found = Estimate::of(&halves, width);
         preview.show(&halves, width);
         let Estimate { relative_mse, .. } = found;
         let deviation = deviation(&found, pixels);

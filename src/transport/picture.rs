@@ -163,14 +163,14 @@ impl Renderer {
     }
 }
 
-/// What a pixel shows of surfaces, a mean over `LOOKS` rays; 0 where there are none.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// What a pixel shows of surfaces, by `LOOKS` rays.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Feature {
-    /// Distance from the camera [m].
+    /// Distance from the camera along the ray [m], the mean of the rays that meet something; infinite where none does.
     pub distance: f32,
-    /// The normal that shades, on the side that is seen; a mean of unit vectors.
+    /// The normal that shades, on the side that is seen; a mean of unit vectors, and of 0 of the rays that meet nothing.
     pub normal: [f32; 3],
-    /// The share [1] of light from all around that goes to the camera.
+    /// The share [1] of light from all around that goes to the camera; that of nothing is 0.
     pub albedo: Rgb<f32>,
 }
 
@@ -180,7 +180,7 @@ const LOOKS: u32 = 16;
 fn features<N: Width>(stage: &Stage<N>, points: &Points, rows: Range<u32>) -> Vec<Feature> {
     let of = |pixel| {
         let stream = points.of_pixel(pixel);
-        let mut sums = [0.0; 7];
+        let (mut sums, mut hits) = ([0.0; 7], 0.0);
         for start in (0..LOOKS).step_by(N::LANES) {
             let sample = |lane: usize| start + lane as u32;
             let u = stream.row::<N>(sample, |_| 0);
@@ -195,10 +195,11 @@ fn features<N: Width>(stage: &Stage<N>, points: &Points, rows: Range<u32>) -> Ve
             let seen = [hit.t, normal.x, normal.y, normal.z, albedo[0], albedo[1], albedo[2]];
             for lane in (0..N::LANES).filter(|lane| met.lane(*lane)) {
                 sums = std::array::from_fn(|k| sums[k] + seen[k].lane(lane));
+                hits += 1.0;
             }
         }
-        let [distance, x, y, z, red, green, blue] = sums.map(|sum| (sum / f64::from(LOOKS)) as f32);
-        let distance = (f64::from(distance) / stage.scale()) as f32;
+        let [_, x, y, z, red, green, blue] = sums.map(|sum| (sum / f64::from(LOOKS)) as f32);
+        let distance = if hits > 0.0 { (sums[0] / hits / stage.scale()) as f32 } else { f32::INFINITY };
         Feature { distance, normal: [x, y, z], albedo: [red, green, blue] }
     };
     by_pixel(stage.size()[0], rows, of)

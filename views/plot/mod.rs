@@ -31,7 +31,7 @@ mod ticks;
 use axes::Axes;
 use canvas::{Across, Anchor, Canvas, Down, Frame, Place, Usual};
 use chapters::diagram::Diagram;
-use chapters::figure::{Axis, Chart, Map, Mark, Panel, Picture, Plot};
+use chapters::figure::{Chart, Map, Mark, Panel, Picture, Plot};
 use palette::Colour;
 use sheet::Sheet;
 
@@ -281,8 +281,12 @@ fn describe_chart(Chart { title, x, y, marks }: &Chart) -> String {
 }
 
 fn describe_map(Map { title, x, y, colour, marks, .. }: &Map) -> String {
-    let [x, y, colour]: [String; 3] = [x, y, colour].map(|axis: &Axis| label::full(axis));
-    format!("{}Map of {colour} over {x} and {y}{}.", introduction(title), describe_marks(marks))
+    let over = if x.is_bare() && y.is_bare() {
+        String::new()
+    } else {
+        format!(" over {} and {}", label::full(x), label::full(y))
+    };
+    format!("{}Map of {}{over}{}.", introduction(title), label::full(colour), describe_marks(marks))
 }
 
 fn describe_diagram(Diagram { title, parts, key, .. }: &Diagram) -> String {

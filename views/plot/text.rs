@@ -74,19 +74,48 @@ pub fn width(label: &str, size: f64) -> f64 {
     runs(label).last().map_or(0.0, |run| size * (run.x + run.size * advance(&run.text)))
 }
 
-/// The label broken at spaces into lines no wider than `limit`, where words allow.
+/// The label broken at spaces into as few lines as there must be, no wider than `limit` where words allow, and about as long
+/// as each other.
 pub fn wrap(label: &str, size: f64, limit: f64) -> Vec<String> {
+    let lines = filled(label, size, limit);
+    let (mut low, mut high) = (limit / lines.len().max(1) as f64, limit);
+    // To a pixel.
+    while lines.len() > 1 && high - low > 1.0 {
+        let middle = 0.5 * (low + high);
+        let is_enough = filled(label, size, middle).len() == lines.len();
+        if is_enough { high = middle } else { low = middle }
+    }
+    filled(label, size, high)
+}
+
+/// The label in lines as full as can be.
+fn filled(label: &str, size: f64, limit: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in label.split_whitespace() {
+    for word in words(label) {
         match lines.last_mut() {
             Some(line) if width(&format!("{line} {word}"), size) <= limit => {
                 line.push(' ');
-                line.push_str(word);
+                line.push_str(&word);
             }
-            _ => lines.push(word.to_owned()),
+            _ => lines.push(word),
         }
     }
     lines
+}
+
+/// The words of a label; a per cent sign is one with its number.
+fn words(label: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    for word in label.split_whitespace() {
+        match words.last_mut() {
+            Some(number) if word.starts_with('%') => {
+                number.push(' ');
+                number.push_str(word);
+            }
+            _ => words.push(word.to_owned()),
+        }
+    }
+    words
 }
 
 #[cfg(test)]
@@ -140,6 +169,10 @@ mod tests {
         assert!(lines.len() > 1 && lines.iter().all(|line| width(line, 15.0) <= 150.0));
         assert_eq!(lines.join(" "), label);
         assert_eq!(wrap("immeasurable", 15.0, 1.0), ["immeasurable"]);
+        // No word is left over for a line of its own, and no sign without its number.
+        let whole = width("one two six ten", 15.0);
+        assert_eq!(wrap("one two six ten", 15.0, whole - 1.0), ["one two", "six ten"]);
+        assert_eq!(wrap("error 8.97 %", 15.0, width("error 8.97 %", 15.0) - 1.0), ["error", "8.97 %"]);
     }
 
     proptest! {

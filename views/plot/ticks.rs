@@ -157,7 +157,7 @@ impl Extent {
         let stride = STRIDES.into_iter().find(|stride| labels(*stride) <= count).unwrap_or(500);
         let dense = if last - first <= DENSE { 1 } else { stride };
         let ticks = (first..=last).filter(|power| power.rem_euclid(dense) == 0).map(|power| {
-            let label = (power.rem_euclid(stride) == 0).then(|| Decimal { digits: 1, power }.log_label());
+            let label = (power.rem_euclid(stride) == 0).then(|| self.log_label(Decimal { digits: 1, power }));
             Tick { at: self.fraction(ten(power)), label }
         });
         let between = if stride == 1 { (2..=9).collect() } else { Vec::new() };
@@ -176,11 +176,19 @@ impl Extent {
         ticks.into_iter().find(|tick| (0.0..=1.0).contains(&tick.at))
     }
 
+    /// As written on a logarithmic axis: in full if all between thousandths and ten thousands is, otherwise with powers of
+    /// ten but for ones and tens.
+    fn log_label(&self, number: Decimal) -> String {
+        let size = number.magnitude().unwrap_or(0);
+        let is_plain = self.low() >= 1e-3 * (1.0 - BESIDE) && self.high() < 1e5;
+        if is_plain || (0..=1).contains(&size) { number.plain() } else { number.scientific(size) }
+    }
+
     /// Labelled ticks at `digits`·10ⁿ for n from `first` to `last`.
     fn within_decades(&self, digits: &[i128], first: i32, last: i32) -> Vec<Tick> {
         let numbers = (first..=last).flat_map(|power| digits.iter().map(move |&digits| Decimal { digits, power }));
         numbers
-            .map(|n| Tick { at: self.fraction(n.value()), label: Some(n.log_label()) })
+            .map(|n| Tick { at: self.fraction(n.value()), label: Some(self.log_label(n)) })
             .filter(|tick| tick.at.is_finite())
             .collect()
     }
@@ -236,12 +244,6 @@ impl Decimal {
     fn magnitude(self) -> Option<i32> {
         let digits = self.digits.unsigned_abs().checked_ilog10()?;
         Some(digits as i32 + self.power)
-    }
-
-    /// As written on every logarithmic axis: from hundredths to thousands in full.
-    fn log_label(self) -> String {
-        let size = self.magnitude().unwrap_or(0);
-        if (-2..=3).contains(&size) { self.plain() } else { self.scientific(size) }
     }
 
     /// As written beside ticks of which the largest is of magnitude `top`.
@@ -315,6 +317,15 @@ mod tests {
         assert_eq!(labels(Axis::log("", "").range(0.1, 100.0), 6), ["0.1", "1", "10", "100"]);
         assert_eq!(labels(Axis::log("", "").range(1.0, 10.0), 6), ["1", "2", "5", "10"]);
         assert_eq!(labels(Axis::log("", "").range(1.1, 1.4), 4), ["1.1", "1.2", "1.3", "1.4"]);
+        // All of an axis is written in one way.
+        assert_eq!(labels(Axis::log("", "").range(1e-3, 1.0), 6), ["0.001", "0.01", "0.1", "1"]);
+        assert_eq!(labels(Axis::log("", "").range(0.01, 2e4), 8), ["0.01", "0.1", "1", "10", "100", "1000", "10000"]);
+        let mixed = ["10^{−4}", "10^{−3}", "10^{−2}", "10^{−1}", "1", "10", "10^{2}"];
+        assert_eq!(labels(Axis::log("", "").range(1e-4, 100.0), 8), mixed);
+        assert_eq!(
+            Extent::new(&Axis::log("", "").range(4e-3, 1.0), empty(), 0.0).start_tick().unwrap().label.unwrap(),
+            "0.005"
+        );
         let wide = labels(Axis::log("", "").range(1e-300, 1e300), 8);
         assert!(wide.len() >= 3 && wide.len() <= 8 && wide.contains(&"1".to_owned()), "{wide:?}");
     }

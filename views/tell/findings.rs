@@ -2,7 +2,7 @@
 
 use super::{Teller, owned, section_at, tone};
 use crate::block::{Block, Case, Cases, Column, Figure, Judged, Picture, Span, Table, Tone};
-use crate::number::{full, short};
+use crate::number::{full, hundredths, short};
 use crate::report::{
     CaseReport, CheckReport, FigureReport, LaneReport, Parts, PointReport, RaceReport, Report, StatementReport,
     StepReport, StressReport, Verdict,
@@ -154,7 +154,7 @@ impl Teller<'_> {
         let label = self.phrase(&lane.address, "label", lane.label);
         let mut claim = vec![Span::new(Tone::Strong, label.clone())];
         if let Some(order) = lane.order.filter(|_| asserted) {
-            let order = Phrase::verbatim(format!("{order:.2}"));
+            let order = Phrase::verbatim(hundredths(order));
             claim.push(Span::new(Tone::Plain, self.say(", fitted order {order}", &[("order", order)])));
         }
         let expects = Phrase::parse(&lane.expects);

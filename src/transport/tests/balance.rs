@@ -3,7 +3,7 @@
 use super::*;
 use crate::optics::fresnel::natural_reflectance;
 use crate::scene::{Energy, Facets, Metal};
-use crate::transport::estimate::{Estimate, TAILS, relative_mse};
+use crate::transport::estimate::{DARK, Estimate, colour, relative_mse_less, variance};
 use std::f64::consts::PI;
 use yardstick::statistics::{t_test, welch};
 
@@ -140,30 +140,70 @@ fn light_goes_both_ways() {
     assert!(welch(&there, &elsewhere).p < SIGNIFICANCE);
 }
 
+/// The hall under a lamp so small that few paths meet what mirror and glass show of it.
+fn hall_under_a_small_lamp(pixels: u32) -> Scene {
+    let mut hall = hall(pixels);
+    for shape in hall.shapes.iter_mut().filter(|shape| shape.emission.is_some()) {
+        let corners = [[0.45, 0.99, 0.45], [0.55, 0.99, 0.45], [0.55, 0.99, 0.55], [0.45, 0.99, 0.55]];
+        *shape = shining(self::shape(quad(corners), "white"), [128.0, 96.0, 64.0], false);
+    }
+    hall
+}
+
+/// What pictures of so many pairs tell of their errors, over the true ones.
+#[derive(Debug)]
+struct Told {
+    /// On average, and how well that is known.
+    ratio: f64,
+    noise: f64,
+    /// The same from every pixel's own mean alone.
+    alone: f64,
+    /// How far told errors spread, over what they say that they do.
+    spread: f64,
+}
+
+fn told_over_true(scene: &Scene, truth: &[Halves], pairs: u32, seeds: u64) -> Told {
+    let mut all: [Moments; 4] = Default::default();
+    for seed in 0..seeds {
+        let halves = filmed(scene, &with(Tactics::default(), seed), &[0..pairs]).halves();
+        let estimate = Estimate::of(&halves, scene.camera.width);
+        let picture: Vec<_> = halves.iter().map(colour).collect();
+        let of = |pixel: &Halves| (0..3).map(|c| variance(pixel)[c] / (colour(pixel)[c].powi(2) + DARK)).sum::<f64>();
+        let alone = halves.iter().map(of).sum::<f64>() / (3 * halves.len()) as f64;
+        let errors = [estimate.relative_mse, estimate.deviation, alone, relative_mse_less(&picture, truth).0];
+        all.iter_mut().zip(errors).for_each(|(moments, error)| moments.add(error));
+    }
+    let [told, deviation, alone, exact] = all;
+    Told {
+        ratio: told.mean() / exact.mean(),
+        noise: (told.standard_error() / told.mean()).hypot(exact.standard_error() / exact.mean()),
+        alone: alone.mean() / exact.mean(),
+        spread: told.variance().sqrt() / deviation.mean(),
+    }
+}
+
 #[test]
 fn a_picture_knows_how_wrong_it_is() {
-    let room = room(12);
-    let long = filmed(&room, &with(Tactics::default(), 1000), &[0..16384]).halves();
-    let colours = |halves: &[Halves]| halves.iter().map(crate::transport::estimate::colour).collect::<Vec<_>>();
-    let truth = colours(&long);
-    // What the truth itself is wrong by.
-    let rest = Estimate::of(&long).relative_mse / TAILS;
-    let (mut told, mut true_errors, mut deviation) = (Moments::default(), Moments::default(), Moments::default());
-    for seed in 0..48 {
-        let halves = filmed(&room, &with(Tactics::default(), seed), &[0..16]).halves();
-        let estimate = Estimate::of(&halves);
-        told.add(estimate.relative_mse / TAILS);
-        deviation.add(estimate.deviation / TAILS);
-        true_errors.add(relative_mse(&colours(&halves), &truth) - rest);
+    // So few pixels that many are at edges, which few samples tell least of.
+    let room = room(16);
+    let truth = filmed(&room, &with(Tactics::default(), 1000), &[0..8192]).halves();
+    for (pairs, most) in [(2, 1.4), (4, 1.2), (16, 1.1), (64, 1.1)] {
+        let told = told_over_true(&room, &truth, pairs, 64);
+        assert!((0.9 - 3.0 * told.noise..most + 3.0 * told.noise).contains(&told.ratio), "{pairs} pairs: {told:?}");
+        assert!(told.noise < 0.05, "{pairs} pairs: {told:?}");
+        // And how sure they are of it, by how pixels differ: pictures do differ so. 64 of them tell a spread to 1/√128.
+        assert!((0.7..1.4).contains(&told.spread), "{pairs} pairs: {told:?}");
     }
-    let ratio = told.mean() / true_errors.mean();
-    let noise = (told.standard_error() / told.mean()).hypot(true_errors.standard_error() / true_errors.mean());
-    // Halves that know nothing of each other tell all of the variance of their mean. The tails are what is left: up to the
-    // factor that pictures are told to be worse by.
-    assert!(ratio < 1.0 + 4.0 * noise && ratio > 1.0 / TAILS - 4.0 * noise, "{ratio} ± {noise}");
-    assert!(noise < 0.1, "{noise}");
-    // And how sure they are of it, by how pixels differ: pictures do differ so.
-    let spread = told.variance().sqrt() / deviation.mean();
-    // 48 pictures tell a spread to 1/√96; a twelfth of 144 pixels are at the edge of shadows, where errors come together.
-    assert!((0.6..1.6).contains(&spread), "{spread}");
+}
+
+#[test]
+fn what_few_paths_meet_does_not_hide_its_own_error() {
+    let hall = hall_under_a_small_lamp(16);
+    let truth = filmed(&hall, &with(Tactics::default(), 1000), &[0..2048]).halves();
+    for (pairs, seeds) in [(2, 256), (4, 128), (16, 64)] {
+        let told = told_over_true(&hall, &truth, pairs, seeds);
+        assert!((0.8 - 3.0 * told.noise..1.3 + 3.0 * told.noise).contains(&told.ratio), "{pairs} pairs: {told:?}");
+        // Its own mean alone would say too little.
+        assert!(told.noise < 0.1 && told.alone < 0.8, "{pairs} pairs: {told:?}");
+    }
 }

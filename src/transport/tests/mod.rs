@@ -14,6 +14,7 @@ use yardstick::statistics::{Moments, normal_two_sided, sidak, z_test};
 
 mod balance;
 mod extremes;
+mod features;
 
 /// The chance that any one of these tests fails though nothing is wrong.
 const SIGNIFICANCE: f64 = 1e-4;
