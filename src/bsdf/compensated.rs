@@ -193,7 +193,8 @@ impl<N: Number, S: Bsdf<N>> Bsdf<N> for Compensated<N, S> {
         let Side { is_inside, eta, .. } = Side::of(wo, self.index);
         let is_transmitted = wi.flipped(is_inside).z.lt(zero);
         let compression = compression(is_transmitted, eta);
-        let (f, pdf) = self.single.eval_pdf(wi, wo);
+        // Few surfaces lose much: as a rule no lane asks what the first lobe has to say of the second one's draws.
+        let (f, pdf) = if is_second.any() { self.single.eval_pdf(wi, wo) } else { (grey(zero), zero) };
         let (second, density) = self.second(loss, wi, wo);
         let first = N::select(is_second, pdf, single.pdf);
         let pdf = (first + loss * density) / (one + loss);

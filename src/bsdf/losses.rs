@@ -144,26 +144,40 @@ impl Losses {
         let alpha = [N::of(self.alpha[0]), N::of(self.alpha[1])];
         let (s2, z) = (stretched2(alpha, w), w.z.abs());
         let near = (z * ((s2 + z.squared()).sqrt() + z)).sqrt();
-        let x = near / (near + s2.sqrt()) * N::of((NODES - 1) as f64);
-        let first = (x - N::of(1.5)).round().max(zero).min(N::of((NODES - 4) as f64));
-        let weights = lagrange(x - first);
+        let near = Neighbours::of(near / (near + s2.sqrt()) * N::of((NODES - 1) as f64), NODES);
         if self.azimuths == 1 {
-            self.between(zero, first, weights)
+            near.mean(&self.table, zero)
         } else {
             let some = N::of(f64::from(f32::MIN_POSITIVE));
             let (along, across) = (alpha[0] * w.x.squared(), alpha[1] * w.y.squared());
             let at = along / (along + across).max(some) * N::of((AZIMUTHS - 1) as f64);
             let below = (at - N::of(0.5)).round().max(zero).min(N::of((AZIMUTHS - 2) as f64));
             let part = at - below;
-            let (one_side, other) = (self.between(below, first, weights), self.between(below + one, first, weights));
-            one_side * (one - part) + other * part
+            let row = |number: N| near.mean(&self.table, number * N::of(NODES as f64));
+            row(below) * (one - part) + row(below + one) * part
         }
     }
+}
 
-    /// The weighted mean of four nodes of a row, from the `first` on.
+/// Four neighbours on a line of nodes, and what each counts at a place between them (Lagrange).
+#[derive(Clone, Copy)]
+pub(super) struct Neighbours<N> {
+    first: N,
+    weights: [N; 4],
+}
+
+impl<N: Number> Neighbours<N> {
+    /// Of a place 0 ≤ x ≤ `nodes` − 1, nodes being 1 apart.
     #[inline(always)]
-    fn between<N: Number>(&self, row: N, first: N, weights: [N; 4]) -> N {
-        let nodes = (row * N::of(NODES as f64) + first).look_up_four(&self.table);
+    pub fn of(x: N, nodes: usize) -> Self {
+        let first = (x - N::of(1.5)).round().max(N::of(0.0)).min(N::of((nodes - 4) as f64));
+        Self { first, weights: lagrange(x - first) }
+    }
+
+    /// The weighted mean of a table's numbers on the line that begins at `start`.
+    #[inline(always)]
+    pub fn mean(&self, table: &Table, start: N) -> N {
+        let (weights, nodes) = (self.weights, (start + self.first).look_up_four(table));
         weights[0] * nodes[0] + weights[1] * nodes[1] + weights[2] * nodes[2] + weights[3] * nodes[3]
     }
 }

@@ -9,6 +9,7 @@
 //! |---|---|
 //! | Lambert; rough and diffuse | [`lambert`], [`oren_nayar`], [`eon`] |
 //! | smooth: mirror, metal, glass | [`smooth`] |
+//! | smooth metal and glass under a film | [`coated`] |
 //! | slopes of a rough surface, what of them is visible | [`microfacet`] |
 //! | rough metal, rough glass, one event | [`rough_conductor`], [`rough_dielectric`] |
 //! | a diffuse body under a coat | [`plastic`] |
@@ -20,6 +21,7 @@
 pub mod albedo;
 #[cfg(any(test, feature = "references"))]
 pub mod audit;
+pub mod coated;
 pub mod compensated;
 pub mod eon;
 pub mod fresnel;

@@ -4,7 +4,7 @@ use super::fresnel::{Conductor, dielectric};
 use super::{Bsdf, Character, Energy, Rgb, Sample, grey, rgb};
 use crate::number::{Mask, Number, Vector};
 
-const CHARACTER: Character = Character {
+pub(super) const CHARACTER: Character = Character {
     transmits: false,
     is_delta: true,
     has_delta: true,
@@ -15,13 +15,20 @@ const CHARACTER: Character = Character {
 
 /// The direction that mirrors `w`.
 #[inline(always)]
-fn mirrored<N: Number>(w: Vector<N>) -> Vector<N> {
+pub(super) fn mirrored<N: Number>(w: Vector<N>) -> Vector<N> {
     Vector::new(-w.x, -w.y, w.z)
 }
 
+/// What deltas are known to have in any other direction.
 #[inline(always)]
-fn nothing<N: Number>() -> (Rgb<N>, N) {
+pub(super) fn nothing<N: Number>() -> (Rgb<N>, N) {
     (grey(N::of(0.0)), N::of(0.0))
+}
+
+/// The direction from which light comes through to `w`, of relative index `eta` behind, where it is at `cos_t` to the normal.
+#[inline(always)]
+pub(super) fn refracted<N: Number>(w: Vector<N>, eta: N, cos_t: N) -> Vector<N> {
+    Vector::new(-w.x / eta, -w.y / eta, N::select(w.z.lt(N::of(0.0)), cos_t, -cos_t))
 }
 
 /// A mirror of the same reflectance at every angle.
@@ -101,15 +108,13 @@ impl<N: Number> Bsdf<N> for SmoothDielectric<N> {
     #[inline(always)]
     fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
         let (one, zero) = (N::of(1.0), N::of(0.0));
-        let is_inside = wo.z.lt(zero);
-        let eta = N::select(is_inside, one / self.index, self.index);
+        let eta = N::select(wo.z.lt(zero), one / self.index, self.index);
         let there = dielectric(wo.z.abs().min(one), eta);
-        let through = Vector::new(-wo.x / eta, -wo.y / eta, N::select(is_inside, there.cos_t, -there.cos_t));
         // One of the two, chosen with its own probability: the weight is 1.
         let is_transmitted = u[2].ge(there.reflectance);
         let compression = N::select(is_transmitted, one / eta.squared(), one);
         Sample {
-            wi: Vector::select(is_transmitted, through, mirrored(wo)),
+            wi: Vector::select(is_transmitted, refracted(wo, eta, there.cos_t), mirrored(wo)),
             weight: grey(compression),
             pdf: zero,
             is_delta: N::Mask::of(true),

@@ -1,5 +1,6 @@
 //! All the models: one more is a file and a line here.
 
+use super::coated::{CoatedConductor, CoatedDielectric, Film};
 use super::compensated::Compensated;
 use super::fresnel::Conductor;
 use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes};
@@ -28,6 +29,8 @@ pub struct Setting {
     pub index: f64,
     /// Indices n + iκ of the metal [1], over that outside, in three channels.
     pub metal: [Complex64; 3],
+    /// A film on what is polished, metal or glass.
+    pub film: Option<Film>,
 }
 
 impl Default for Setting {
@@ -41,6 +44,7 @@ impl Default for Setting {
             roughness: 0.5,
             index: 1.5,
             metal: [Complex64::I; 3],
+            film: None,
         }
     }
 }
@@ -51,6 +55,10 @@ pub const INDEX: [f64; 2] = [0.1, 10.0];
 /// Ends of n and κ [1] of a metal, over the index outside.
 pub const METAL_INDEX: [f64; 2] = [0.0, 1e3];
 
+/// The least n [1] of a film, over the index outside, and its largest thickness [m]: a film of a centimetre is a pane.
+const LEAST_FILM: f64 = 1e-3;
+const THICKEST: f64 = 1e-2;
+
 /// x between the ends; the lower one if it is not a number.
 fn within(x: f64, low: f64, high: f64) -> f64 {
     if x >= low { x.min(high) } else { low }
@@ -60,12 +68,17 @@ impl Setting {
     /// The nearest setting that models can be made from.
     pub fn held(self) -> Self {
         let part = |x: f64| within(x, METAL_INDEX[0], METAL_INDEX[1]);
+        let film = self.film.map(|Film { index, thickness }| Film {
+            index: index.map(|index| Complex64::new(within(index.re, LEAST_FILM, METAL_INDEX[1]), part(index.im))),
+            thickness: within(thickness, 0.0, THICKEST),
+        });
         Self {
             albedo: self.albedo.map(|albedo| within(albedo, 0.0, 1.0)),
             alpha: self.alpha.map(|alpha| within(alpha, 1e-4, 1.0)),
             roughness: within(self.roughness, 0.0, 1.0),
             index: within(self.index, INDEX[0], INDEX[1]),
             metal: self.metal.map(|index| Complex64::new(part(index.re), part(index.im))),
+            film,
             ..self
         }
     }
@@ -159,8 +172,14 @@ pub fn zoo<N: Number>() -> Vec<Entry<N>> {
             boxed(eon::Eon { albedo: s.albedo.map(N::of), roughness: N::of(s.roughness) })
         }),
         entry("mirror", "a plain mirror", |s| boxed(smooth::Mirror { reflectance: s.albedo.map(N::of) })),
-        entry("conductor", "polished metal", |s| boxed(smooth::SmoothConductor { metal: s.metal() })),
-        entry("dielectric", "polished glass", |s| boxed(smooth::SmoothDielectric { index: N::of(s.index) })),
+        entry("conductor", "polished metal", |s| match &s.film {
+            Some(film) => boxed(CoatedConductor::new(film, s.metal)),
+            None => boxed(smooth::SmoothConductor { metal: s.metal() }),
+        }),
+        entry("dielectric", "polished glass", |s| match &s.film {
+            Some(film) => boxed(CoatedDielectric::new(film, s.index)),
+            None => boxed(smooth::SmoothDielectric { index: N::of(s.index) }),
+        }),
         entry(
             "rough-conductor",
             "rough metal, one bounce",

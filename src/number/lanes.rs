@@ -138,11 +138,11 @@ pub(super) fn transposed<const K: usize>(rows: &[[f32; K]; 8]) -> [F32x8; K] {
     let mut columns = [Eight([0.0; 8]); K];
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     if let Some(avx2) = super::avx2() {
-        let whole = K / 8 * 8;
-        for start in (0..whole).step_by(8) {
+        let whole = K / 4 * 4;
+        for start in (0..whole).step_by(4) {
             avx2.vectorize(
                 #[inline(always)]
-                || square(avx2, rows, &mut columns, start),
+                || four(avx2, rows, &mut columns, start),
             );
         }
         for (lane, row) in rows.iter().enumerate() {
@@ -160,26 +160,23 @@ pub(super) fn transposed<const K: usize>(rows: &[[f32; K]; 8]) -> [F32x8; K] {
     columns
 }
 
-/// Eight columns from `start` on, by rounds of interleaving within quarters: a compiler left alone moves the 64 numbers one
+/// Four columns from `start` on, by rounds of interleaving within quarters: a compiler left alone moves the 64 numbers one
 /// by one.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[inline(always)]
-fn square<M: Simd, const K: usize>(machine: M, rows: &[[f32; K]; 8], columns: &mut [F32x8; K], start: usize) {
+fn four<M: Simd, const K: usize>(machine: M, rows: &[[f32; K]; 8], columns: &mut [F32x8; K], start: usize) {
     macro_rules! quarter {
-        ($lane:literal, $from:expr) => {{
-            let row = |lane: usize| f32x4::from_slice(machine, &rows[lane][$from..$from + 4]);
+        ($lane:literal) => {{
+            let row = |lane: usize| f32x4::from_slice(machine, &rows[lane][start..start + 4]);
             let ((a, b), (c, d)) = (row($lane).interleave(row($lane + 2)), row($lane + 1).interleave(row($lane + 3)));
             // a: 0 2 of columns 0 and 1, c: 1 3 of them, and so on.
             let ((a, b), (c, d)) = (a.interleave(c), b.interleave(d));
             [a, b, c, d]
         }};
     }
-    for half in 0..2 {
-        let from = start + 4 * half;
-        let (upper, lower) = (quarter!(0, from), quarter!(4, from));
-        for column in 0..4 {
-            columns[from + column].0 = upper[column].combine(lower[column]).into();
-        }
+    let (upper, lower) = (quarter!(0), quarter!(4));
+    for column in 0..4 {
+        columns[start + column].0 = upper[column].combine(lower[column]).into();
     }
 }
 
@@ -255,13 +252,12 @@ impl Number for F32x8 {
     }
     #[inline(always)]
     fn look_up_four(self, table: &Table) -> [Self; 4] {
-        let mut rows = [[0.0; 8]; 8];
+        let mut rows = [[0.0; 4]; 8];
         for (row, x) in rows.iter_mut().zip(self.0) {
-            let at = (x as usize).min(table.rounded.len() - 8);
-            row.copy_from_slice(&table.rounded[at..at + 8]);
+            let at = (x as usize).min(table.rounded.len() - 4);
+            row.copy_from_slice(&table.rounded[at..at + 4]);
         }
-        let [a, b, c, d, ..] = transposed(&rows);
-        [a, b, c, d]
+        transposed(&rows)
     }
     #[inline(always)]
     fn bits(self) -> Eight<u32> {

@@ -175,14 +175,14 @@ pub const MOST_LANES: usize = 8;
 #[derive(Clone, Debug)]
 pub struct Table {
     entries: Arc<[f64]>,
-    /// The same, and some more so that eight can be loaded from any.
+    /// The same, and some more so that four can be loaded from any.
     rounded: Arc<[f32]>,
 }
 
 impl Table {
     /// Of its entries.
     pub fn new(entries: Arc<[f64]>) -> Self {
-        let rounded = entries.iter().map(|x| *x as f32).chain([0.0; 8]).collect();
+        let rounded = entries.iter().map(|x| *x as f32).chain([0.0; 4]).collect();
         Self { entries, rounded }
     }
 }

@@ -49,7 +49,7 @@ impl Flaw {
     }
 
     /// The same, said of a part of what is looked at.
-    fn within(self, part: impl Into<Part>) -> Self {
+    pub(crate) fn within(self, part: impl Into<Part>) -> Self {
         Self { place: self.place.within(part), ..self }
     }
 }

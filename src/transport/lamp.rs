@@ -184,6 +184,14 @@ impl<N: Width> Lamp<N> {
     /// away at the cosine `cos` [1] to its normal.
     #[inline(never)]
     pub fn pdf(&self, from: Vector<N>, distance: N, cos: N) -> N {
+        vectorised_lanes::<N, _>(
+            #[inline(always)]
+            || self.density(from, distance, cos),
+        )
+    }
+
+    #[inline(always)]
+    fn density(&self, from: Vector<N>, distance: N, cos: N) -> N {
         let by_area = |area: N| distance.squared() / (area * cos.abs()).max(least());
         match &self.form {
             Form::Piece(piece) => by_area(piece.area),

@@ -1,10 +1,11 @@
 //! What a scene's surfaces are made of, as models of [`crate::bsdf`], for lanes that meet different ones.
 
+use crate::bsdf::coated::Film;
 use crate::bsdf::lambert::Lambert;
 use crate::bsdf::{self, Bsdf, Rgb, Sample, rgb, zoo};
 use crate::media;
 use crate::number::{Mask, Vector, Width};
-use crate::scene::{Energy, Facets, Flaw, Material, Metal};
+use crate::scene::{Coating, Energy, Facets, Flaw, Material, Metal};
 use num_complex::Complex64;
 
 /// The materials of a scene.
@@ -29,7 +30,7 @@ impl Material {
     /// The model's name in the [`zoo`], and what it is made from.
     ///
     /// # Errors
-    /// If there is no such metal, or it has a coating.
+    /// If there is no such metal, or no such medium of a film.
     pub fn model(&self) -> Result<(&'static str, bsdf::Setting), Flaw> {
         let plain = bsdf::Setting::default();
         let faceted = |facets: &Facets| bsdf::Setting { alpha: facets.alpha, slopes: facets.slopes, ..plain };
@@ -39,11 +40,9 @@ impl Material {
                 ("eon", bsdf::Setting { albedo: *reflectance, roughness: *roughness, ..plain })
             }
             Self::Mirror { reflectance } => ("mirror", bsdf::Setting { albedo: *reflectance, ..plain }),
-            Self::Conductor { coating: Some(_), .. } | Self::Dielectric { coating: Some(_), .. } => {
-                return Err(Flaw::of("coating", "not yet: films are not rendered so far; leave it out"));
-            }
-            Self::Conductor { metal, coating: None } => {
-                ("conductor", bsdf::Setting { metal: metal.indices()?, ..plain })
+            Self::Conductor { metal, coating } => {
+                let film = coating.as_ref().map(|coating| coating.film(1.0)).transpose()?;
+                ("conductor", bsdf::Setting { metal: metal.indices()?, film, ..plain })
             }
             Self::RoughConductor { metal, facets, masking, energy } => {
                 let name = match energy {
@@ -53,7 +52,10 @@ impl Material {
                 };
                 (name, bsdf::Setting { metal: metal.indices()?, joint: *masking, ..faceted(facets) })
             }
-            Self::Dielectric { ior, outside, .. } => ("dielectric", bsdf::Setting { index: ior / outside, ..plain }),
+            Self::Dielectric { ior, outside, coating, .. } => {
+                let film = coating.as_ref().map(|coating| coating.film(*outside)).transpose()?;
+                ("dielectric", bsdf::Setting { index: ior / outside, film, ..plain })
+            }
             Self::RoughDielectric { ior, outside, facets, energy, .. } => {
                 let name = match energy {
                     Energy::Compensated => "dielectric-compensated",
@@ -101,12 +103,26 @@ impl Metal {
     pub fn indices(&self) -> Result<[Complex64; 3], Flaw> {
         match self {
             Self::Indices { eta, k } => Ok(std::array::from_fn(|c| Complex64::new(eta[c], k[c]))),
-            Self::Named(name) => media::named(name)
-                .ok_or_else(|| format!("`{name}` is no known medium"))
-                .and_then(|medium| medium.colour().map_err(|error| error.to_string()))
-                .map_err(|why| Flaw::of("metal", why)),
+            Self::Named(name) => colour(name).map_err(|why| Flaw::of("metal", why)),
         }
     }
+}
+
+impl Coating {
+    /// The film beside a medium of an index [1].
+    ///
+    /// # Errors
+    /// If there is no medium of that name, or it is not known for light.
+    pub fn film(&self, outside: f64) -> Result<Film, Flaw> {
+        let index = colour(&self.medium).map_err(|why| Flaw::of("medium", why).within("coating"))?;
+        Ok(Film { index: index.map(|index| index / outside), thickness: self.thickness_nm * 1e-9 * outside })
+    }
+}
+
+/// The indices n + iκ [1] of a medium by channel.
+fn colour(name: &str) -> Result<[Complex64; 3], String> {
+    let medium = media::named(name).ok_or_else(|| format!("`{name}` is no known medium"))?;
+    medium.colour().map_err(|error| error.to_string())
 }
 
 impl<N: Width> Surfaces<N> {

@@ -49,6 +49,7 @@ fn setting() -> impl Strategy<Value = Setting> {
         roughness: roughness.into(),
         index: index.into(),
         metal: [num_complex::Complex64::new(n.into(), k.into()); 3],
+        film: None,
     })
 }
 

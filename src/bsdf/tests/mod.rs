@@ -1,4 +1,5 @@
 mod audit;
+mod coated;
 mod diffuse;
 mod digits;
 mod draws;

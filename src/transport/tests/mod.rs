@@ -9,7 +9,7 @@ use crate::geometry::Structure;
 use crate::number::{F32x8, Width};
 use crate::radiometry::{self, disc::Disc, polygon, sphere::Sphere};
 use crate::sampling::{Choice, Points};
-use crate::scene::{Camera, Emission, Filter, Geometry, Light, Material, Scene, Shape, Transform};
+use crate::scene::{Camera, Coating, Emission, Filter, Geometry, Light, Material, Scene, Shape, Transform};
 use yardstick::statistics::{Moments, normal_two_sided, sidak, z_test};
 
 mod balance;
@@ -440,6 +440,11 @@ fn a_closed_room_that_glows_is_as_bright_as_its_series() {
     }
 }
 
+/// A film that reflects some colours more than others and absorbs none.
+fn veil() -> Coating {
+    Coating { medium: "diamond".into(), thickness_nm: 300.0 }
+}
+
 #[test]
 fn white_bodies_in_a_white_world_cannot_be_seen() {
     use crate::bsdf::microfacet::{Joint, Slopes};
@@ -458,6 +463,11 @@ fn white_bodies_in_a_white_world_cannot_be_seen() {
             1e-3,
         ),
         ("glass", Material::Dielectric { ior: 1.5, outside: 1.0, absorption: [0.0; 3], coating: None }, 1e-5),
+        (
+            "coated glass",
+            Material::Dielectric { ior: 1.5, outside: 1.0, absorption: [0.0; 3], coating: Some(veil()) },
+            1e-5,
+        ),
         ("plastic", Material::Plastic { ior: 1.5, reflectance: [1.0; 3], alpha: None }, 1e-4),
     ];
     for (name, body, limit) in bodies {
