@@ -95,8 +95,8 @@ fn metal_under_a_film_reflects_what_the_stack_does() {
         let model = model::<f64>("conductor", Some(film), Setting { metal, ..Setting::default() });
         for cos in [0.999, 0.57, 0.11, 0.03] {
             let drawn = model.sample(direction(cos, 0.7), [0.5; 3]);
-            for c in 0..3 {
-                let [r, _] = expected(&film, c, [Complex64::ONE, metal[c]], cos);
+            for (c, index) in metal.into_iter().enumerate() {
+                let [r, _] = expected(&film, c, [Complex64::ONE, index], cos);
                 // Grazing, both faces are mirrors, and between them resonances are sharper than a band's wavelengths are close.
                 let limit = if cos < 0.1 { 1e-3 } else { 1e-4 };
                 assert!((drawn.weight[c] - r).abs() < limit, "{film:?} at {cos}, {c}: {} {r}", drawn.weight[c]);
