@@ -10,7 +10,7 @@ use crate::vocabulary::{
 };
 use light::bsdf::albedo::Rule;
 use light::bsdf::audit::{drawn, lobe_density, spread_density};
-use light::bsdf::fresnel::Conductor;
+use light::bsdf::fresnel::{Conductor, Reflecting};
 use light::bsdf::microfacet::{Distribution, Ggx, Joint, Slopes};
 use light::bsdf::rough_conductor::RoughConductor;
 use light::bsdf::{self, Bsdf, Guarded, zoo};

@@ -4,9 +4,9 @@
 //! through is the mean of natural light over its band, by [`crate::optics::film`], tabulated over the cosine. A film of many
 //! waves has no colours for that reason: the band holds many of its fringes. Indices do not disperse within a band.
 
-use super::fresnel::dielectric;
+use super::fresnel::{Reflecting, dielectric};
 use super::losses::Neighbours;
-use super::smooth::{CHARACTER, Mirror, mirrored, nothing, refracted};
+use super::smooth::{CHARACTER, mirrored, nothing, refracted};
 use super::{Bsdf, Character, Rgb, Sample, rgb};
 use crate::Polarisation;
 use crate::media::CHANNELS;
@@ -127,37 +127,22 @@ fn natural(stack: &Stack, incidence: Incidence, wavelengths: &[f64]) -> [f64; 2]
     sums.map(|sum| sum / (2 * wavelengths.len()) as f64)
 }
 
-/// Polished metal under a film.
+/// Metal under a film.
 #[derive(Clone, Debug)]
-pub struct CoatedConductor(Side);
+pub struct CoatedMetal(Side);
 
-impl CoatedConductor {
+impl CoatedMetal {
     /// Of its indices [1] over that outside, in three channels.
     pub fn new(film: &Film, metal: [Complex64; 3]) -> Self {
         Self(Side::new(1.0, film, metal))
     }
 }
 
-impl<N: Number> Bsdf<N> for CoatedConductor {
-    fn character(&self) -> Character {
-        CHARACTER
-    }
-
+impl<N: Number> Reflecting<N> for CoatedMetal {
     #[inline(always)]
-    fn eval_pdf(&self, _: Vector<N>, _: Vector<N>) -> (Rgb<N>, N) {
-        nothing()
-    }
-
-    #[inline(always)]
-    fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
-        let [reflectance, _] = self.0.at(wo.z.abs());
-        Mirror { reflectance }.sample(wo, u)
-    }
-
-    #[inline(always)]
-    fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
-        let [reflectance, _] = self.0.at(wo.z.abs());
-        Mirror { reflectance }.albedo(wo)
+    fn reflectance(&self, cos_i: N) -> Rgb<N> {
+        let [reflected, _] = self.0.at(cos_i);
+        reflected
     }
 }
 

@@ -21,6 +21,12 @@ pub fn dielectric<N: Number>(cos_i: N, eta: N) -> Interface<N> {
     Interface { reflectance: reflectance.min(one), cos_t: q / eta }
 }
 
+/// What reflects by an angle.
+pub trait Reflecting<N> {
+    /// R [1] of natural light at 0 ≤ `cos_i` ≤ 1, by channel.
+    fn reflectance(&self, cos_i: N) -> Rgb<N>;
+}
+
 /// A metal: n + iκ over the index outside, in three channels.
 #[derive(Clone, Copy, Debug)]
 pub struct Conductor<N> {
@@ -30,21 +36,22 @@ pub struct Conductor<N> {
     pub k: Rgb<N>,
 }
 
-impl<N: Number> Conductor<N> {
-    /// The metal that absorbs nothing, ε = −1.
-    pub fn perfect() -> Self {
-        Self { n: [N::of(0.0); 3], k: [N::of(1.0); 3] }
-    }
-
-    /// R [1] of natural light at 0 ≤ `cos_i` ≤ 1.
+impl<N: Number> Reflecting<N> for Conductor<N> {
     #[inline(always)]
-    pub fn reflectance(&self, cos_i: N) -> Rgb<N> {
+    fn reflectance(&self, cos_i: N) -> Rgb<N> {
         let one = N::of(1.0);
         let (cos2, sin2) = (cos_i.squared(), (one - cos_i) * (one + cos_i));
         rgb(
             #[inline(always)]
             |c| absorbing(cos_i, cos2, sin2, self.n[c], self.k[c]),
         )
+    }
+}
+
+impl<N: Number> Conductor<N> {
+    /// The metal that absorbs nothing, ε = −1.
+    pub fn perfect() -> Self {
+        Self { n: [N::of(0.0); 3], k: [N::of(1.0); 3] }
     }
 
     /// 2∫R μ dμ [1]: the reflectance of light from everywhere.

@@ -6,7 +6,7 @@
 //! cos² of the one stretched by √α, halfway between that of masking and that of Fresnel.
 
 use super::Bsdf;
-use super::fresnel::Conductor;
+use super::fresnel::{Conductor, Reflecting};
 use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes, stretched2};
 use super::rough_conductor::RoughConductor;
 use super::rough_dielectric::RoughDielectric;

@@ -6,7 +6,7 @@
 //! passes either way alike, n²(1 − R̄) = 1 − ⟨E_coat⟩: a white body returns all that its coat lets in, and f is the same both
 //! ways. What a rough coat loses at one bounce goes to the body.
 
-use super::fresnel::Conductor;
+use super::fresnel::{Conductor, Reflecting};
 use super::losses::Losses;
 use super::microfacet::{Distribution, Joint};
 use super::rough_conductor::RoughConductor;
@@ -35,7 +35,7 @@ pub struct Plastic<N, C> {
 /// The least share [1] of draws for either part.
 const LEAST_SHARE: f64 = 0.25;
 
-impl<N: Number> Plastic<N, SmoothConductor<N>> {
+impl<N: Number> Plastic<N, SmoothConductor<Conductor<N>>> {
     /// A body of albedo ρ [1] under a polished coat of an index [1].
     pub fn smooth(albedo: [f64; 3], index: f64) -> Self {
         let clear = clear(index);

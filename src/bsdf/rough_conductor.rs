@@ -1,7 +1,7 @@
 //! Rough metal, one bounce: f = D F G₂/(4 cos cos) (K. E. Torrance and E. M. Sparrow, JOSA 57 (1967) 1105), drawn by the
 //! facets that are seen. What would bounce again is lost.
 
-use super::fresnel::Conductor;
+use super::fresnel::{Conductor, Reflecting};
 use super::microfacet::{Distribution, Joint};
 use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, rgb};
 use crate::number::{Number, Vector};

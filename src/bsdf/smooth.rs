@@ -1,6 +1,6 @@
 //! Surfaces without roughness, whose directions have no choice: f is a delta over the cosine (E49, E50).
 
-use super::fresnel::{Conductor, dielectric};
+use super::fresnel::{Reflecting, dielectric};
 use super::{Bsdf, Character, Energy, Rgb, Sample, grey, rgb};
 use crate::number::{Mask, Number, Vector};
 
@@ -62,12 +62,12 @@ impl<N: Number> Bsdf<N> for Mirror<N> {
 
 /// Polished metal.
 #[derive(Clone, Copy, Debug)]
-pub struct SmoothConductor<N> {
-    /// Its indices.
-    pub metal: Conductor<N>,
+pub struct SmoothConductor<M> {
+    /// Its indices, or what is known of it under a film.
+    pub metal: M,
 }
 
-impl<N: Number> Bsdf<N> for SmoothConductor<N> {
+impl<N: Number, M: Reflecting<N> + Send + Sync> Bsdf<N> for SmoothConductor<M> {
     fn character(&self) -> Character {
         CHARACTER
     }

@@ -6,7 +6,7 @@
 //! microfacets*, CGF 41(4) (2022): τ = −ln C₁(height) is a depth in which facets are met at random, at the rate 1 + Λ on
 //! the way down and Λ on the way up.
 
-use super::fresnel::{Conductor, dielectric};
+use super::fresnel::{Conductor, Reflecting, dielectric};
 use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes, projected};
 use super::rough_conductor::{self, RoughConductor};
 use super::rough_dielectric::{self, RoughDielectric, Side, compression, held_off_one, reflected, refracted};

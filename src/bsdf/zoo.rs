@@ -1,6 +1,6 @@
 //! All the models: one more is a file and a line here.
 
-use super::coated::{CoatedConductor, CoatedDielectric, Film};
+use super::coated::{CoatedDielectric, CoatedMetal, Film};
 use super::compensated::Compensated;
 use super::fresnel::Conductor;
 use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes};
@@ -173,8 +173,8 @@ pub fn zoo<N: Number>() -> Vec<Entry<N>> {
         }),
         entry("mirror", "a plain mirror", |s| boxed(smooth::Mirror { reflectance: s.albedo.map(N::of) })),
         entry("conductor", "polished metal", |s| match &s.film {
-            Some(film) => boxed(CoatedConductor::new(film, s.metal)),
-            None => boxed(smooth::SmoothConductor { metal: s.metal() }),
+            Some(film) => boxed(smooth::SmoothConductor { metal: CoatedMetal::new(film, s.metal) }),
+            None => boxed(smooth::SmoothConductor { metal: s.metal::<N>() }),
         }),
         entry("dielectric", "polished glass", |s| match &s.film {
             Some(film) => boxed(CoatedDielectric::new(film, s.index)),

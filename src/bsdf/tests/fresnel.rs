@@ -1,6 +1,6 @@
 //! The reflectance of every width against arbitrary precision, and its mean against a rule.
 
-use crate::bsdf::fresnel::{Conductor, dielectric};
+use crate::bsdf::fresnel::{Conductor, Reflecting, dielectric};
 use crate::bsdf::{Setting, zoo};
 use crate::number::{F32x8, Number, Vector};
 use crate::optics::fresnel::{diffuse_reflectance, powers};
