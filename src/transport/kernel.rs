@@ -1,9 +1,9 @@
 //! The fast integrator: as many paths at once as a number has lanes.
 //!
-//! A lane carries one path. Its path ended, it takes the next sample of its pixel or of the one after it at once, so that lanes seldom idle; rare work is
-//! done only if a lane asks for it. At every vertex the path is joined to a lamp and goes on by its surface, and both ways of
-//! meeting a lamp are weighed by their densities (E. Veach and L. J. Guibas, *Optimally combining sampling techniques for
-//! Monte Carlo rendering*, SIGGRAPH '95, 419: the balance heuristic).
+//! A lane carries one path. Its path ended, it takes the next sample of its pixel or of the one after it at once, so that lanes
+//! seldom idle; rare work is done only if a lane asks for it. At every vertex the path is joined to a lamp and goes on by its
+//! surface, and both ways of meeting a lamp are weighed by their densities (E. Veach and L. J. Guibas, *Optimally combining
+//! sampling techniques for Monte Carlo rendering*, SIGGRAPH '95, 419: the balance heuristic).
 
 use super::film::{Halves, added, tree};
 use super::{Stage, Vertex, caustics};
@@ -59,8 +59,8 @@ pub enum Meeting {
 impl Default for Tactics {
     fn default() -> Self {
         Self {
-            patience: 6,
-            boost: 2.0,
+            patience: 5,
+            boost: 4.0,
             most: 0.98,
             meeting: Meeting::Both,
             blind_choice: false,

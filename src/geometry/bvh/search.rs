@@ -101,6 +101,11 @@ impl<P: Width> Bvh<P> {
                 let node = &self.nodes[link.0 as usize];
                 let passed = slabs.pass(machine, node, limit);
                 let (mut bits, from) = (passed.bits, count);
+                // A single box is entered at once.
+                if bits.is_power_of_two() {
+                    link = node.children[bits.trailing_zeros() as usize & 7];
+                    continue;
+                }
                 while bits != 0 {
                     let child = bits.trailing_zeros() as usize & 7;
                     bits &= bits - 1;
