@@ -212,6 +212,21 @@ mod tests {
     }
 
     #[test]
+    fn at_the_edge_of_a_lamp_a_single_sample_is_thought_to_be_rarer_than_it_says() {
+        // Dark to the left, the lamp to the right, and between them a pixel of which one half has met it: by itself it says 1.
+        let grey = |a: f32, b: f32| [[a; 3], [b; 3]];
+        let row = |middle: Halves| [grey(0.0, 0.0), middle, grey(100.0, 100.0)];
+        let rows = |own: Halves| [row(grey(0.0, 100.0)), row(own), row(grey(100.0, 0.0))].concat();
+        let error = |own: Halves| pixel_errors(&rows(own), 3)[4];
+        // 1 + ln(m/m₀) with m = 10 over the tenth of white that stands for black is 5.6.
+        assert!((4.0..12.0).contains(&error(grey(20.0, 0.0))), "{}", error(grey(20.0, 0.0)));
+        // One whose halves agree knows better than its neighbours.
+        assert_eq!(error(grey(10.0, 10.0)), 0.0);
+        let off = error(grey(10.1, 9.9));
+        assert!((off / 1e-4 - 1.0).abs() < 0.1, "{off}");
+    }
+
+    #[test]
     fn the_noise_of_a_reference_is_not_taken_for_an_error() {
         let (mean, bias) = (2.0, 0.01);
         // The reference is as noisy as the picture is wrong: halves of variance 2·bias².

@@ -58,6 +58,21 @@ fn expected(film: &Film, channel: usize, [n_i, n_t]: [Complex64; 2], cos: f64) -
 }
 
 #[test]
+fn bands_adjoin_and_hold_what_is_nearest_to_their_channels() {
+    let [red, green, blue] = [0, 1, 2].map(band);
+    assert!(blue[1] == green[0] && green[1] == red[0]);
+    for (channel, [short, long]) in [red, green, blue].into_iter().enumerate() {
+        let own = |wavelength: f64| (wavelength - CHANNELS[channel]).abs();
+        let nearest = |wavelength: f64| CHANNELS.iter().all(|other| own(wavelength) <= (wavelength - other).abs());
+        assert!(nearest(short + 1e-12) && nearest(long - 1e-12), "{channel}: {short} to {long}");
+    }
+    // The outer ones are as wide on either side.
+    assert!(
+        (red[0] + red[1] - 2.0 * CHANNELS[0]).abs() < 1e-15 && (blue[0] + blue[1] - 2.0 * CHANNELS[2]).abs() < 1e-15
+    );
+}
+
+#[test]
 fn films_reflect_and_let_through_what_the_stack_does() {
     let (air, index) = (Complex64::ONE, Complex64::new(1.5, 0.0));
     for film in films() {
@@ -78,6 +93,8 @@ fn films_reflect_and_let_through_what_the_stack_does() {
                 assert!(close(found, r), "{film:?} at {cos}, {c}: R {found} {r}");
                 if total > 1e-6 {
                     assert!(through.is_transmitted);
+                    let [from, to] = media.map(|index| index.re);
+                    assert!((through.compression - (from / to).powi(2)).abs() < 1e-14, "radiance goes as n²");
                     let found = through.weight[c] / through.compression * total;
                     assert!(close(found, t), "{film:?} at {cos}, {c}: T {found} {t}");
                 } else {
