@@ -6,7 +6,7 @@
 
 use super::fresnel::{Reflecting, dielectric};
 use super::losses::Neighbours;
-use super::smooth::{CHARACTER, mirrored, nothing, refracted};
+use super::smooth::{CHARACTER, either, nothing};
 use super::{Bsdf, Character, Rgb, Sample, rgb};
 use crate::Polarisation;
 use crate::media::CHANNELS;
@@ -29,6 +29,9 @@ const NODES: usize = 256;
 /// Wavelengths of a band, at least, at most, and for each of its fringes.
 const WAVELENGTHS: [f64; 2] = [48.0, 4096.0];
 const PER_FRINGE: f64 = 16.0;
+
+/// Stands for an index of 0 [1].
+const LEAST: f64 = 1e-6;
 
 /// The ends [m] of a channel's band: halfway to its neighbours, and as far beyond the last as before it.
 pub fn band(channel: usize) -> [f64; 2] {
@@ -134,7 +137,8 @@ pub struct CoatedMetal(Side);
 impl CoatedMetal {
     /// Of its indices [1] over that outside, in three channels.
     pub fn new(film: &Film, metal: [Complex64; 3]) -> Self {
-        Self(Side::new(1.0, film, metal))
+        // ε = 0 is a limit that a stack does not take.
+        Self(Side::new(1.0, film, metal.map(|index| if index == Complex64::ZERO { LEAST.into() } else { index })))
     }
 }
 
@@ -187,23 +191,16 @@ impl<N: Number> Bsdf<N> for CoatedDielectric {
 
     #[inline(always)]
     fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
-        let (one, zero) = (N::of(1.0), N::of(0.0));
+        let one = N::of(1.0);
         let [reflected, passed] = self.shares(wo);
         // T is the same from both sides, which R is not where the film absorbs: light that runs the other way has the same choice.
         let through = (passed[0] + passed[1] + passed[2]) * N::of(1.0 / 3.0);
         let is_transmitted = u[2].ge(one - through);
-        let eta = N::select(wo.z.lt(zero), N::of(1.0 / self.index), N::of(self.index));
-        let compression = N::select(is_transmitted, one / eta.squared(), one);
+        let eta = N::select(wo.z.lt(N::of(0.0)), N::of(1.0 / self.index), N::of(self.index));
         let odds = N::select(is_transmitted, through, one - through).max(N::of(f64::from(f32::MIN_POSITIVE)));
         let there = dielectric(wo.z.abs().min(one), eta);
-        Sample {
-            wi: Vector::select(is_transmitted, refracted(wo, eta, there.cos_t), mirrored(wo)),
-            weight: rgb(|c| N::select(is_transmitted, passed[c] * compression, reflected[c]) / odds),
-            pdf: zero,
-            is_delta: N::Mask::of(true),
-            is_transmitted,
-            compression,
-        }
+        let shares = [rgb(|c| reflected[c] / odds), rgb(|c| passed[c] / odds)];
+        either(wo, [eta, there.cos_t], is_transmitted, shares)
     }
 
     #[inline(always)]

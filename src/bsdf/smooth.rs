@@ -15,7 +15,7 @@ pub(super) const CHARACTER: Character = Character {
 
 /// The direction that mirrors `w`.
 #[inline(always)]
-pub(super) fn mirrored<N: Number>(w: Vector<N>) -> Vector<N> {
+fn mirrored<N: Number>(w: Vector<N>) -> Vector<N> {
     Vector::new(-w.x, -w.y, w.z)
 }
 
@@ -27,8 +27,29 @@ pub(super) fn nothing<N: Number>() -> (Rgb<N>, N) {
 
 /// The direction from which light comes through to `w`, of relative index `eta` behind, where it is at `cos_t` to the normal.
 #[inline(always)]
-pub(super) fn refracted<N: Number>(w: Vector<N>, eta: N, cos_t: N) -> Vector<N> {
+fn refracted<N: Number>(w: Vector<N>, eta: N, cos_t: N) -> Vector<N> {
     Vector::new(-w.x / eta, -w.y / eta, N::select(w.z.lt(N::of(0.0)), cos_t, -cos_t))
+}
+
+/// Light that goes to `wo` and comes either by way of the mirror or through, as it was chosen, carrying the share that was
+/// `reflected` or `passed`: past an interface of relative index `eta` behind, at `cos_t` to the normal there.
+#[inline(always)]
+pub(super) fn either<N: Number>(
+    wo: Vector<N>,
+    [eta, cos_t]: [N; 2],
+    is_transmitted: N::Mask,
+    [reflected, passed]: [Rgb<N>; 2],
+) -> Sample<N> {
+    let one = N::of(1.0);
+    let compression = N::select(is_transmitted, one / eta.squared(), one);
+    Sample {
+        wi: Vector::select(is_transmitted, refracted(wo, eta, cos_t), mirrored(wo)),
+        weight: rgb(|c| N::select(is_transmitted, passed[c] * compression, reflected[c])),
+        pdf: N::of(0.0),
+        is_delta: N::Mask::of(true),
+        is_transmitted,
+        compression,
+    }
 }
 
 /// A mirror of the same reflectance at every angle.
@@ -111,16 +132,8 @@ impl<N: Number> Bsdf<N> for SmoothDielectric<N> {
         let eta = N::select(wo.z.lt(zero), one / self.index, self.index);
         let there = dielectric(wo.z.abs().min(one), eta);
         // One of the two, chosen with its own probability: the weight is 1.
-        let is_transmitted = u[2].ge(there.reflectance);
-        let compression = N::select(is_transmitted, one / eta.squared(), one);
-        Sample {
-            wi: Vector::select(is_transmitted, refracted(wo, eta, there.cos_t), mirrored(wo)),
-            weight: grey(compression),
-            pdf: zero,
-            is_delta: N::Mask::of(true),
-            is_transmitted,
-            compression,
-        }
+        // Chosen with its own probability: the weight is 1.
+        either(wo, [eta, there.cos_t], u[2].ge(there.reflectance), [grey(one); 2])
     }
 
     #[inline(always)]

@@ -205,7 +205,9 @@ fn any_film_and_any_direction_give_finite_shares_alike_in_all_widths() {
     for film in hostile.into_iter().chain(films()) {
         for name in ["conductor", "dielectric"] {
             let index = if film.thickness == 1e-6 { 1.0 / 1.5 } else { 1.5 };
-            let setting = Setting { index, ..Setting::default() };
+            // Metals that are none: without index, and with the air's.
+            let metal = [0.0, 1.0, 0.5].map(|n| Complex64::new(n, 0.0));
+            let setting = Setting { index, metal, ..Setting::default() };
             let (one, eight) = (model::<f32>(name, Some(film), setting), model::<F32x8>(name, Some(film), setting));
             for cos in [1.0_f32, 0.7454, 0.5, 1e-3, 1e-6, -1e-6, -0.2, -0.7453, -0.7454, -1.0] {
                 let wo = Vector::new((1.0 - cos * cos).max(0.0).sqrt(), 0.0, cos);
