@@ -6,6 +6,7 @@ const SHOWN: &[(&str, &str)] = &[
     ("surface", include_str!("../../src/transport/simple/surface.rs")),
     ("lamps", include_str!("../../src/transport/simple/lamps.rs")),
     ("both", include_str!("../../src/transport/simple/both.rs")),
+    ("photons", include_str!("../../src/transport/photons.rs")),
 ];
 
 const MARK: &[u8] = b"<!-- listing: ";

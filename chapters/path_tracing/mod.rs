@@ -1,10 +1,11 @@
-//! Path tracing: rows E53 and C21–C24. One module a step, in teaching order.
+//! Path tracing: rows E53, C21–C24 and C26. One module a step, in teaching order.
 
 mod depth;
 mod extremes;
 mod lanes;
 mod listing;
 mod one_ray;
+mod photons;
 mod picture;
 mod rate;
 mod roulette;
@@ -31,6 +32,7 @@ pub const CHAPTER: Chapter = Chapter {
         roulette::STEP,
         rate::STEP,
         lanes::STEP,
+        photons::STEP,
         extremes::STEP,
         picture::STEP,
         traced::STEP,
@@ -50,6 +52,7 @@ pub const FIGURES: Gallery = gallery(
         roulette::EXHIBIT,
         rate::EXHIBIT,
         lanes::EXHIBIT,
+        photons::EXHIBIT,
         extremes::EXHIBIT,
         picture::EXHIBIT,
         traced::EXHIBIT,

@@ -114,7 +114,7 @@ fn floor() -> Geometry {
 }
 
 /// Reflectance of the lit floor [1], and radiance of its lamp [W m⁻² sr⁻¹].
-const LIT: (f64, f64) = (0.5, 2.0);
+pub(super) const LIT: (f64, f64) = (0.5, 2.0);
 
 /// A place of a floor, seen through a needle's eye from so far away [m], and the radiance that comes from there: ρE/π of a
 /// square lamp of a side [m], 1 m above the floor's middle, by Lambert's closed form.

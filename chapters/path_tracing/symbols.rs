@@ -40,3 +40,7 @@ pub const Q: Symbol = Symbol::scalar("q", Dimension::ONE).real(0.5, 0.9);
 pub const M: Symbol = Symbol::scalar("m", Dimension::ONE).real(1.0, 4.0);
 /// Mean of its square.
 pub const M_2: Symbol = Symbol::scalar("m_2", Dimension::ONE).real(1.0, 9.0);
+/// Radius of a disc about a place [m].
+pub const R: Symbol = Symbol::scalar("r", Dimension::METRE).real(0.5, 2.0);
+/// Distance from its middle.
+pub const D: Symbol = Symbol::scalar("d", Dimension::METRE).real(0.1, 0.4);

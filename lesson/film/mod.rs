@@ -35,7 +35,7 @@ pub use command::{Merge, merge, show};
 
 use crate::memory;
 use crate::out::{Draft, Folder};
-use crate::render::{About, FAST, MOST};
+use crate::render::{About, MOST};
 use crate::scene;
 use crate::stop::{Stop, plain};
 use light::scene::Scene;
@@ -106,9 +106,8 @@ pub fn manner(scene: &Scene, manner: &Manner) -> Vec<(String, String)> {
     // What is done needlessly changes no bit.
     let Manner { method, structure, choice, seed, needless: _ } = manner;
     let method = match method {
-        Method::Fast(tactics) if *tactics == Tactics::default() => FAST.to_owned(),
-        Method::Fast(tactics) => format!("{FAST}, {tactics:?}"),
-        Method::Simple(integrator) => integrator.name.to_owned(),
+        Method::Fast(tactics) if *tactics != Tactics::default() => format!("{}, {tactics:?}", method.name()),
+        Method::Fast(_) | Method::Simple(_) | Method::Photons => method.name().to_owned(),
     };
     let manner = [
         ("integrator", method),

@@ -25,6 +25,8 @@ const TURN: f64 = 0.02;
 const MOST: u32 = 1 << 10;
 /// Shapes up to which trying all of them is tried.
 const FEW: usize = 2000;
+/// A tactic of the fast integrator, as it is called where it is needed, where it is left out, and where it is measured.
+const MORE: &str = "more samples where a mirror, glass or the rim of a lamp is seen";
 
 /// What a scene needs, in words.
 pub fn needed(needs: &Needs) -> Vec<String> {
@@ -38,7 +40,7 @@ pub fn needed(needs: &Needs) -> Vec<String> {
         (needs.environment, "light from the sky"),
         (needs.light_paths, "paths from lamps by way of mirrors and glass"),
         (needs.glossy, "models of surfaces"),
-        (needs.specular, "more samples where a mirror or glass is seen"),
+        (needs.specular || needs.rims, MORE),
         (needs.clear, "ways into what is clear"),
         (needs.absorption, "absorption on the way"),
         (needs.lens, "places on the lens"),
@@ -50,7 +52,7 @@ pub fn needed(needs: &Needs) -> Vec<String> {
 /// What is left out of a picture: an integrator to read has less to leave out than the fast one.
 pub fn left_out(needs: &Needs, method: &Method) -> Vec<LeftOut> {
     let is_fast = matches!(method, Method::Fast(_));
-    let has = |one: &LeftOut| is_fast || one.needless.is_some_and(|needless| !needless.specular);
+    let has = |one: &LeftOut| is_fast || one.needless.is_some_and(|needless| !needless.looks);
     needs.left_out().into_iter().filter(has).collect()
 }
 
@@ -212,8 +214,8 @@ fn left_in(scene: &Scene, needs: &Needs, manner: &Manner) -> Vec<LeftIn> {
         if needs.light_paths {
             all.push(tactic("paths from lamps, over meeting them by chance", Tactics { caustics: false, ..tactics }));
         }
-        if needs.specular {
-            all.push(tactic("more samples where a mirror or glass is seen", Tactics { extra: 1, ..tactics }));
+        if needs.specular || needs.rims {
+            all.push(tactic(MORE, Tactics { extra: 1, ..tactics }));
         }
         if needs.lamps > 1 {
             let what = "a lamp chosen by what it would bring, over blindly";
@@ -374,7 +376,7 @@ mod tests {
         let needs = Needs::of(&scene("cornell"));
         let simple = left_out(&needs, &Method::Simple(&INTEGRATORS[0]));
         assert!(simple.iter().any(|one| one.what == "absorption on the way"));
-        let foreign = ["paths from lamps", "more samples where a mirror or glass is seen"];
+        let foreign = ["paths from lamps", MORE];
         assert!(!simple.iter().any(|one| foreign.contains(&one.what)));
         let fast = left_out(&needs, &Method::default());
         assert!(foreign.iter().all(|what| fast.iter().any(|one| one.what == *what)));

@@ -25,8 +25,7 @@ use crate::stop::{Stop, plain};
 use chapters::parameter::Fault;
 use light::scene::{Light, Scene};
 use light::transport::estimate::Estimate;
-use light::transport::simple::{INTEGRATORS, Integrator};
-use light::transport::{Manner, Method};
+use light::transport::{Manner, Method, Needs};
 use stats::Facts;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -66,9 +65,6 @@ pub struct Job {
     pub race: Option<Course>,
 }
 
-/// The fast integrator's name.
-pub const FAST: &str = "fast";
-
 /// Renders, writes the files, and says where they are.
 pub fn serve(job: &Job, folder: &Path) -> Result<ExitCode, Stop> {
     let mut scene = scene::load(&job.scene)?;
@@ -80,15 +76,15 @@ pub fn serve(job: &Job, folder: &Path) -> Result<ExitCode, Stop> {
         out::say("note: nothing in it emits light: the picture is black");
     }
     let method = match &job.integrator {
-        Some(name) if plain(name) != FAST => Method::Simple(integrator(name, &scene)?),
-        _ => Method::default(),
+        Some(name) => integrator(name, &scene)?,
+        None => Method::default(),
     };
     if let Some(threads) = job.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
         pool.map_err(|error| Stop::at("--threads", error))?;
     }
     let manner = Manner { method, seed: job.seed, ..Manner::default() };
-    let name = integrator_name(&method);
+    let name = method.name();
     if let Some(course) = &job.race {
         if job.explain {
             out::show(&explain::told(&scene, name, &manner)?)?;
@@ -150,14 +146,6 @@ fn is_dark(scene: &Scene) -> bool {
     scene.environment.iter().chain(shapes.map(|emission| &emission.radiance)).chain(lights).all(is_black)
 }
 
-/// What an integrator is called.
-fn integrator_name(method: &Method) -> &'static str {
-    match method {
-        Method::Fast(_) => FAST,
-        Method::Simple(integrator) => integrator.name,
-    }
-}
-
 /// Files that are no pictures.
 struct Besides {
     error_map: Option<(Folder, String, Format)>,
@@ -197,7 +185,7 @@ impl Besides {
             let facts = Facts {
                 scene: &scene.name,
                 size: made.size,
-                integrator: integrator_name(method),
+                integrator: method.name(),
                 seed: job.seed,
                 max_depth: scene.max_depth,
                 needs: explain::needed(&made.needs),
@@ -292,16 +280,16 @@ impl Place {
 }
 
 /// The integrator of that name, if it can do the scene.
-fn integrator(name: &str, scene: &Scene) -> Result<&'static Integrator, Stop> {
-    let wanted = plain(name);
-    let found = INTEGRATORS.iter().find(|integrator| integrator.name == wanted).ok_or_else(|| {
-        let names = std::iter::once(FAST).chain(INTEGRATORS.iter().map(|integrator| integrator.name));
+fn integrator(name: &str, scene: &Scene) -> Result<Method, Stop> {
+    let (wanted, needs) = (plain(name), Needs::of(scene));
+    let found = Method::all().find(|method| method.name() == wanted).ok_or_else(|| {
+        let names = Method::all().map(|method| method.name());
         Stop::from(Fault::unknown("--integrator", name, "no such integrator", names))
     })?;
-    if !(found.fits)(&light::transport::Needs::of(scene)) {
-        let fitting = INTEGRATORS.iter().filter(|one| (one.fits)(&light::transport::Needs::of(scene)));
-        let names: Vec<&str> = std::iter::once(FAST).chain(fitting.map(|one| one.name)).collect();
-        let why = format!("{} cannot do this scene ({}); valid here: {}", found.name, found.about, names.join(", "));
+    if !found.fits(&needs) {
+        let names: Vec<&str> = Method::all().filter(|one| one.fits(&needs)).map(|one| one.name()).collect();
+        let why =
+            format!("{} cannot do this scene ({}); valid here: {}", found.name(), found.about(), names.join(", "));
         return Err(Stop::at("--integrator", why));
     }
     Ok(found)

@@ -144,14 +144,20 @@ impl Screen {
 }
 
 /// The rows of a picture in bands, top to bottom, so that each takes a moment if `done` pairs took so long and `next` are to
-/// come: between two of them it can be told how far it is, and ended. Of the first pair so many pixels are taken for a moment.
-pub fn bands([width, height]: [u32; 2], elapsed: Duration, done: u32, next: u32) -> impl Iterator<Item = Range<u32>> {
+/// come: between two of them it can be told how far it is, and ended; no band is of fewer rows than `least`. Of the first pair so many pixels are taken for a moment.
+pub fn bands(
+    [width, height]: [u32; 2],
+    least: u32,
+    elapsed: Duration,
+    done: u32,
+    next: u32,
+) -> impl Iterator<Item = Range<u32>> {
     let expected = match done {
         0 => MOMENT * f64::from(width) * f64::from(height) / FIRST,
         _ => elapsed.as_secs_f64() / f64::from(done) * f64::from(next),
     };
     let rows = if expected <= MOMENT { height } else { (f64::from(height) * MOMENT / expected) as u32 };
-    let rows = rows.clamp(1, height);
+    let rows = rows.clamp(least, height);
     (0..height.div_ceil(rows)).map(move |band| band * rows..((band + 1) * rows).min(height))
 }
 
@@ -283,7 +289,7 @@ mod tests {
     #[test]
     fn bands_are_all_rows_once_and_take_a_moment() {
         let all = |height, seconds, done, next| {
-            let bands: Vec<_> = bands([1024, height], Duration::from_secs_f64(seconds), done, next).collect();
+            let bands: Vec<_> = bands([1024, height], 1, Duration::from_secs_f64(seconds), done, next).collect();
             assert!(bands[0].start == 0 && bands.windows(2).all(|two| two[0].end == two[1].start));
             assert_eq!(bands[bands.len() - 1].end, height);
             bands.len()

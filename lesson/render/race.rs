@@ -1,9 +1,9 @@
 //! Integrators on one scene, each as long as the others: error against time.
 
+use super::Shown;
 use super::clock::{Spent, Watch, efficiency};
 use super::goal::{Done, Goal};
 use super::preview::{Preview, clock, left};
-use super::{FAST, Shown};
 use crate::figures::Format;
 use crate::out::{self, Folder};
 use crate::run::machine;
@@ -15,7 +15,6 @@ use light::bsdf::Rgb;
 use light::scene::Scene;
 use light::transport::estimate::{Estimate, colour, relative_mse_less};
 use light::transport::film::{Film, Halves};
-use light::transport::simple::INTEGRATORS;
 use light::transport::{Manner, Method, Needs, Renderer};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -117,10 +116,8 @@ pub fn serve(scene: &Scene, course: &Course, shown: Shown) -> Result<ExitCode, S
     });
     let plot = plot.transpose()?;
     let needs = Needs::of(scene);
-    let fitting = INTEGRATORS.iter().filter(|one| (one.fits)(&needs));
-    let entrants = fitting.map(|one| (one.name, one.about, Method::Simple(one)));
-    let fast = (FAST, "eight paths at once, and only what the scene needs", Method::default());
-    let entrants: Vec<_> = [fast].into_iter().chain(entrants).collect();
+    let fitting = Method::all().filter(|method| method.fits(&needs));
+    let entrants: Vec<_> = fitting.map(|method| (method.name(), method.about(), method)).collect();
 
     let goal = Goal { spp: course.spp, time: Some(course.time), ..Goal::default() };
     // The truth takes as long as the course says, whatever number of samples that is.
@@ -168,7 +165,8 @@ pub fn serve(scene: &Scene, course: &Course, shown: Shown) -> Result<ExitCode, S
     preview.end();
 
     let reference = format!(
-        "{FAST}, seed {seed}, {} spp in {:.1} CPU s; its own noise, relMSE {:.1e} by its halves, is taken off",
+        "{}, seed {seed}, {} spp in {:.1} CPU s; its own noise, relMSE {:.1e} by its halves, is taken off",
+        manner.method.name(),
         2 * truth.film.pairs(),
         truth.spent.cpu_seconds,
         sure.relative_mse,
@@ -260,7 +258,7 @@ fn figure(scene: &Scene, lanes: &[Lane]) -> Plot {
         let points = lane.points.iter().filter(|point| point.relative_mse > 0.0);
         chart = chart.with(Mark::Points {
             label: lane.name.to_owned(),
-            hue: if lane.name == FAST { Hue::Ours } else { Hue::Nth(at as u8 - 1) },
+            hue: if at == 0 { Hue::Ours } else { Hue::Nth(at as u8 - 1) },
             shape: SHAPES[at % SHAPES.len()],
             joined: true,
             points: points.map(|point| [point.cpu_seconds, point.relative_mse]).collect(),
@@ -322,7 +320,7 @@ mod tests {
     fn the_figure_has_every_lane_and_no_point_that_a_logarithm_lacks() {
         let point = |cpu_seconds, relative_mse| Point { spp: 2, cpu_seconds, relative_mse, deviation: 0.0 };
         let lane = |name, points| Lane { name, about: "", points, broken: 0 };
-        let lanes = [lane(FAST, vec![point(1.0, 0.1), point(2.0, -0.1)]), lane("both", vec![point(3.0, 0.2)])];
+        let lanes = [lane("fast", vec![point(1.0, 0.1), point(2.0, -0.1)]), lane("both", vec![point(3.0, 0.2)])];
         let Panel::Chart(chart) = figure(&small("cornell"), &lanes).panels.remove(0) else { panic!("no chart") };
         let of = |mark: &Mark| match mark {
             Mark::Points { label, points, .. } => (label.clone(), points.clone()),

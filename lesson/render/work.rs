@@ -89,7 +89,8 @@ pub fn rendered(scene: &Scene, manner: &Manner, job: &Job, kinds: &[&Kind]) -> R
         // Not held beside the sums that are to come.
         halves = Vec::new();
         let mut sums = Vec::with_capacity(pixels);
-        for rows in preview::bands([width, height], elapsed, now, next) {
+        let least = if renderer.goes_by_rows() { 1 } else { height };
+        for rows in preview::bands([width, height], least, elapsed, now, next) {
             if interrupt.code().is_some() {
                 break 'rounds;
             }
@@ -160,7 +161,7 @@ pub fn rendered(scene: &Scene, manner: &Manner, job: &Job, kinds: &[&Kind]) -> R
 fn seen(renderer: &Renderer, [width, height]: [u32; 2], preview: &mut Preview) -> (Vec<Feature>, f64) {
     let watch = Watch::started();
     let mut features = Vec::with_capacity(width as usize * height as usize);
-    for rows in preview::bands([width, height], watch.elapsed(), 0, 1) {
+    for rows in preview::bands([width, height], 1, watch.elapsed(), 0, 1) {
         preview.tell(preview.whole(), &format!("normals, albedo, depth: row {} of {height}", rows.start));
         features.extend(renderer.features(rows));
     }

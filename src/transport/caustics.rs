@@ -250,12 +250,7 @@ impl<N: Width> Caustics<N> {
                 paths.alive = paths.alive & drawn.is_delta;
             }
             let direction = vertex.frame.outward(drawn.wi);
-            // What comes from a lamp is energy: no medium squeezes it. And of a surface whose normal is not its own, what goes to
-            // a side is by the one, what there is by the other (Veach, §5.3).
-            let least = N::of(f64::from(f32::MIN_POSITIVE));
-            let aside = vertex.surface.normal.dot(direction).abs() * vertex.wo.z.abs();
-            let factor = aside / (drawn.compression * (drawn.wi.z.abs() * vertex.cos).max(least));
-            paths.scale(rgb(|c| drawn.weight[c] * factor));
+            paths.scale(vertex.kept(&drawn, direction));
             paths.ray = stage.leave(&vertex, direction);
             let left = paths.left[0].max(paths.left[1]).max(paths.left[2]);
             let chance = if f64::from(edges) < PATIENCE { one } else { left.min(one) };

@@ -38,7 +38,7 @@ pub struct Tactics {
     pub blind_choice: bool,
     /// Whether paths from lamps are followed where they bring light that hardly anything else finds.
     pub caustics: bool,
-    /// Samples in place of one, a power of two, where a pixel's centre shows something specular.
+    /// Samples in place of one, a power of two, in pixels that are worth it ([`super::looks`]).
     pub extra: u32,
     /// Whether one path is followed at a time, as if there were no lanes.
     pub one_lane: bool,
@@ -111,6 +111,8 @@ pub struct Work<'a, N: Width> {
     pub tactics: &'a Tactics,
     /// Column and row of each pixel.
     pub pixels: &'a [[u32; 2]],
+    /// Of how many samples each one's samples are the mean.
+    pub several: &'a [u32],
     /// Each one's numbers.
     pub streams: &'a [Stream<'a>],
 }
@@ -135,14 +137,12 @@ impl<N: Width> Work<'_, N> {
     /// The sums over a branch of pairs of samples ([`super::film`]), pixel by pixel.
     #[inline(always)]
     pub fn branch(&self, range: Range<u32>) -> Vec<Halves> {
-        // What is specular shows the picture's darkest corners and its lamps side by side: there a sample is the mean of
-        // several, of numbers of their own. Whoever asks for so many samples that there are no numbers left gets single ones.
-        let extra = self.tactics.extra.max(1);
-        let is_possible = extra > 1 && range.end <= u32::MAX / 4 / extra && self.stage.may_be_specular();
-        let several = if is_possible { self.specular() } else { vec![false; self.pixels.len()] };
+        // Whoever asks for so many samples that there are no numbers left for several in place of each gets single ones.
+        let times =
+            |owner: usize| if range.end <= u32::MAX / 4 / self.several[owner] { self.several[owner] } else { 1 };
         let mut pieces = Vec::new();
-        for (owner, is_several) in several.iter().enumerate() {
-            let times = if *is_several { extra } else { 1 };
+        for owner in 0..self.pixels.len() {
+            let times = times(owner);
             let (start, end) = (range.start * times, range.end * times);
             let span = BATCH.min(end - start);
             pieces.extend((start..end).step_by(span.max(1) as usize).map(|start| Piece { owner, start, span }));
@@ -180,26 +180,10 @@ impl<N: Width> Work<'_, N> {
             }
             pieces = rest;
         }
-        for (sum, _) in sums.iter_mut().zip(&several).filter(|(_, is_several)| **is_several) {
-            *sum = sum.map(|half| rgb(|c| half[c] / extra as f32));
+        for (owner, sum) in sums.iter_mut().enumerate().filter(|(owner, _)| times(*owner) > 1) {
+            *sum = sum.map(|half| rgb(|c| half[c] / times(owner) as f32));
         }
         sums
-    }
-
-    /// Of which pixels the centre shows something specular.
-    #[inline(never)]
-    fn specular(&self) -> Vec<bool> {
-        let [half, zero] = [0.5, 0.0].map(N::of);
-        let mut found = Vec::with_capacity(self.pixels.len());
-        for some in self.pixels.chunks(N::LANES) {
-            let place = |axis: usize| N::from_lanes(|lane| f64::from(some[lane.min(some.len() - 1)][axis]));
-            let ray = self.stage.camera([place(0), place(1)], [half, half, zero, zero]);
-            let hit = self.stage.closest(&ray, N::Mask::of(true));
-            let is_met = hit.is_some();
-            let vertex = self.stage.vertex(&ray, &hit, is_met);
-            found.extend((0..some.len()).map(|lane| is_met.lane(lane) && vertex.met.is_specular(lane)));
-        }
-        found
     }
 
     /// What each pair of samples of the pieces gathers, one piece after the other.

@@ -9,7 +9,9 @@
 //! | what surfaces are made of, lane by lane | [`surfaces`] |
 //! | integrators to read, one idea more in each | [`simple`] |
 //! | the fast one, eight paths at once | [`kernel`] |
+//! | which pixels are worth more samples | [`looks`] |
 //! | light by way of mirrors and glass, from the lamp on | [`caustics`] |
+//! | light left where it falls | [`photons`] |
 //! | all pixels | [`picture`] |
 //! | sums of samples that no order of rendering can change | [`film`] |
 //! | the room whose light is known | [`enclosure`] |
@@ -23,7 +25,9 @@ pub mod film;
 pub mod kernel;
 pub mod lamp;
 pub mod lens;
+pub mod looks;
 pub mod needs;
+pub mod photons;
 pub mod picture;
 pub mod simple;
 pub mod stage;

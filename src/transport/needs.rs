@@ -9,6 +9,8 @@ pub struct Needs {
     pub lamps: u32,
     /// Lights without a surface, which no path meets by chance.
     pub bare_lights: bool,
+    /// Lamps with one, whose rims a picture may show.
+    pub rims: bool,
     /// Light from behind all shapes.
     pub environment: bool,
     /// Surfaces other than Lambert's.
@@ -51,8 +53,8 @@ pub struct Needless {
     pub sky: bool,
     /// Models of surfaces, Lambert's too.
     pub models: bool,
-    /// Looking in every pixel for a mirror or glass.
-    pub specular: bool,
+    /// Looking in every pixel for a mirror, glass or the rim of a lamp.
+    pub looks: bool,
     /// Absorption on the way, through air too.
     pub absorption: bool,
     /// Places on a lens, whose opening may have no size.
@@ -66,13 +68,13 @@ impl Needless {
         walls: false,
         sky: false,
         models: false,
-        specular: false,
+        looks: false,
         absorption: false,
         lens: false,
     };
     /// All of it.
     pub const EVERYTHING: Self =
-        Self { hierarchy: true, walls: true, sky: true, models: true, specular: true, absorption: true, lens: true };
+        Self { hierarchy: true, walls: true, sky: true, models: true, looks: true, absorption: true, lens: true };
 }
 
 impl Needs {
@@ -81,10 +83,12 @@ impl Needs {
         let used = |test: &dyn Fn(&Material) -> bool| {
             scene.shapes.iter().any(|shape| scene.material(&shape.material).is_some_and(test))
         };
-        let shining = scene.shapes.iter().filter(|shape| shape.emission.is_some_and(|e| e.radiance != [0.0; 3]));
+        let shining =
+            scene.shapes.iter().filter(|shape| shape.emission.is_some_and(|e| e.radiance != [0.0; 3])).count();
         Self {
-            lamps: (shining.count() + scene.lights.len()) as u32,
+            lamps: (shining + scene.lights.len()) as u32,
             bare_lights: !scene.lights.is_empty(),
+            rims: shining > 0,
             environment: scene.environment.is_some_and(|radiance| radiance != [0.0; 3]),
             glossy: used(&|material| !matches!(material, Material::Diffuse { .. })),
             specular: used(&Material::is_specular),
@@ -134,10 +138,10 @@ impl Needs {
                 Some(Needless { models: true, ..none }),
             ),
             (
-                !self.specular,
-                "more samples where a mirror or glass is seen",
+                !self.specular && !self.rims,
+                "more samples where a mirror, glass or the rim of a lamp is seen",
                 "there is none",
-                Some(Needless { specular: true, ..none }),
+                Some(Needless { looks: true, ..none }),
             ),
             (
                 !self.absorption,

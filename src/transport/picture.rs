@@ -1,15 +1,17 @@
 //! Pictures: every pixel's samples, each pixel on one thread.
 
-use super::film::{Halves, Splats, tree};
+use super::film::{Halves, Splats, added, tree};
 use super::kernel::{Tactics, Work};
-use super::simple::{Integrator, Numbers};
-use super::{Needless, Needs, Stage, caustics};
+use super::photons::Photons;
+use super::simple::{INTEGRATORS, Integrator, Numbers};
+use super::{Needless, Needs, Stage, caustics, looks};
 use crate::bsdf::{Rgb, rgb};
 use crate::geometry::Structure;
 use crate::number::{F32x8, Mask, Vector, Width, vectorised_lanes};
 use crate::sampling::{Choice, Points, Stream};
 use crate::scene::{Flaw, Scene};
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// How a picture is made.
 #[derive(Clone, Copy, Default)]
@@ -33,11 +35,48 @@ pub enum Method {
     Fast(Tactics),
     /// One to read.
     Simple(&'static Integrator),
+    /// By light that was left where it fell ([`super::photons`]); not of skies and lights without a surface.
+    Photons,
 }
 
 impl Default for Method {
     fn default() -> Self {
         Self::Fast(Tactics::default())
+    }
+}
+
+impl Method {
+    /// All of them, the fast one first.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let simple = INTEGRATORS.iter().map(Self::Simple);
+        std::iter::once(Self::default()).chain(simple).chain([Self::Photons])
+    }
+
+    /// Command-line word.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Fast(_) => "fast",
+            Self::Simple(integrator) => integrator.name,
+            Self::Photons => "photon-map",
+        }
+    }
+
+    /// What it does, in a few words.
+    pub fn about(&self) -> &'static str {
+        match self {
+            Self::Fast(_) => "eight paths at once, and only what the scene needs",
+            Self::Simple(integrator) => integrator.about,
+            Self::Photons => "light sent from lamps and left where it falls: blurred, less with every sample",
+        }
+    }
+
+    /// Whether it can do scenes that need this.
+    pub fn fits(&self, needs: &Needs) -> bool {
+        match self {
+            Self::Fast(_) => true,
+            Self::Simple(integrator) => (integrator.fits)(needs),
+            Self::Photons => !needs.environment && !needs.bare_lights,
+        }
     }
 }
 
@@ -51,27 +90,41 @@ pub struct Renderer {
     numbers: (Choice, usize, u64),
     /// Pairs that the points are made for.
     pairs: u32,
+    several: Several,
+}
+
+/// Of how many samples each one of a pixel is the mean ([`looks`]): row by row, known once a row is worked on.
+pub struct Several {
+    rows: Vec<OnceLock<Vec<u32>>>,
+}
+
+impl Several {
+    /// Of a picture of so many rows.
+    pub fn new(rows: u32) -> Self {
+        Self { rows: (0..rows).map(|_| OnceLock::new()).collect() }
+    }
 }
 
 enum Engine {
     Fast(Box<Stage<F32x8>>, Tactics),
     Single(Box<Stage<f32>>, Tactics),
     Simple(Box<Stage<f64>>, &'static Integrator),
+    Photons(Box<Stage<f64>>, Box<Photons>),
 }
 
 impl Engine {
     /// How many pairs of numbers so many pairs of samples ask for.
     fn numbered(&self, pairs: u32) -> u32 {
         match self {
-            Self::Fast(stage, tactics) if stage.needs().specular => pairs.saturating_mul(tactics.extra.max(1)),
-            Self::Single(stage, tactics) if stage.needs().specular => pairs.saturating_mul(tactics.extra.max(1)),
-            Self::Fast(..) | Self::Single(..) | Self::Simple(..) => pairs,
+            Self::Fast(stage, tactics) if stage.is_looked_at() => pairs.saturating_mul(tactics.extra.max(1)),
+            Self::Single(stage, tactics) if stage.is_looked_at() => pairs.saturating_mul(tactics.extra.max(1)),
+            Self::Fast(..) | Self::Single(..) | Self::Simple(..) | Self::Photons(..) => pairs,
         }
     }
 }
 
 /// Edges of a path where nothing else ends it: the lecture's own integrators stop by a depth.
-const DEEP: u32 = 64;
+pub(super) const DEEP: u32 = 64;
 
 /// Vertices whose numbers are a net's, if a scene does not say how many there are.
 const VERTICES: u32 = 16;
@@ -91,6 +144,11 @@ impl Renderer {
             Method::Simple(integrator) => {
                 Engine::Simple(Box::new(Stage::with(scene, *structure, needless)?), integrator)
             }
+            Method::Photons => {
+                let stage = Box::new(Stage::with(scene, *structure, needless)?);
+                let photons = Box::new(Photons::new(&stage, manner.choice, manner.seed));
+                Engine::Photons(stage, photons)
+            }
         };
         let vertices = scene.max_depth.unwrap_or(VERTICES).min(VERTICES) as usize;
         let light = match &engine {
@@ -99,7 +157,8 @@ impl Renderer {
             _ => Points::new(Choice::Independent, 1, 0, manner.seed),
         };
         let points = Points::new(manner.choice, engine.numbered(pairs), vertices, manner.seed);
-        Ok(Self { engine, points, light, numbers: (manner.choice, vertices, manner.seed), pairs })
+        let several = Several::new(scene.camera.height);
+        Ok(Self { engine, points, light, numbers: (manner.choice, vertices, manner.seed), pairs, several })
     }
 
     /// Makes it ready for samples of numbers below 2·`pairs`; those it was ready for stay what they are.
@@ -116,7 +175,7 @@ impl Renderer {
         match &self.engine {
             Engine::Fast(stage, _) => stage.bytes(),
             Engine::Single(stage, _) => stage.bytes(),
-            Engine::Simple(stage, _) => stage.bytes(),
+            Engine::Simple(stage, _) | Engine::Photons(stage, _) => stage.bytes(),
         }
     }
 
@@ -125,7 +184,7 @@ impl Renderer {
         match &self.engine {
             Engine::Fast(stage, _) => stage.needs(),
             Engine::Single(stage, _) => stage.needs(),
-            Engine::Simple(stage, _) => stage.needs(),
+            Engine::Simple(stage, _) | Engine::Photons(stage, _) => stage.needs(),
         }
     }
 
@@ -135,19 +194,25 @@ impl Renderer {
         match &self.engine {
             Engine::Fast(stage, tactics) if tactics.follows() => caustics::splats(stage, &self.light, pairs),
             Engine::Single(stage, tactics) if tactics.follows() => caustics::splats(stage, &self.light, pairs),
-            Engine::Fast(..) | Engine::Single(..) | Engine::Simple(..) => None,
+            Engine::Fast(..) | Engine::Single(..) | Engine::Simple(..) | Engine::Photons(..) => None,
         }
+    }
+
+    /// Whether some rows of a picture take no longer than their part of all.
+    pub fn goes_by_rows(&self) -> bool {
+        !matches!(self.engine, Engine::Photons(..))
     }
 
     /// Sums over a branch of pairs of samples ([`super::film`]) of some rows of the picture, row by row.
     pub fn sums(&self, rows: Range<u32>, pairs: Range<u32>) -> Vec<Halves> {
         match &self.engine {
-            Engine::Fast(stage, tactics) => fast(stage, tactics, &self.points, rows, pairs),
-            Engine::Single(stage, tactics) => fast(stage, tactics, &self.points, rows, pairs),
+            Engine::Fast(stage, tactics) => fast(stage, tactics, &self.several, &self.points, rows, pairs),
+            Engine::Single(stage, tactics) => fast(stage, tactics, &self.several, &self.points, rows, pairs),
             Engine::Simple(stage, integrator) => {
                 let depth = stage.max_depth().unwrap_or(DEEP);
                 simple(stage, integrator, depth, &self.points, rows, pairs)
             }
+            Engine::Photons(stage, photons) => by_photons(stage, photons, &self.points, rows, pairs),
         }
     }
 }
@@ -158,7 +223,7 @@ impl Renderer {
         match &self.engine {
             Engine::Fast(stage, _) => features(stage, &self.points, rows),
             Engine::Single(stage, _) => features(stage, &self.points, rows),
-            Engine::Simple(stage, _) => features(stage, &self.points, rows),
+            Engine::Simple(stage, _) | Engine::Photons(stage, _) => features(stage, &self.points, rows),
         }
     }
 }
@@ -209,19 +274,28 @@ fn features<N: Width>(stage: &Stage<N>, points: &Points, rows: Range<u32>) -> Ve
 pub fn fast<N: Width>(
     stage: &Stage<N>,
     tactics: &Tactics,
+    several: &Several,
     points: &Points,
     rows: Range<u32>,
     pairs: Range<u32>,
 ) -> Vec<Halves> {
     let width = stage.size()[0];
-    let all: Vec<[u32; 2]> = rows.flat_map(|row| (0..width).map(move |column| [column, row])).collect();
-    let blocks: Vec<&[[u32; 2]]> = all.chunks(Work::<N>::together(pairs.end - pairs.start)).collect();
-    let of = |pixels: &&[[u32; 2]]| {
+    let lines: Vec<u32> = rows.collect();
+    let line = |row: u32| -> Vec<[u32; 2]> { (0..width).map(|column| [column, row]).collect() };
+    let times = |row: &u32| {
+        let times = || looks::several(stage, tactics, &line(*row));
+        several.rows[*row as usize].get_or_init(times).clone()
+    };
+    let times = mapped(&lines, times).concat();
+    let all = lines.iter().map(|row| line(*row)).collect::<Vec<_>>().concat();
+    let together = Work::<N>::together(pairs.end - pairs.start);
+    let blocks: Vec<_> = all.chunks(together).zip(times.chunks(together)).collect();
+    let of = |(pixels, several): &(&[[u32; 2]], &[u32])| {
         vectorised_lanes::<N, _>(
             #[inline(always)]
             || {
                 let streams: Vec<Stream<'_>> = pixels.iter().map(|pixel| points.of_pixel(*pixel)).collect();
-                Work { stage, tactics, pixels, streams: &streams }.branch(pairs.clone())
+                Work { stage, tactics, pixels, several, streams: &streams }.branch(pairs.clone())
             },
         )
     };
@@ -259,6 +333,36 @@ pub fn simple(
         let pairs: Vec<Halves> = pairs.clone().map(|pair| [one(2 * pair), one(2 * pair + 1)]).collect();
         tree(&pairs)
     })
+}
+
+/// The same by maps of light, of every sample its own: the fewer the calls for all rows, the fewer maps are made.
+fn by_photons(
+    stage: &Stage<f64>,
+    photons: &Photons,
+    points: &Points,
+    rows: Range<u32>,
+    pairs: Range<u32>,
+) -> Vec<Halves> {
+    if pairs.end - pairs.start > 1 {
+        // As the tree has it, but of all pixels at once.
+        let middle = pairs.start + (pairs.end - pairs.start) / 2;
+        let of = |pairs| by_photons(stage, photons, points, rows.clone(), pairs);
+        let (low, high) = (of(pairs.start..middle), of(middle..pairs.end));
+        return low.into_iter().zip(high).map(|(low, high)| added(low, high)).collect();
+    }
+    let depth = stage.max_depth().unwrap_or(DEEP);
+    let of_half = |half: u32| {
+        let sample = 2 * pairs.start + half;
+        let maps = photons.maps(stage, sample);
+        by_pixel(stage.size()[0], rows.clone(), |pixel| {
+            let stream = points.of_pixel(pixel);
+            let [a, b, c, d, ..] = stream.row::<f64>(|_| sample, |_| 0);
+            let ray = stage.camera(pixel.map(f64::from), [a, b, c, d]);
+            let light = Photons::radiance(stage, &maps, ray, &mut Numbers::new(&stream, sample), depth);
+            rgb(|c| light[c] as f32)
+        })
+    };
+    of_half(0).into_iter().zip(of_half(1)).map(|(first, second)| [first, second]).collect()
 }
 
 fn by_pixel<T: Send>(width: u32, rows: Range<u32>, of: impl Fn([u32; 2]) -> T + Sync + Send) -> Vec<T> {

@@ -184,9 +184,9 @@ impl<N: Width> Stage<N> {
         self.needs.absorption || self.needless.absorption
     }
 
-    /// Whether pixels are asked if they show something specular.
-    pub fn may_be_specular(&self) -> bool {
-        self.needs.specular || self.needless.specular
+    /// Whether pixels are looked at before there is any light ([`super::looks`]).
+    pub fn is_looked_at(&self) -> bool {
+        self.needs.specular || self.needs.rims || self.needless.looks
     }
 
     /// The camera.
@@ -336,6 +336,19 @@ impl<N: Width> Stage<N> {
         let reach = arrival.distance * N::of(1.0 - 4.0 * N::EPSILON);
         let short = (N::of(4.0) * surface.slack).only(is_through);
         (Ray { origin, direction: arrival.wi }, reach - short)
+    }
+}
+
+impl<N: Width> Vertex<'_, N> {
+    /// What is kept [1] of light from a lamp that has come along `wo` and is drawn to go on in a direction. It is energy: no
+    /// medium squeezes it. And of a surface whose normal is not its own, what goes to a side is by the one, what there is by the
+    /// other (E. Veach, *Robust Monte Carlo methods for light transport simulation* (1997), §5.3).
+    #[inline(always)]
+    pub fn kept(&self, drawn: &Sample<N>, direction: Vector<N>) -> Rgb<N> {
+        let least = N::of(f64::from(f32::MIN_POSITIVE));
+        let aside = self.surface.normal.dot(direction).abs() * self.wo.z.abs();
+        let factor = aside / (drawn.compression * (drawn.wi.z.abs() * self.cos).max(least));
+        rgb(|c| drawn.weight[c] * factor)
     }
 }
 
