@@ -26,8 +26,8 @@ const ENVIRONMENTS: &[Later] = &[
     ("rotate_deg", "an image as environment"),
 ];
 const GLASSES: &[Later] = &[("glass", "a glass by name, whose index depends on the wavelength,")];
-const ROUGH_GLASSES: &[Later] = &[GLASSES[0], COATED];
-const COATED: Later = ("coating", "a film on a rough surface");
+/// The light that coated facets lose on both sides would want tables of its own, by channel and film.
+const ROUGH_GLASSES: &[Later] = &[GLASSES[0], ("coating", "a film on rough glass")];
 
 /// Reads a scene called `name` unless it says otherwise. It has no flaw.
 pub fn scene(root: &Node, name: &str, meshes: &mut Meshes) -> Result<Scene, Snag> {
@@ -114,14 +114,15 @@ const MATERIALS: &[(&str, Read<Material>)] = &[
         Ok(Material::Conductor { metal: metal(fields)?, coating: fields.may("coating", coating)? })
     }),
     ("rough_conductor", |fields| {
-        let keys = [&["type", "metal", "eta", "k", "masking", "energy"], &FACETS[..]].concat();
-        fields.only(&keys, &[COATED])?;
+        let keys = [&["type", "metal", "eta", "k", "masking", "energy", "coating"], &FACETS[..]].concat();
+        fields.only(&keys, &[])?;
         let masking = fields.may("masking", |item| item.word("kind of masking", &words(Joint::ALL, Joint::name)))?;
         Ok(Material::RoughConductor {
             metal: metal(fields)?,
             facets: facets(fields)?,
             masking: masking.unwrap_or(MASKING),
             energy: energy(fields)?,
+            coating: fields.may("coating", coating)?,
         })
     }),
     ("dielectric", |fields| {

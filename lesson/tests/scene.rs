@@ -120,8 +120,14 @@ fn one_wrong_line_is_shown_with_what_would_be_right() {
         (
             "alpha = 0.1",
             "alpha = 0.1\ncoating = {}",
-            ":15:1: materials.gold.coating: ",
-            &["not yet: a film on a rough surface"],
+            ":15:11: materials.gold.coating.medium: ",
+            &["missing, and a coating needs it"],
+        ),
+        (
+            "type = \"dielectric\"",
+            "type = \"rough_dielectric\"\nalpha = 0.1\ncoating = { medium = \"mgf2\", thickness_nm = 100 }",
+            ":18:1: materials.clear.coating: ",
+            &["not yet: a film on rough glass"],
         ),
         ("ior = 1.5", "ior = 20", ":17:7: materials.clear.ior: ", &["20 is out of range; valid: 0.1 to 10"]),
         ("ior = 1.5", "glass = \"bk7\"", ":17:1: materials.clear.glass: ", &["not yet: a glass by name"]),

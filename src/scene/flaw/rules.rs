@@ -130,9 +130,10 @@ fn material(material: &Material) -> Checked {
             metal(of)?;
             coating(film.as_ref())
         }
-        Material::RoughConductor { metal: of, facets: rough, masking: _, energy: _ } => {
+        Material::RoughConductor { metal: of, facets: rough, masking: _, energy: _, coating: film } => {
             metal(of)?;
-            facets(*rough)
+            facets(*rough)?;
+            coating(film.as_ref())
         }
         Material::Dielectric { ior, outside, absorption, coating: film } => {
             clear(*ior, *outside, *absorption)?;
