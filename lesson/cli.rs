@@ -47,6 +47,8 @@ pub enum Request {
     Prove(Question),
     /// The lecture's scenes.
     Scenes,
+    /// The keys of scene files.
+    Keys,
     /// A scene as a file.
     Print { scene: String, out: Option<PathBuf> },
     /// A picture of a scene.
@@ -519,6 +521,7 @@ impl EvalArgs {
 const RENDER_EXAMPLES: &str = "\
 Examples:
   lesson render --list
+  lesson render --keys                     what a scene file may say
   lesson render cornell                    64 samples a pixel, as a PNG
   lesson render cornell --time 20s --out cornell.png --out cornell.pfm
   lesson render cornell --error 0.02 --tone agx --exposure -1
@@ -532,8 +535,8 @@ Examples:
   lesson render cornell --spp 4096 --film c.film
   lesson render cornell --samples 64..128 --film b.film
 
-Scenes are TOML or JSON: metres, linear RGB, radiance in W m⁻² sr⁻¹; --print
-shows the keys. What is wrong with one is told with its line. Of --spp, --time
+Scenes are TOML or JSON: metres, linear RGB, radiance in W m⁻² sr⁻¹; --keys
+tells what they may say. What is wrong with one is told with its line. Of --spp, --time
 and --error the first that is reached ends the work. The relative error is the
 root of the mean over pixels and channels of (x − truth)²/(truth² + 0.01), as the
 picture's two independent halves tell it. Same scene and seed, same picture,
@@ -600,6 +603,9 @@ struct RenderArgs {
     /// The scenes of the lecture, one line each.
     #[arg(long, conflicts_with_all = ["scene", "print", "out"])]
     list: bool,
+    /// The keys of scene files: what each is, in which unit and range, and what holds without it.
+    #[arg(long, conflicts_with_all = ["scene", "list", "print", "out"])]
+    keys: bool,
     /// Print the scene as a TOML file.
     #[arg(long, conflicts_with_all = ["tone", "exposure"])]
     print: bool,
@@ -758,9 +764,10 @@ fn stops(text: &str) -> Result<f64, String> {
 impl RenderArgs {
     fn into_request(self) -> Result<Request, Stop> {
         let Some(scene) = self.scene else {
-            return match self.list {
-                true => Ok(Request::Scenes),
-                false => {
+            return match (self.list, self.keys) {
+                (true, _) => Ok(Request::Scenes),
+                (_, true) => Ok(Request::Keys),
+                _ => {
                     let names: Vec<&str> = BUILTIN.iter().map(|builtin| builtin.name).collect();
                     let valid = format!("valid: a file that ends in .toml or .json, or {}", names.join(", "));
                     Err(Stop::at("scene", format!("missing; {valid}; `lesson render --list` tells of those")))

@@ -13,7 +13,7 @@ fn none(file: &Path) -> Result<Vec<u8>, String> {
     Err(format!("is not there: {}", file.display()))
 }
 
-fn from_toml(text: &str, files: Files) -> Result<Scene, Stop> {
+pub(super) fn from_toml(text: &str, files: Files) -> Result<Scene, Stop> {
     read(&Source::new(Path::new("test.toml"), text.into())?, toml::parse, files).map(|(scene, _)| scene)
 }
 

@@ -63,6 +63,18 @@ fn refused(path: &Path, place: &str, words: &[&str]) {
 }
 
 #[test]
+fn the_keys_of_a_scene_file_are_told() {
+    let run = lesson("render --keys");
+    assert!(run.code == 0 && run.err.is_empty(), "{run:?}");
+    for words in ["[camera]", "[materials.NAME]  type = \"rough_conductor\"", "thickness_nm", "[[lights]]", "not yet: "]
+    {
+        assert!(run.out.contains(words), "{words}: {}", run.out);
+    }
+    assert!(run.out.lines().all(|line| line.chars().count() <= 80), "{}", run.out);
+    assert_eq!(lesson("render cornell --keys").code, 2);
+}
+
+#[test]
 fn one_wrong_line_is_shown_with_what_would_be_right() {
     let folder = folder("scene-lines");
     let slips: &[(&str, &str, &str, &[&str])] = &[
