@@ -59,7 +59,7 @@ fn facets<N: Number, D: Distribution<N>>() -> D {
     D::new([N::of(0.3); 2])
 }
 
-fn metal<N: Number, D: Distribution<N>>() -> Guarded<RoughConductor<N, D>> {
+fn metal<N: Number, D: Distribution<N>>() -> Guarded<RoughConductor<D, Conductor<N>>> {
     Guarded(RoughConductor { facets: facets(), joint: Joint::Correlated, metal: gold() })
 }
 

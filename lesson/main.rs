@@ -53,6 +53,7 @@ fn serve(request: Request) -> Result<ExitCode, Stop> {
         Request::Functions { json: false } => out::show(&teller.functions(eval::functions()))?,
         Request::Prove(question) => return prove::serve(&question),
         Request::Scenes => out::show(&scene::list())?,
+        Request::Keys => out::show(&scene::keys())?,
         Request::Print { scene, out } => scene::serve_print(&scene, out.as_deref())?,
         Request::Render(job) => return render::serve(&job, Path::new(cli::FOLDER)),
         Request::Merge(job) => return film::merge(&job),

@@ -48,6 +48,8 @@ pub fn say(text: &str) {
 #[derive(Debug)]
 pub struct Folder {
     path: PathBuf,
+    /// The same as it was typed: nothing where a file was named alone.
+    typed: PathBuf,
     drafts: PathBuf,
     /// Held, never read.
     _lock: File,
@@ -60,7 +62,7 @@ impl Folder {
         fs::create_dir_all(path).map_err(refuse)?;
         sweep(path);
         let (drafts, lock) = claim(path).map_err(refuse)?;
-        Ok(Self { path: path.to_owned(), drafts, _lock: lock })
+        Ok(Self { path: path.to_owned(), typed: path.to_owned(), drafts, _lock: lock })
     }
 
     /// The folder that a file is to be in, which must be there, tried out, and the file's name there.
@@ -70,21 +72,22 @@ impl Folder {
         if matches!(fs::metadata(parent), Err(error) if error.kind() == ErrorKind::NotFound) {
             return Err(cannot_write(path, format!("there is no folder {}", parent.display())));
         }
-        let folder = Self::open(parent)?;
+        let mut folder = Self::open(parent)?;
+        folder.typed = path.parent().unwrap_or(Path::new("")).to_owned();
         folder.expect(&name)?;
         Ok((folder, name))
     }
 
     /// Refuses a `name` that a folder has already.
     pub fn expect(&self, name: &str) -> Result<(), Stop> {
-        let place = self.path.join(name);
+        let place = self.typed.join(name);
         if place.is_dir() { Err(cannot_write(&place, "there is a folder of that name")) } else { Ok(()) }
     }
 
     /// Keeps the file `name` for this run alone, as long as the folder is held; refused if another run has it.
     pub fn reserve(&self, name: &str) -> Result<(), Stop> {
         let mark = format!("{name}{RESERVED}");
-        let place = self.path.join(name);
+        let place = self.typed.join(name);
         File::create(self.drafts.join(&mark)).map_err(|error| cannot_write(&place, error))?;
         let others = fs::read_dir(&self.path).into_iter().flatten().flatten();
         let others = others.filter(|entry| entry.file_name().to_str().is_some_and(is_drafts_name));
@@ -98,7 +101,7 @@ impl Folder {
 
     /// Refuses a `name` that a file of other `bytes` has already: somebody may have written it by hand.
     pub fn unlike(&self, name: &str, bytes: &[u8]) -> Result<(), Stop> {
-        let place = self.path.join(name);
+        let place = self.typed.join(name);
         match fs::metadata(&place).is_ok_and(|about| about.is_file()) && fs::read(&place).is_ok_and(|own| own != bytes)
         {
             true => Err(cannot_write(&place, "it is there already, with other content; valid: another file or folder")),
@@ -114,7 +117,7 @@ impl Folder {
     /// The same of a file that is too large to be held a second time.
     pub fn draft_by(&self, name: &str, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Draft, Stop> {
         self.expect(name)?;
-        let draft = Draft { path: self.path.join(name), temporary: self.drafts.join(name) };
+        let draft = Draft { path: self.typed.join(name), temporary: self.drafts.join(name) };
         // Whoever took the folder away meanwhile shall not cost the work.
         let written = fs::create_dir_all(&self.drafts)
             .and_then(|()| File::create(&draft.temporary))
@@ -273,6 +276,14 @@ mod tests {
         drop(folder);
         assert_eq!(names(&path), ["free.png", "taken.png"]);
         fs::remove_dir_all(&path).unwrap();
+    }
+
+    #[test]
+    fn a_file_is_called_what_was_typed() {
+        for typed in ["out-test-typed.png", "./out-test-typed.png"] {
+            let (folder, name) = Folder::of(Path::new(typed)).unwrap();
+            assert_eq!(folder.draft(&name, b"x").unwrap().path().to_str(), Some(typed));
+        }
     }
 
     fn names(path: &Path) -> Vec<String> {

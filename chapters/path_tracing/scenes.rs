@@ -144,7 +144,8 @@ pub(super) fn closed(absorbed: f64, edges: Option<u32>, pixels: u32) -> Scene {
 pub(super) fn plate(alpha: f64, radius: f64, pixels: u32) -> Scene {
     let facets = Facets { alpha: [alpha; 2], slopes: Slopes::Ggx };
     let metal = Metal::Named("aluminium".into());
-    let metal = Material::RoughConductor { metal, facets, masking: Joint::Correlated, energy: Energy::Single };
+    let metal =
+        Material::RoughConductor { metal, facets, masking: Joint::Correlated, energy: Energy::Single, coating: None };
     let away = 5.0 * FRAC_1_SQRT_2;
     let lamp = Emission { radiance: [1.0; 3], two_sided: false };
     let ball = Geometry::Sphere { center: [0.0, away, away], radius };

@@ -1,5 +1,6 @@
 //! Reading a tree by keys: what is there, what it must be, and what is refused.
 
+use super::keys::{Key, Later, Object, Type};
 use super::source::Snag;
 use super::tree::{Entry, Node, Value};
 use chapters::parameter::{Fault, excerpt};
@@ -19,10 +20,9 @@ pub struct Fields<'t> {
     entries: &'t [Entry],
     /// What it describes.
     what: String,
+    /// Its keys in groups; none if they are anything.
+    keys: &'static [&'static [Key]],
 }
-
-/// Something of the contract that this version does not have: its key, and what that is.
-pub type Later = (&'static str, &'static str);
 
 impl<'t> Item<'t> {
     /// The whole text.
@@ -131,16 +131,24 @@ impl<'t> Item<'t> {
     /// As a table that describes `what`, with any keys.
     pub fn table(self, what: &str) -> Result<Fields<'t>, Snag> {
         match &self.node.value {
-            Value::Table(entries) => Ok(Fields { entries, what: what.to_owned(), table: self }),
+            Value::Table(entries) => Ok(Fields { entries, what: what.to_owned(), keys: &[], table: self }),
             _ => Err(self.must_be("a table")),
         }
     }
 
-    /// As a table that describes `what`, with these keys and no others.
-    pub fn fields(self, what: &str, keys: &[&str]) -> Result<Fields<'t>, Snag> {
+    /// As a table that describes an object, with its keys and no others.
+    pub fn fields(self, object: &Object) -> Result<Fields<'t>, Snag> {
+        self.table(object.what)?.only(object.keys, object.later)
+    }
+
+    /// As a table that describes `what`, of the type that its key `type` names: one of `types`, with its keys and no others.
+    pub fn of_type<R: Copy>(self, what: &str, types: &'static [Type<R>]) -> Result<(Fields<'t>, R), Snag> {
         let fields = self.table(what)?;
-        fields.only(keys, &[])?;
-        Ok(fields)
+        let item = fields.must("type")?;
+        let known: Vec<(&str, &Type<R>)> = types.iter().map(|kind| (kind.name, kind)).collect();
+        let kind = item.word(&format!("type of {}", what.trim_start_matches("a ")), &known)?;
+        let fields = Fields { what: format!("type `{}`", kind.name), ..fields };
+        Ok((fields.only(kind.keys, kind.later)?, kind.read))
     }
 }
 
@@ -152,21 +160,23 @@ fn later(place: &Place, entry: &Entry, keys: &[Later]) -> Option<Snag> {
 }
 
 impl<'t> Fields<'t> {
-    /// Refuses a key that is none of `keys`: by saying so if it is one of `not_yet`.
-    pub fn only(&self, keys: &[&str], not_yet: &[Later]) -> Result<(), Snag> {
+    /// The same if it has none but these `keys`; else that one is unknown, or one of `not_yet`.
+    fn only(self, keys: &'static [&'static [Key]], not_yet: &[Later]) -> Result<Self, Snag> {
         let place = &self.table.place;
-        let unknown = self.entries.iter().find(|entry| !keys.contains(&entry.key.as_str()));
-        let Some(entry) = unknown else { return Ok(()) };
+        let known = |entry: &&Entry| keys.iter().copied().flatten().any(|key| key.name == entry.key);
+        let Some(entry) = self.entries.iter().find(|entry| !known(entry)) else { return Ok(Self { keys, ..self }) };
         Err(later(place, entry, not_yet).unwrap_or_else(|| {
             let message = format!("no such key in {}", self.what);
             let place = place.clone().then(entry.key.as_str()).to_string();
-            let fault = Fault::unknown(place, entry.key.as_str(), message, keys.iter().copied());
+            let fault =
+                Fault::unknown(place, entry.key.as_str(), message, keys.iter().copied().flatten().map(|key| key.name));
             Snag { span: Some(entry.span.clone()), fault }
         }))
     }
 
     /// The value under `key`, if there is one.
     pub fn get(&self, key: &str) -> Option<Item<'t>> {
+        debug_assert!(self.keys.is_empty() || self.key(key).is_some(), "{key} is no key of {}", self.what);
         self.entries.iter().find(|entry| entry.key == key).map(|entry| self.table.part(key, &entry.node))
     }
 
@@ -192,12 +202,9 @@ impl<'t> Fields<'t> {
         missing
     }
 
-    /// As a description of the type that its key `type` names, one of `types`, each with what it stands for.
-    pub fn of_type<T: Copy>(self, types: &[(&str, T)]) -> Result<(Self, T), Snag> {
-        let item = self.must("type")?;
-        let meant = item.word(&format!("type of {}", self.what.trim_start_matches("a ")), types)?;
-        let what = format!("type `{}`", item.text()?);
-        Ok((Self { what, ..self }, meant))
+    /// What is known of a key.
+    fn key(&self, name: &str) -> Option<&'static Key> {
+        self.keys.iter().copied().flatten().find(|key| key.name == name)
     }
 
     /// Three numbers under `key`.

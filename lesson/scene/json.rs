@@ -3,7 +3,8 @@
 use super::tree::{Entry, Malformed, Node, Value};
 use jsonc_parser::ast::{self, ObjectProp};
 use jsonc_parser::common::{Range, Ranged};
-use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
+use jsonc_parser::errors::ParseErrorKind;
+use jsonc_parser::{CollectOptions, ParseOptions, ParseStringErrorKind, parse_to_ast};
 
 /// RFC 8259 and nothing else: what only some readers take is no contract.
 const STRICT: ParseOptions = ParseOptions {
@@ -22,7 +23,7 @@ const STRICT: ParseOptions = ParseOptions {
 /// Reads a text. It may be nested 512 deep, which the parser sees to.
 pub fn parse(text: &str) -> Result<Node, Malformed> {
     let parsed = parse_to_ast(text, &CollectOptions::default(), &STRICT)
-        .map_err(|error| Malformed { why: first_small(&error.kind().to_string()), span: span(error.range()) })?;
+        .map_err(|error| Malformed { why: told(error.kind()), span: span(error.range()) })?;
     match parsed.value {
         Some(value) => node(value),
         None => Err(Malformed { why: "there is no value".into(), span: 0..0 }),
@@ -31,6 +32,39 @@ pub fn parse(text: &str) -> Result<Node, Malformed> {
 
 fn span(range: Range) -> std::ops::Range<usize> {
     range.start..range.end
+}
+
+/// The parser's sentence as ours.
+fn told(kind: &ParseErrorKind) -> String {
+    use ParseErrorKind::*;
+    let ours = match kind {
+        CommentsNotAllowed | UnterminatedCommentBlock => "a comment, which JSON has not; TOML has: # why",
+        ExpectedColonAfterObjectKey => "a key without a colon; valid: \"key\": value",
+        ExpectedObjectValue => "a key without a value; valid: \"key\": value",
+        ExpectedStringObjectProperty => "a key without quotes; valid: \"key\": value",
+        ExpectedComma => "no comma between two values",
+        TrailingCommasNotAllowed => "a comma after the last value; valid: none",
+        UnexpectedComma => "one comma too many",
+        SingleQuotedStringsNotAllowed => "a text in single quotes; valid: \"text\"",
+        MultipleRootJsonValues => "more than one value; valid: one table { … }",
+        NonFiniteNumbersNotAllowed | UnexpectedWord | UnexpectedToken => {
+            "a word without quotes; valid: true, false, null, \"text\""
+        }
+        HexadecimalNumbersNotAllowed
+        | UnaryPlusNumbersNotAllowed
+        | BareDecimalPointNumbersNotAllowed
+        | ExpectedDigit
+        | ExpectedDigitFollowingNegativeSign
+        | ExpectedPlusMinusOrDigitInNumberLiteral => "no number; valid: such as 1, -2.5, 0.5, 1e-3",
+        UnterminatedArray => "a list without an end; valid: a comma, or ]",
+        UnterminatedObject => "a table without an end; valid: a comma, or }",
+        UnexpectedCloseBrace => "} that closes nothing",
+        UnexpectedCloseBracket => "] that closes nothing",
+        NestingDepthExceeded => "tables or lists nested too deep",
+        String(ParseStringErrorKind::UnterminatedStringLiteral) => "a text without an end; valid: \"text\" on one line",
+        other => return first_small(&other.to_string()),
+    };
+    ours.to_owned()
 }
 
 /// The parser's sentence as the end of one of ours.
@@ -87,12 +121,12 @@ mod tests {
     fn what_is_no_json_is_refused_where_it_shows() {
         for (text, why, at) in [
             (r#"{"a": 1, "a": 2}"#, "duplicate key", 9..12),
-            (r#"{"a": 1,}"#, "trailing commas are not allowed", 7..8),
-            (r#"{"a": NaN}"#, "unexpected token", 6..9),
-            ("// why", "comments are not allowed", 0..6),
-            ("{} {}", "text cannot contain more than one JSON value", 3..4),
+            (r#"{"a": 1,}"#, "a comma after the last value; valid: none", 7..8),
+            (r#"{"a": NaN}"#, "a word without quotes; valid: true, false, null, \"text\"", 6..9),
+            ("// why", "a comment, which JSON has not; TOML has: # why", 0..6),
+            ("{} {}", "more than one value; valid: one table { … }", 3..4),
             ("", "there is no value", 0..0),
-            ("{'a': 1}", "single-quoted strings are not allowed", 1..2),
+            ("{'a': 1}", "a text in single quotes; valid: \"text\"", 1..2),
         ] {
             assert_eq!(parse(text), Err(Malformed { why: why.into(), span: at }), "{text}");
         }

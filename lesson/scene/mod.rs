@@ -2,11 +2,13 @@
 
 mod fields;
 mod json;
+mod keys;
 mod meshes;
 mod obj;
 mod ply;
 mod print;
 mod read;
+mod reference;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -14,6 +16,7 @@ mod toml;
 mod tree;
 
 pub use print::stem;
+pub use reference::blocks as keys;
 
 use crate::out::{self, Folder};
 use crate::stop::{Stop, plain};

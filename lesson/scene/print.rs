@@ -117,7 +117,7 @@ impl Printer {
                 self.metal(metal);
                 self.coating(coating.as_ref());
             }
-            Material::RoughConductor { metal, facets, masking, energy } => {
+            Material::RoughConductor { metal, facets, masking, energy, coating } => {
                 self.put("type", quoted("rough_conductor"), "");
                 self.metal(metal);
                 self.facets(*facets);
@@ -125,6 +125,7 @@ impl Printer {
                     self.put("masking", quoted(masking.name()), "");
                 }
                 self.energy(*energy);
+                self.coating(coating.as_ref());
             }
             Material::Dielectric { ior, outside, absorption, coating } => {
                 self.put("type", quoted("dielectric"), "");

@@ -1,11 +1,16 @@
 //! From a tree to a scene: one reader for every format.
 
-use super::fields::{Fields, Item, Later};
+use super::fields::{Fields, Item};
+use super::keys::{
+    CAMERA, CLEAR, COATED, COATING, ENERGY, ENVIRONMENT, FACETS, GLASSES, IOR, Kind, MASKING as MASKED, METAL,
+    PATTERNS, REFLECTANCE, ROUGH_GLASSES, SCENE, SHAPE, TRANSFORM, TYPE, Type, may, must,
+};
 use super::meshes::Meshes;
 use super::source::Snag;
 use super::tree::Node;
 use chapters::parameter::Fault;
 use light::bsdf::microfacet::{Joint, Slopes};
+use light::scene::flaw::domain;
 use light::scene::{
     Camera, Coating, Emission, Energy, Facets, Filter, Flaw, Geometry, Light, Material, Metal, Normals, Scene, Shape,
     Transform, Triple,
@@ -19,20 +24,9 @@ pub const MASKING: Joint = Joint::Correlated;
 /// The index outside unless it is said: empty space.
 pub const OUTSIDE: f64 = 1.0;
 
-const IMAGES: &[Later] = &[("image", "an image as reflectance"), ("checker", "a checkerboard as reflectance")];
-const ENVIRONMENTS: &[Later] = &[
-    ("image", "an image as environment"),
-    ("scale", "an image as environment"),
-    ("rotate_deg", "an image as environment"),
-];
-const GLASSES: &[Later] = &[("glass", "a glass by name, whose index depends on the wavelength,")];
-const ROUGH_GLASSES: &[Later] = &[GLASSES[0], COATED];
-const COATED: Later = ("coating", "a film on a rough surface");
-
 /// Reads a scene called `name` unless it says otherwise. It has no flaw.
 pub fn scene(root: &Node, name: &str, meshes: &mut Meshes) -> Result<Scene, Snag> {
-    let keys = ["name", "max_depth", "filter", "camera", "environment", "materials", "shapes", "lights"];
-    let fields = Item::root(root).fields("a scene", &keys)?;
+    let fields = Item::root(root).fields(&SCENE)?;
     let list = |key: &str| fields.get(key).map_or(Ok(Vec::new()), |item| item.list());
     let scene = Scene {
         name: fields.may("name", Item::plain_text)?.unwrap_or(name).to_owned(),
@@ -68,8 +62,7 @@ fn words<T: Copy, const N: usize>(all: [T; N], name: fn(T) -> &'static str) -> [
 }
 
 fn camera(item: Item) -> Result<Camera, Snag> {
-    let keys = ["origin", "target", "up", "fov_y_deg", "width", "height", "aperture", "focus"];
-    let fields = item.fields("a camera", &keys)?;
+    let fields = item.fields(&CAMERA)?;
     Ok(Camera {
         origin: fields.triple("origin")?,
         target: fields.triple("target")?,
@@ -83,9 +76,7 @@ fn camera(item: Item) -> Result<Camera, Snag> {
 }
 
 fn environment(item: Item) -> Result<Triple, Snag> {
-    let fields = item.table("an environment")?;
-    fields.only(&["radiance"], ENVIRONMENTS)?;
-    fields.triple("radiance")
+    item.fields(&ENVIRONMENT)?.triple("radiance")
 }
 
 fn materials(item: Item) -> Result<Vec<(String, Material)>, Snag> {
@@ -94,65 +85,96 @@ fn materials(item: Item) -> Result<Vec<(String, Material)>, Snag> {
 }
 
 /// Reads the fields of a kind of material or shape.
-type Read<T> = fn(&Fields) -> Result<T, Snag>;
+pub type Read<T> = fn(&Fields) -> Result<T, Snag>;
 
-const MATERIALS: &[(&str, Read<Material>)] = &[
-    ("diffuse", |fields| {
-        fields.only(&["type", "reflectance"], &[])?;
-        Ok(Material::Diffuse { reflectance: reflectance(fields)? })
-    }),
-    ("rough_diffuse", |fields| {
-        fields.only(&["type", "reflectance", "roughness"], &[])?;
-        Ok(Material::RoughDiffuse { reflectance: reflectance(fields)?, roughness: fields.number("roughness")? })
-    }),
-    ("mirror", |fields| {
-        fields.only(&["type", "reflectance"], &[])?;
-        Ok(Material::Mirror { reflectance: reflectance(fields)? })
-    }),
-    ("conductor", |fields| {
-        fields.only(&["type", "metal", "eta", "k", "coating"], &[])?;
-        Ok(Material::Conductor { metal: metal(fields)?, coating: fields.may("coating", coating)? })
-    }),
-    ("rough_conductor", |fields| {
-        let keys = [&["type", "metal", "eta", "k", "masking", "energy"], &FACETS[..]].concat();
-        fields.only(&keys, &[COATED])?;
-        let masking = fields.may("masking", |item| item.word("kind of masking", &words(Joint::ALL, Joint::name)))?;
-        Ok(Material::RoughConductor {
-            metal: metal(fields)?,
-            facets: facets(fields)?,
-            masking: masking.unwrap_or(MASKING),
-            energy: energy(fields)?,
-        })
-    }),
-    ("dielectric", |fields| {
-        fields.only(&["type", "ior", "outside", "absorption", "coating"], GLASSES)?;
-        let (ior, outside, absorption) = clear(fields)?;
-        Ok(Material::Dielectric { ior, outside, absorption, coating: fields.may("coating", coating)? })
-    }),
-    ("rough_dielectric", |fields| {
-        let keys = [&["type", "ior", "outside", "absorption", "energy"], &FACETS[..]].concat();
-        fields.only(&keys, ROUGH_GLASSES)?;
-        let (ior, outside, absorption) = clear(fields)?;
-        Ok(Material::RoughDielectric { ior, outside, absorption, facets: facets(fields)?, energy: energy(fields)? })
-    }),
-    ("plastic", |fields| {
-        fields.only(&["type", "ior", "reflectance", "alpha"], GLASSES)?;
-        Ok(Material::Plastic {
-            ior: fields.number("ior")?,
-            reflectance: reflectance(fields)?,
-            alpha: fields.may("alpha", Item::number)?,
-        })
-    }),
+pub const MATERIALS: &[Type<Read<Material>>] = &[
+    Type {
+        name: "diffuse",
+        keys: &[&[TYPE, REFLECTANCE]],
+        later: &[],
+        read: |fields| Ok(Material::Diffuse { reflectance: reflectance(fields)? }),
+    },
+    Type {
+        name: "rough_diffuse",
+        keys: &[&[TYPE, REFLECTANCE, must("roughness", Kind::Number(domain::SHARE), "0 is Lambert's")]],
+        later: &[],
+        read: |fields| {
+            Ok(Material::RoughDiffuse { reflectance: reflectance(fields)?, roughness: fields.number("roughness")? })
+        },
+    },
+    Type {
+        name: "mirror",
+        keys: &[&[TYPE, REFLECTANCE]],
+        later: &[],
+        read: |fields| Ok(Material::Mirror { reflectance: reflectance(fields)? }),
+    },
+    Type {
+        name: "conductor",
+        keys: &[&[TYPE], METAL, &[COATED]],
+        later: &[],
+        read: |fields| Ok(Material::Conductor { metal: metal(fields)?, coating: fields.may("coating", coating)? }),
+    },
+    Type {
+        name: "rough_conductor",
+        keys: &[&[TYPE], METAL, FACETS, &[MASKED, ENERGY, COATED]],
+        later: &[],
+        read: |fields| {
+            let masking =
+                fields.may("masking", |item| item.word("kind of masking", &words(Joint::ALL, Joint::name)))?;
+            Ok(Material::RoughConductor {
+                metal: metal(fields)?,
+                facets: facets(fields)?,
+                masking: masking.unwrap_or(MASKING),
+                energy: energy(fields)?,
+                coating: fields.may("coating", coating)?,
+            })
+        },
+    },
+    Type {
+        name: "dielectric",
+        keys: &[&[TYPE], CLEAR, &[COATED]],
+        later: GLASSES,
+        read: |fields| {
+            let (ior, outside, absorption) = clear(fields)?;
+            Ok(Material::Dielectric { ior, outside, absorption, coating: fields.may("coating", coating)? })
+        },
+    },
+    Type {
+        name: "rough_dielectric",
+        keys: &[&[TYPE], CLEAR, FACETS, &[ENERGY]],
+        later: ROUGH_GLASSES,
+        read: |fields| {
+            let (ior, outside, absorption) = clear(fields)?;
+            Ok(Material::RoughDielectric { ior, outside, absorption, facets: facets(fields)?, energy: energy(fields)? })
+        },
+    },
+    Type {
+        name: "plastic",
+        keys: &[&[
+            TYPE,
+            IOR,
+            REFLECTANCE,
+            may("alpha", Kind::Number(domain::ALPHA), "polished", "roughness of the coat"),
+        ]],
+        later: GLASSES,
+        read: |fields| {
+            Ok(Material::Plastic {
+                ior: fields.number("ior")?,
+                reflectance: reflectance(fields)?,
+                alpha: fields.may("alpha", Item::number)?,
+            })
+        },
+    },
 ];
 
 fn material(item: Item) -> Result<Material, Snag> {
-    let (fields, read) = item.table("a material")?.of_type(MATERIALS)?;
+    let (fields, read) = item.of_type("a material", MATERIALS)?;
     read(&fields)
 }
 
 fn reflectance(fields: &Fields) -> Result<Triple, Snag> {
     let item = fields.must("reflectance")?;
-    match item.under(IMAGES) {
+    match item.under(PATTERNS) {
         Some(later) => Err(later),
         None => item.triple(),
     }
@@ -168,9 +190,6 @@ fn metal(fields: &Fields) -> Result<Metal, Snag> {
         None => Ok(Metal::Indices { eta: fields.triple("eta")?, k: fields.triple("k")? }),
     }
 }
-
-/// The keys of [`facets`].
-const FACETS: [&str; 4] = ["alpha", "alpha_x", "alpha_y", "distribution"];
 
 fn facets(fields: &Fields) -> Result<Facets, Snag> {
     let alpha = match fields.may("alpha", Item::number)? {
@@ -199,56 +218,109 @@ fn clear(fields: &Fields) -> Result<(f64, f64, Triple), Snag> {
 }
 
 fn coating(item: &Item) -> Result<Coating, Snag> {
-    let fields = item.clone().fields("a coating", &["medium", "thickness_nm"])?;
+    let fields = item.clone().fields(&COATING)?;
     Ok(Coating { medium: fields.must("medium")?.text()?.to_owned(), thickness_nm: fields.number("thickness_nm")? })
 }
 
-/// The keys that every shape may have.
-const ANY_SHAPE: [&str; 5] = ["type", "material", "emission", "two_sided", "transform"];
+/// Reads the fields of a kind of shape.
+pub type ReadShape = fn(&Fields, &mut Meshes) -> Result<Geometry, Snag>;
 
-/// Refuses keys that are neither `own` nor those of any shape.
-fn shaped(fields: &Fields, own: &[&str]) -> Result<(), Snag> {
-    fields.only(&[&ANY_SHAPE[..1], own, &ANY_SHAPE[1..]].concat(), &[])
-}
-
-type ReadShape = fn(&Fields, &mut Meshes) -> Result<Geometry, Snag>;
-
-const SHAPES: &[(&str, ReadShape)] = &[
-    ("quad", |fields, _| {
-        shaped(fields, &["vertices"])?;
-        let item = fields.must("vertices")?;
-        let vertices = item.list()?.iter().map(Item::triple).collect::<Result<Vec<_>, _>>()?;
-        let four = <[Triple; 4]>::try_from(vertices);
-        let vertices = four.map_err(|found| item.wrong(format!("must be four corners, found {}", found.len())))?;
-        Ok(Geometry::Quad { vertices })
-    }),
-    ("sphere", |fields, _| {
-        shaped(fields, &["center", "radius"])?;
-        Ok(Geometry::Sphere { center: fields.triple("center")?, radius: fields.number("radius")? })
-    }),
-    ("disc", |fields, _| {
-        shaped(fields, &["center", "normal", "radius"])?;
-        let (center, normal) = (fields.triple("center")?, fields.triple("normal")?);
-        Ok(Geometry::Disc { center, normal, radius: fields.number("radius")? })
-    }),
-    ("box", |fields, _| {
-        shaped(fields, &["min", "max"])?;
-        Ok(Geometry::Box { min: fields.triple("min")?, max: fields.triple("max")? })
-    }),
-    ("mesh", |fields, meshes| {
-        shaped(fields, &["file", "normals"])?;
-        let item = fields.must("file")?;
-        let file = PathBuf::from(item.text()?);
-        let normals =
-            fields.may("normals", |item| item.word("kind of normals", &words(Normals::ALL, Normals::name)))?;
-        let normals = normals.unwrap_or_default();
-        let mesh = meshes.read(&file, normals).map_err(|why| item.wrong(why))?;
-        Ok(Geometry::Mesh { file: Some(file), normals, mesh })
-    }),
+pub const SHAPES: &[Type<ReadShape>] = &[
+    Type {
+        name: "quad",
+        keys: &[
+            &[
+                TYPE,
+                must(
+                    "vertices",
+                    Kind::Corners(domain::COORDINATE),
+                    "corners of a parallelogram in order; its normal is (v1 − v0) × (v3 − v0)",
+                ),
+            ],
+            SHAPE,
+        ],
+        later: &[],
+        read: |fields, _| {
+            let item = fields.must("vertices")?;
+            let vertices = item.list()?.iter().map(Item::triple).collect::<Result<Vec<_>, _>>()?;
+            let four = <[Triple; 4]>::try_from(vertices);
+            let vertices = four.map_err(|found| item.wrong(format!("must be four corners, found {}", found.len())))?;
+            Ok(Geometry::Quad { vertices })
+        },
+    },
+    Type {
+        name: "sphere",
+        keys: &[
+            &[
+                TYPE,
+                must("center", Kind::Three(domain::COORDINATE), "its middle"),
+                must("radius", Kind::Number(domain::LENGTH), "its radius"),
+            ],
+            SHAPE,
+        ],
+        later: &[],
+        read: |fields, _| Ok(Geometry::Sphere { center: fields.triple("center")?, radius: fields.number("radius")? }),
+    },
+    Type {
+        name: "disc",
+        keys: &[
+            &[
+                TYPE,
+                must("center", Kind::Three(domain::COORDINATE), "its middle"),
+                must("normal", Kind::Three(domain::DIRECTION), "whither it faces"),
+                must("radius", Kind::Number(domain::LENGTH), "its radius"),
+            ],
+            SHAPE,
+        ],
+        later: &[],
+        read: |fields, _| {
+            let (center, normal) = (fields.triple("center")?, fields.triple("normal")?);
+            Ok(Geometry::Disc { center, normal, radius: fields.number("radius")? })
+        },
+    },
+    Type {
+        name: "box",
+        keys: &[
+            &[
+                TYPE,
+                must("min", Kind::Three(domain::COORDINATE), "the corner of the least coordinates"),
+                must("max", Kind::Three(domain::COORDINATE), "the corner of the largest"),
+            ],
+            SHAPE,
+        ],
+        later: &[],
+        read: |fields, _| Ok(Geometry::Box { min: fields.triple("min")?, max: fields.triple("max")? }),
+    },
+    Type {
+        name: "mesh",
+        keys: &[
+            &[
+                TYPE,
+                must("file", Kind::Text, "a .ply or .obj, from the scene's folder"),
+                may(
+                    "normals",
+                    Kind::Word(|| Normals::ALL.map(Normals::name).into()),
+                    "\"flat\"",
+                    "whether triangles are flat or look smooth",
+                ),
+            ],
+            SHAPE,
+        ],
+        later: &[],
+        read: |fields, meshes| {
+            let item = fields.must("file")?;
+            let file = PathBuf::from(item.text()?);
+            let normals =
+                fields.may("normals", |item| item.word("kind of normals", &words(Normals::ALL, Normals::name)))?;
+            let normals = normals.unwrap_or_default();
+            let mesh = meshes.read(&file, normals).map_err(|why| item.wrong(why))?;
+            Ok(Geometry::Mesh { file: Some(file), normals, mesh })
+        },
+    },
 ];
 
 fn shape(item: Item, meshes: &mut Meshes) -> Result<Shape, Snag> {
-    let (fields, read) = item.table("a shape")?.of_type(SHAPES)?;
+    let (fields, read) = item.of_type("a shape", SHAPES)?;
     let geometry = read(&fields, meshes)?;
     let two_sided = fields.may("two_sided", Item::flag)?;
     let emission = fields.may("emission", Item::triple)?;
@@ -264,7 +336,7 @@ fn shape(item: Item, meshes: &mut Meshes) -> Result<Shape, Snag> {
 }
 
 fn transform(item: &Item) -> Result<Transform, Snag> {
-    let fields = item.clone().fields("a transform", &["scale", "rotate_deg", "translate"])?;
+    let fields = item.clone().fields(&TRANSFORM)?;
     let own = Transform::default();
     let scale = |item: &Item| match (item.number(), item.list()) {
         (Ok(scale), _) => Ok([scale; 3]),
@@ -278,18 +350,34 @@ fn transform(item: &Item) -> Result<Transform, Snag> {
     })
 }
 
-const LIGHTS: &[(&str, Read<Light>)] = &[
-    ("point", |fields| {
-        fields.only(&["type", "position", "intensity"], &[])?;
-        Ok(Light::Point { position: fields.triple("position")?, intensity: fields.triple("intensity")? })
-    }),
-    ("directional", |fields| {
-        fields.only(&["type", "direction", "irradiance"], &[])?;
-        Ok(Light::Directional { direction: fields.triple("direction")?, irradiance: fields.triple("irradiance")? })
-    }),
+pub const LIGHTS: &[Type<Read<Light>>] = &[
+    Type {
+        name: "point",
+        keys: &[&[
+            TYPE,
+            must("position", Kind::Three(domain::COORDINATE), "where it is"),
+            must("intensity", Kind::Three(domain::INTENSITY), "alike in all directions"),
+        ]],
+        later: &[],
+        read: |fields| {
+            Ok(Light::Point { position: fields.triple("position")?, intensity: fields.triple("intensity")? })
+        },
+    },
+    Type {
+        name: "directional",
+        keys: &[&[
+            TYPE,
+            must("direction", Kind::Three(domain::DIRECTION), "whither its light travels"),
+            must("irradiance", Kind::Three(domain::IRRADIANCE), "on a plane square to it"),
+        ]],
+        later: &[],
+        read: |fields| {
+            Ok(Light::Directional { direction: fields.triple("direction")?, irradiance: fields.triple("irradiance")? })
+        },
+    },
 ];
 
 fn light(item: Item) -> Result<Light, Snag> {
-    let (fields, read) = item.table("a light")?.of_type(LIGHTS)?;
+    let (fields, read) = item.of_type("a light", LIGHTS)?;
     read(&fields)
 }

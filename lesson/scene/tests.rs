@@ -13,7 +13,7 @@ fn none(file: &Path) -> Result<Vec<u8>, String> {
     Err(format!("is not there: {}", file.display()))
 }
 
-fn from_toml(text: &str, files: Files) -> Result<Scene, Stop> {
+pub(super) fn from_toml(text: &str, files: Files) -> Result<Scene, Stop> {
     read(&Source::new(Path::new("test.toml"), text.into())?, toml::parse, files).map(|(scene, _)| scene)
 }
 
@@ -101,6 +101,7 @@ alpha_y = 0.3
 distribution = "beckmann"
 masking = "separable"
 energy = "single"
+coating = { medium = "tio2", thickness_nm = 60 }
 
 [materials.glass]
 type = "dielectric"
@@ -203,6 +204,7 @@ fn whole() -> Scene {
                     facets: Facets { alpha: [0.1, 0.3], slopes: Slopes::Beckmann },
                     masking: Joint::Separable,
                     energy: Energy::Single,
+                    coating: Some(Coating { medium: "tio2".into(), thickness_nm: 60.0 }),
                 },
             ),
             named(
@@ -425,11 +427,8 @@ fn material() -> BoxedStrategy<Material> {
         (share(), size(1.0)).prop_map(|(reflectance, roughness)| Material::RoughDiffuse { reflectance, roughness }),
         share().prop_map(|reflectance| Material::Mirror { reflectance }),
         (metal(), coating()).prop_map(|(metal, coating)| Material::Conductor { metal, coating }),
-        (metal(), facets(), masking, energy()).prop_map(|(metal, facets, masking, energy)| Material::RoughConductor {
-            metal,
-            facets,
-            masking,
-            energy
+        (metal(), facets(), masking, energy(), coating()).prop_map(|(metal, facets, masking, energy, coating)| {
+            Material::RoughConductor { metal, facets, masking, energy, coating }
         }),
         (index(), outside(), absorption(), coating()).prop_map(|(ior, outside, absorption, coating)| {
             Material::Dielectric { ior, outside, absorption, coating }

@@ -6,12 +6,50 @@ use toml::de::{DeFloat, DeInteger, DeTable, DeValue};
 
 /// Reads a document.
 pub fn parse(text: &str) -> Result<Node, Malformed> {
-    // What the parser says in lines of their own, and what it says of nothing, is no sentence.
-    let why = |message: &str| message.lines().collect::<Vec<_>>().join("; ").replace(", expected nothing", "");
     match DeTable::parse(text) {
         Ok(table) => Ok(Node { span: 0..0, value: self::table(table.into_inner()) }),
-        Err(error) => Err(Malformed { why: why(error.message()), span: error.span().unwrap_or_default() }),
+        Err(error) => Err(Malformed { why: told(error.message()), span: error.span().unwrap_or_default() }),
     }
+}
+
+/// What people do, as the parser begins to say it, and as we say it.
+const TOLD: &[(&[&str], &str)] = &[
+    (&["duplicate key"], "duplicate key; valid: each once in its table"),
+    (&["unclosed table"], "a table's name without an end; valid: [name]"),
+    (&["unclosed array table"], "a table's name without an end; valid: [[name]]"),
+    (&["unclosed array"], "a list without an end; valid: a comma, or ]"),
+    (&["unclosed inline table"], "a table without an end; valid: a comma, or }"),
+    (&["key with no value", "missing value", "missing assignment"], "a key without a value; valid: key = value, # why"),
+    (&["extra `=`", "extra assignment"], "one = too many; valid: key = value"),
+    (&["unexpected `=`"], "= in a list; valid: values with commas between them"),
+    // It takes for an unquoted text whatever is no other value, and nothing too.
+    (&["string values must be quoted"], "no value; valid: one number, list, true, false, or \"text\" in quotes; # why"),
+    (&["invalid boolean"], "a word without quotes; valid: true, false, \"text\""),
+    (&["unexpected key or value"], "more than a key and its value; valid: one key = value a line"),
+    (&["missing comma"], "no comma between two values"),
+    (&["extra comma"], "one comma too many"),
+    (&["invalid basic string"], "a text without an end; valid: \"text\" on one line"),
+    (&["invalid literal string"], "a text without an end; valid: 'text' on one line"),
+    (&["missing escaped value"], "\\ before a sign that it does not go with; valid: \\\\ for \\"),
+    (&["invalid unquoted key"], "a key of other signs than letters, digits, _ and -; valid: \"key\" in quotes"),
+    (
+        &["unquoted keys cannot be empty", "missing key", "invalid key-value pair"],
+        "no key; valid: key = value, or [name]",
+    ),
+    (&["unexpected leading zero"], "a number that begins with 0; valid: without that"),
+    (
+        &["invalid mantissa", "invalid fraction", "invalid exponent", "invalid float", "invalid integer"],
+        "no number; valid: such as 1, -2.5, 0.5, 1e-3",
+    ),
+    (&["`_` may only go between digits"], "_ that is not between two digits"),
+    (&["cannot recurse further"], "tables or lists nested too deep"),
+];
+
+/// The parser's sentence as ours. What it says in lines of their own, and what it says of nothing, is no sentence.
+fn told(message: &str) -> String {
+    let known = TOLD.iter().find(|(theirs, _)| theirs.iter().any(|theirs| message.starts_with(theirs)));
+    let plain = || message.lines().collect::<Vec<_>>().join("; ").replace(", expected nothing", "");
+    known.map_or_else(plain, |(_, ours)| (*ours).to_owned())
 }
 
 fn node(value: Spanned<DeValue>) -> Node {
@@ -96,5 +134,40 @@ mod tests {
         assert_eq!(refused("a = 1.\n"), 6..6);
         // As deep as no scene is; the parser's own stack is safe.
         assert!(parse(&format!("a = {}", "[".repeat(100_000))).is_err());
+    }
+
+    #[test]
+    fn what_people_do_is_said_in_words_of_ours() {
+        for (text, said) in [
+            ("a = [1, 2", "a list without an end"),
+            ("a = [1, 2\nb = 3", "no comma between"),
+            ("a = [1,,2]", "one comma too many"),
+            ("[a\nb = 1", "a table's name without an end; valid: [name]"),
+            ("[[a]\n", "a table's name without an end; valid: [[name]]"),
+            ("a = {b = 1", "a table without an end"),
+            ("a", "a key without a value"),
+            ("a : 1", "a key without a value"),
+            ("// why", "valid: key = value, # why"),
+            ("a =", "no value; valid: "),
+            ("a = red", "\"text\" in quotes"),
+            ("a = 1 m", "valid: one number"),
+            ("a = True", "valid: true, false"),
+            ("a == 1", "one = too many"),
+            ("a = [b = 1]", "= in a list"),
+            ("a = 1,", "valid: one key = value a line"),
+            ("a = 'x", "a text without an end"),
+            ("a = \"x", "a text without an end"),
+            ("a = \"C:\\q\"", "valid: \\\\ for \\"),
+            ("é = 1", "valid: \"key\" in quotes"),
+            ("{\"a\": 1}", "no key"),
+            ("a = 01", "begins with 0"),
+            ("a = .5", "no number; valid: "),
+            ("a = 1e", "no number; valid: "),
+        ] {
+            let why = parse(text).unwrap_err().why;
+            assert!(why.contains(said) && !why.contains("expected"), "{text}: {why}");
+        }
+        // What is not in the table is told as the parser has it.
+        assert_eq!(told("flux of a new kind, expected nothing"), "flux of a new kind");
     }
 }

@@ -238,7 +238,10 @@ fn a_picture_is_as_large_as_is_asked_and_named_after_its_file() {
 fn what_a_newcomer_forgets_is_told() {
     let run = lesson("render");
     assert!(run.code == 2 && run.err.contains("scene: missing") && run.err.contains("cornell"), "{run:?}");
-    assert!(lesson("render --version").out.ends_with(&format!("{}\n", env!("CARGO_PKG_VERSION"))));
+    for command in ["", "render ", "film merge ", "eval "] {
+        let version = format!("lesson {}\n", env!("CARGO_PKG_VERSION"));
+        assert_eq!(lesson(&format!("{command}--version")).out, version, "{command}");
+    }
     let folder = folder("render-dark");
     let dark = folder.join("dark.json");
     fs::write(
@@ -318,6 +321,46 @@ fn who_is_asked_to_end_keeps_what_there_is() {
         let shown = lesson_fed(&["film", "show", &film], b"");
         assert!(shown.code == 0 && shown.out.contains("samples      0.."), "{shown:?}");
     }
+}
+
+/// Asks a program to end, as Ctrl-C does.
+#[cfg(unix)]
+fn interrupt(child: &std::process::Child) {
+    let killed = std::process::Command::new("kill").args(["-INT".to_owned(), child.id().to_string()]).status();
+    assert!(killed.unwrap().success());
+}
+
+#[cfg(unix)]
+#[test]
+fn who_is_asked_twice_ends_at_once() {
+    use std::io::Write;
+    use std::time::{Duration, Instant};
+    let folder = folder("render-interrupted-twice");
+    let scene = small(&folder, "cornell");
+    let [png, film] = ["a.png", "a.film"].map(|name| folder.join(name).to_str().unwrap().to_owned());
+    let arguments = ["render", scene.to_str().unwrap(), "--spp", "16777216", "--out", &png, "--film", &film];
+    // A full pipe that nobody reads holds the program up where it would say that its picture is in place.
+    let (reader, mut writer) = std::io::pipe().unwrap();
+    let out = writer.try_clone().unwrap();
+    let filling = std::thread::spawn(move || while writer.write_all(&[b' '; 4096]).is_ok() {});
+    let mut child = command(&arguments).stdout(out).spawn().unwrap();
+    awaited(&mut child, Path::new(&film));
+    interrupt(&child);
+    awaited(&mut child, Path::new(&png));
+    std::thread::sleep(Duration::from_millis(200));
+    assert!(child.try_wait().unwrap().is_none(), "nobody has read where the picture is");
+    interrupt(&child);
+    let begun = Instant::now();
+    let status = loop {
+        if let Some(status) = child.try_wait().unwrap() {
+            break status;
+        }
+        assert!(begun.elapsed() < Duration::from_secs(60), "a second request is none");
+        std::thread::sleep(Duration::from_millis(20));
+    };
+    assert_eq!(status.code(), Some(130));
+    drop(reader);
+    filling.join().unwrap();
 }
 
 #[test]

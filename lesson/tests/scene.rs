@@ -63,6 +63,18 @@ fn refused(path: &Path, place: &str, words: &[&str]) {
 }
 
 #[test]
+fn the_keys_of_a_scene_file_are_told() {
+    let run = lesson("render --keys");
+    assert!(run.code == 0 && run.err.is_empty(), "{run:?}");
+    for words in ["[camera]", "[materials.NAME]  type = \"rough_conductor\"", "thickness_nm", "[[lights]]", "not yet: "]
+    {
+        assert!(run.out.contains(words), "{words}: {}", run.out);
+    }
+    assert!(run.out.lines().all(|line| line.chars().count() <= 80), "{}", run.out);
+    assert_eq!(lesson("render cornell --keys").code, 2);
+}
+
+#[test]
 fn one_wrong_line_is_shown_with_what_would_be_right() {
     let folder = folder("scene-lines");
     let slips: &[(&str, &str, &str, &[&str])] = &[
@@ -120,8 +132,14 @@ fn one_wrong_line_is_shown_with_what_would_be_right() {
         (
             "alpha = 0.1",
             "alpha = 0.1\ncoating = {}",
-            ":15:1: materials.gold.coating: ",
-            &["not yet: a film on a rough surface"],
+            ":15:11: materials.gold.coating.medium: ",
+            &["missing, and a coating needs it"],
+        ),
+        (
+            "type = \"dielectric\"",
+            "type = \"rough_dielectric\"\nalpha = 0.1\ncoating = { medium = \"mgf2\", thickness_nm = 100 }",
+            ":18:1: materials.clear.coating: ",
+            &["not yet: a film on rough glass"],
         ),
         ("ior = 1.5", "ior = 20", ":17:7: materials.clear.ior: ", &["20 is out of range; valid: 0.1 to 10"]),
         ("ior = 1.5", "glass = \"bk7\"", ":17:1: materials.clear.glass: ", &["not yet: a glass by name"]),

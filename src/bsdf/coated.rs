@@ -1,4 +1,4 @@
-//! Polished metal and glass under a film of one thickness: the colours of coated lenses, of oil on water, of tempered steel.
+//! Metal and polished glass under a film of one thickness: the colours of coated lenses, of oil on water, of tempered steel.
 //!
 //! A channel stands for a band of wavelengths, those that are nearest to its own ([`CHANNELS`]). What it reflects and lets
 //! through is the mean of natural light over its band, by [`crate::optics::film`], tabulated over the cosine. A film of many

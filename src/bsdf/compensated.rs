@@ -5,7 +5,7 @@
 //! (π(1 − ⟨E⟩)), times ⟨F⟩²⟨E⟩/(1 − ⟨F⟩(1 − ⟨E⟩)) for metal (S. Hill's correction: light that is left after one bounce has
 //! met two facets), or shared between both sides for glass.
 
-use super::fresnel::Conductor;
+use super::fresnel::Reflecting;
 use super::losses::Losses;
 use super::microfacet::{Distribution, Joint};
 use super::rough_conductor::RoughConductor;
@@ -37,9 +37,9 @@ struct Lobe<N> {
     through: N,
 }
 
-impl<N: Number, D: Distribution<N>> Compensated<N, RoughConductor<N, D>> {
-    /// Metal.
-    pub fn metal(facets: D, metal: Conductor<N>) -> Self {
+impl<N: Number, D: Distribution<N>, M: Reflecting<N>> Compensated<N, RoughConductor<D, M>> {
+    /// Metal, bare or under a film.
+    pub fn metal(facets: D, metal: M) -> Self {
         let losses = Losses::metal(D::SLOPES, facets.alpha().map(|alpha| alpha.lane(0)));
         let back = metal.mean_reflectance().map(|mean| rebound(mean, N::of(losses.mean())));
         let outside = Lobe { losses, back, through: N::of(0.0) };

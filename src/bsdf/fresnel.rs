@@ -22,9 +22,29 @@ pub fn dielectric<N: Number>(cos_i: N, eta: N) -> Interface<N> {
 }
 
 /// What reflects by an angle.
-pub trait Reflecting<N> {
+pub trait Reflecting<N: Number> {
     /// R [1] of natural light at 0 ≤ `cos_i` ≤ 1, by channel.
     fn reflectance(&self, cos_i: N) -> Rgb<N>;
+
+    /// 2∫R μ dμ [1]: the reflectance of light from everywhere.
+    fn mean_reflectance(&self) -> Rgb<N> {
+        // The midpoint rule in μ², whose weight it is; R is smooth in μ, so it is of order 2 with a tiny constant.
+        const NODES: usize = 256;
+        let mut sum = [N::of(0.0); 3];
+        for k in 0..NODES {
+            let cos = N::of(((k as f64 + 0.5) / NODES as f64).sqrt());
+            let here = self.reflectance(cos);
+            sum = rgb(|c| sum[c] + here[c]);
+        }
+        rgb(|c| sum[c] * N::of(1.0 / NODES as f64))
+    }
+}
+
+impl<N: Number, M: Reflecting<N>> Reflecting<N> for &M {
+    #[inline(always)]
+    fn reflectance(&self, cos_i: N) -> Rgb<N> {
+        (*self).reflectance(cos_i)
+    }
 }
 
 /// A metal: n + iκ over the index outside, in three channels.
@@ -52,19 +72,6 @@ impl<N: Number> Conductor<N> {
     /// The metal that absorbs nothing, ε = −1.
     pub fn perfect() -> Self {
         Self { n: [N::of(0.0); 3], k: [N::of(1.0); 3] }
-    }
-
-    /// 2∫R μ dμ [1]: the reflectance of light from everywhere.
-    pub fn mean_reflectance(&self) -> Rgb<N> {
-        // The midpoint rule in μ², whose weight it is; R is smooth in μ, so it is of order 2 with a tiny constant.
-        const NODES: usize = 256;
-        let mut sum = [N::of(0.0); 3];
-        for k in 0..NODES {
-            let cos = N::of(((k as f64 + 0.5) / NODES as f64).sqrt());
-            let here = self.reflectance(cos);
-            sum = rgb(|c| sum[c] + here[c]);
-        }
-        rgb(|c| sum[c] * N::of(1.0 / NODES as f64))
     }
 }
 

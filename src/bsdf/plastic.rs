@@ -43,7 +43,7 @@ impl<N: Number> Plastic<N, SmoothConductor<Conductor<N>>> {
     }
 }
 
-impl<N: Number, D: Distribution<N>> Plastic<N, RoughConductor<N, D>> {
+impl<N: Number, D: Distribution<N>> Plastic<N, RoughConductor<D, Conductor<N>>> {
     /// A body of albedo ρ [1] under a rough coat of an index [1].
     pub fn rough(facets: D, albedo: [f64; 3], index: f64) -> Self {
         let metal = clear(index);

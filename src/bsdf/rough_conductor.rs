@@ -1,20 +1,20 @@
 //! Rough metal, one bounce: f = D F G₂/(4 cos cos) (K. E. Torrance and E. M. Sparrow, JOSA 57 (1967) 1105), drawn by the
 //! facets that are seen. What would bounce again is lost.
 
-use super::fresnel::{Conductor, Reflecting};
+use super::fresnel::Reflecting;
 use super::microfacet::{Distribution, Joint};
 use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, rgb};
 use crate::number::{Number, Vector};
 
 /// Facets of metal.
 #[derive(Clone, Copy, Debug)]
-pub struct RoughConductor<N, D> {
+pub struct RoughConductor<D, M> {
     /// How they lie.
     pub facets: D,
     /// How their masking goes together.
     pub joint: Joint,
-    /// What they are made of.
-    pub metal: Conductor<N>,
+    /// What they are made of: metal, bare or under a film.
+    pub metal: M,
 }
 
 /// The facet's normal that mirrors one direction into the other, and the cosine [1] to either.
@@ -25,7 +25,7 @@ pub(super) fn half_vector<N: Number>(wi: Vector<N>, wo: Vector<N>) -> (Vector<N>
     (half, wo.dot(half).max(N::of(0.0)).min(N::of(1.0)))
 }
 
-impl<N: Number, D: Distribution<N>> Bsdf<N> for RoughConductor<N, D> {
+impl<N: Number, D: Distribution<N>, M: Reflecting<N> + Send + Sync> Bsdf<N> for RoughConductor<D, M> {
     fn character(&self) -> Character {
         Character {
             transmits: false,
@@ -64,10 +64,13 @@ impl<N: Number, D: Distribution<N>> Bsdf<N> for RoughConductor<N, D> {
     }
 }
 
-impl<N: Number, D: Distribution<N>> RoughConductor<N, D> {
+impl<D, M> RoughConductor<D, M> {
     /// G₂/(cos cos).
     #[inline(always)]
-    fn joint_area(&self, wi: Vector<N>, wo: Vector<N>) -> N {
+    fn joint_area<N: Number>(&self, wi: Vector<N>, wo: Vector<N>) -> N
+    where
+        D: Distribution<N>,
+    {
         self.joint.reflected([wi.z, self.facets.area(wi)], [wo.z, self.facets.area(wo)])
     }
 }

@@ -6,6 +6,7 @@
 //! microfacets*, CGF 41(4) (2022): τ = −ln C₁(height) is a depth in which facets are met at random, at the rate 1 + Λ on
 //! the way down and Λ on the way up.
 
+use super::coated::CoatedMetal;
 use super::fresnel::{Conductor, Reflecting, dielectric};
 use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes, projected};
 use super::rough_conductor::{self, RoughConductor};
@@ -31,12 +32,12 @@ pub struct Walk<N, D, M> {
 const LONGEST: usize = 64;
 
 /// What facets do to a ray.
-pub trait Matter<N: Number>: Copy + Send + Sync + 'static {
+pub trait Matter<N: Number>: Send + Sync + 'static {
     /// The model of one bounce.
-    type Single<D: Distribution<N>>: Bsdf<N>;
+    type Single<'m, D: Distribution<N>>: Bsdf<N>;
 
     /// The model of one bounce, its masking by heights.
-    fn single<D: Distribution<N>>(&self, facets: D) -> Self::Single<D>;
+    fn single<D: Distribution<N>>(&self, facets: D) -> Self::Single<'_, D>;
 
     /// The index [1] inside over that outside, by which light that goes through is bent.
     fn index(&self) -> N;
@@ -174,7 +175,7 @@ impl<N: Number, D: Distribution<N>, M: Matter<N>> Walk<N, D, M> {
     }
 
     #[inline(always)]
-    fn single(&self) -> M::Single<D> {
+    fn single(&self) -> M::Single<'_, D> {
         self.matter.single(self.facets)
     }
 }
@@ -259,38 +260,46 @@ pub fn orders(slopes: Slopes, alpha: f64, cos: f64, walks: usize) -> Vec<f64> {
     }
 }
 
-/// Metal: all of what is not absorbed goes back.
-impl<N: Number> Matter<N> for Conductor<N> {
-    type Single<D: Distribution<N>> = RoughConductor<N, D>;
+/// Metal: all of what is not absorbed goes back. Written once for what is bare and for what is under a film: a model for all
+/// that reflects would shut out glass, which might.
+macro_rules! metal {
+    ($metal:ty) => {
+        impl<N: Number> Matter<N> for $metal {
+            type Single<'m, D: Distribution<N>> = RoughConductor<D, &'m Self>;
 
-    fn single<D: Distribution<N>>(&self, facets: D) -> RoughConductor<N, D> {
-        RoughConductor { facets, joint: Joint::Correlated, metal: *self }
-    }
+            fn single<D: Distribution<N>>(&self, facets: D) -> RoughConductor<D, &Self> {
+                RoughConductor { facets, joint: Joint::Correlated, metal: self }
+            }
 
-    #[inline(always)]
-    fn index(&self) -> N {
-        N::of(1.0)
-    }
+            #[inline(always)]
+            fn index(&self) -> N {
+                N::of(1.0)
+            }
 
-    #[inline(always)]
-    fn scatter(&self, ray: Ray<N>, facet: Vector<N>, cos: N, _: N) -> Ray<N> {
-        let share = self.reflectance(cos);
-        let weight = rgb(|c| ray.weight[c] * share[c]);
-        Ray { along: reflected(-ray.along, facet, cos), weight, ..ray }
-    }
+            #[inline(always)]
+            fn scatter(&self, ray: Ray<N>, facet: Vector<N>, cos: N, _: N) -> Ray<N> {
+                let share = self.reflectance(cos);
+                let weight = rgb(|c| ray.weight[c] * share[c]);
+                Ray { along: reflected(-ray.along, facet, cos), weight, ..ray }
+            }
 
-    #[inline(always)]
-    fn phase<D: Distribution<N>>(&self, facets: &D, ray: &Ray<N>, _: N::Mask, wi: Vector<N>) -> Rgb<N> {
-        let back = -ray.along;
-        let (half, cos) = rough_conductor::half_vector(wi, back);
-        let density =
-            N::of(0.25) * facets.density(half) / projected(facets, back).max(N::of(f64::from(f32::MIN_POSITIVE)));
-        let share = self.reflectance(cos);
-        // A facet that looks down is none.
-        let is_facet = half.z.gt(N::of(0.0));
-        rgb(|c| (ray.weight[c] * share[c] * density).only(is_facet))
-    }
+            #[inline(always)]
+            fn phase<D: Distribution<N>>(&self, facets: &D, ray: &Ray<N>, _: N::Mask, wi: Vector<N>) -> Rgb<N> {
+                let back = -ray.along;
+                let (half, cos) = rough_conductor::half_vector(wi, back);
+                let seen = projected(facets, back).max(N::of(f64::from(f32::MIN_POSITIVE)));
+                let density = N::of(0.25) * facets.density(half) / seen;
+                let share = self.reflectance(cos);
+                // A facet that looks down is none.
+                let is_facet = half.z.gt(N::of(0.0));
+                rgb(|c| (ray.weight[c] * share[c] * density).only(is_facet))
+            }
+        }
+    };
 }
+
+metal!(Conductor<N>);
+metal!(CoatedMetal);
 
 /// Glass: light goes back or through with Fresnel's odds.
 #[derive(Clone, Copy, Debug)]
@@ -306,7 +315,7 @@ impl<N: Number> Glass<N> {
 }
 
 impl<N: Number> Matter<N> for Glass<N> {
-    type Single<D: Distribution<N>> = RoughDielectric<N, D>;
+    type Single<'m, D: Distribution<N>> = RoughDielectric<N, D>;
 
     fn single<D: Distribution<N>>(&self, facets: D) -> RoughDielectric<N, D> {
         RoughDielectric::new(facets, Joint::Correlated, self.index)

@@ -29,7 +29,7 @@ pub struct Setting {
     pub index: f64,
     /// Indices n + iκ of the metal [1], over that outside, in three channels.
     pub metal: [Complex64; 3],
-    /// A film on what is polished, metal or glass.
+    /// A film on metal, or on polished glass.
     pub film: Option<Film>,
 }
 
@@ -180,11 +180,16 @@ pub fn zoo<N: Number>() -> Vec<Entry<N>> {
             Some(film) => boxed(CoatedDielectric::new(film, s.index)),
             None => boxed(smooth::SmoothDielectric { index: N::of(s.index) }),
         }),
-        entry(
-            "rough-conductor",
-            "rough metal, one bounce",
-            |s| with_facets!(s, facets => RoughConductor { facets, joint: s.joint, metal: s.metal() }),
-        ),
+        entry("rough-conductor", "rough metal, one bounce", |s| {
+            let joint = s.joint;
+            match &s.film {
+                Some(film) => {
+                    let metal = CoatedMetal::new(film, s.metal);
+                    with_facets!(s, facets => RoughConductor { facets, joint, metal })
+                }
+                None => with_facets!(s, facets => RoughConductor { facets, joint, metal: s.metal::<N>() }),
+            }
+        }),
         entry(
             "rough-dielectric",
             "rough glass, one event",
@@ -196,21 +201,25 @@ pub fn zoo<N: Number>() -> Vec<Entry<N>> {
             "a diffuse body under a rough coat",
             |s| with_facets!(s, facets => Plastic::rough(facets, s.albedo, s.index)),
         ),
-        entry(
-            "conductor-walk",
-            "rough metal, every bounce walked",
-            |s| with_facets!(s, facets => Walk::new(facets, s.metal())),
-        ),
+        entry("conductor-walk", "rough metal, every bounce walked", |s| match &s.film {
+            Some(film) => {
+                let metal = CoatedMetal::new(film, s.metal);
+                with_facets!(s, facets => Walk::new(facets, metal))
+            }
+            None => with_facets!(s, facets => Walk::new(facets, s.metal::<N>())),
+        }),
         entry(
             "dielectric-walk",
             "rough glass, every event walked",
             |s| with_facets!(s, facets => Walk::new(facets, Glass::new(N::of(s.index)))),
         ),
-        entry(
-            "conductor-compensated",
-            "rough metal, what one bounce loses given back",
-            |s| with_facets!(s, facets => Compensated::metal(facets, s.metal())),
-        ),
+        entry("conductor-compensated", "rough metal, what one bounce loses given back", |s| match &s.film {
+            Some(film) => {
+                let metal = CoatedMetal::new(film, s.metal);
+                with_facets!(s, facets => Compensated::metal(facets, metal))
+            }
+            None => with_facets!(s, facets => Compensated::metal(facets, s.metal::<N>())),
+        }),
         entry(
             "dielectric-compensated",
             "rough glass, what one event loses given back",

@@ -1,6 +1,6 @@
 //! What is wrong with a scene, and where: one set of rules, whoever made the scene.
 
-mod domain;
+pub mod domain;
 mod place;
 mod rules;
 #[cfg(test)]

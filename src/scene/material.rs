@@ -41,6 +41,8 @@ pub enum Material {
         masking: Joint,
         /// What becomes of light that meets several facets.
         energy: Energy,
+        /// A film upon it.
+        coating: Option<Coating>,
     },
     /// Polished glass.
     Dielectric {

@@ -44,13 +44,14 @@ impl Material {
                 let film = coating.as_ref().map(|coating| coating.film(1.0)).transpose()?;
                 ("conductor", bsdf::Setting { metal: metal.indices()?, film, ..plain })
             }
-            Self::RoughConductor { metal, facets, masking, energy } => {
+            Self::RoughConductor { metal, facets, masking, energy, coating } => {
                 let name = match energy {
                     Energy::Compensated => "conductor-compensated",
                     Energy::Single => "rough-conductor",
                     Energy::Walk => "conductor-walk",
                 };
-                (name, bsdf::Setting { metal: metal.indices()?, joint: *masking, ..faceted(facets) })
+                let film = coating.as_ref().map(|coating| coating.film(1.0)).transpose()?;
+                (name, bsdf::Setting { metal: metal.indices()?, joint: *masking, film, ..faceted(facets) })
             }
             Self::Dielectric { ior, outside, coating, .. } => {
                 let film = coating.as_ref().map(|coating| coating.film(*outside)).transpose()?;

@@ -191,7 +191,7 @@ fn albedos_converge_and_agree_with_values() {
 }
 
 /// ∫f cos θ_i dω_i of an f that is even in the azimuth.
-fn hemisphere(rule: &[(f64, f64)], f: impl Fn(Vector<f64>) -> f64) -> f64 {
+pub(super) fn hemisphere(rule: &[(f64, f64)], f: impl Fn(Vector<f64>) -> f64) -> f64 {
     let mut sum = 0.0;
     for &(u, du) in rule {
         for &(v, dv) in rule {
@@ -249,13 +249,14 @@ fn tables_hold_to_a_thousandth() {
 }
 
 /// Both ways a walk knows how much returns: what it samples, and the mean of its values by the cosine, |z − 1| of it.
-fn walks_agree<M: Matter<f64>, D: Distribution<f64>>(facets: D, matter: M, cos: f64, is_white: bool) {
+pub(super) fn walks_agree<M: Matter<f64>, D: Distribution<f64>>(facets: D, matter: M, cos: f64, is_white: bool) {
+    let index = matter.index();
     let walk = Walk::new(facets, matter);
     let wo = direction(cos, 0.3);
     let mut random = stream(41, &format!("{cos} {:?}", facets.alpha()));
     let sides = if walk.character().transmits { 2 } else { 1 };
     let (mut values, mut samples) = (vec![Moments::default(); sides], vec![Moments::default(); sides]);
-    let n = |w: Vector<f64>| if w.z < 0.0 { matter.index() } else { 1.0 };
+    let n = |w: Vector<f64>| if w.z < 0.0 { index } else { 1.0 };
     for _ in 0..40_000 {
         let drawn = walk.sample(wo, [(); 3].map(|()| throw(&mut random)));
         for (side, moments) in samples.iter_mut().enumerate() {

@@ -1,4 +1,4 @@
-//! Films on what is polished.
+//! Films on what is polished, and any film on anything.
 
 use super::direction;
 use crate::Polarisation;
@@ -14,7 +14,7 @@ use num_complex::Complex64;
 
 const SIDES: [Polarisation; 2] = [Polarisation::S, Polarisation::P];
 
-fn model<N: Number>(name: &str, film: Option<Film>, setting: Setting) -> Box<dyn Bsdf<N>> {
+pub(super) fn model<N: Number>(name: &str, film: Option<Film>, setting: Setting) -> Box<dyn Bsdf<N>> {
     let entry = zoo::<N>().into_iter().find(|entry| entry.name == name).expect("a model");
     entry.make(&Setting { film, ..setting })
 }
@@ -28,7 +28,7 @@ fn of(index: [(f64, f64); 3], thickness: f64) -> Film {
 }
 
 /// A quarter of a green wave of magnesium fluoride, a few waves of something dense, and a veil of gold.
-fn films() -> [Film; 3] {
+pub(super) fn films() -> [Film; 3] {
     let mgf2 = named("mgf2").expect("a medium").colour().expect("known for light");
     let quarter = CHANNELS[1] / (4.0 * mgf2[1].re);
     [
@@ -39,7 +39,7 @@ fn films() -> [Film; 3] {
 }
 
 /// R and T of natural light over a band by the textbook's recursion, at wavelengths of another rule than the model's.
-fn expected(film: &Film, channel: usize, [n_i, n_t]: [Complex64; 2], cos: f64) -> [f64; 2] {
+pub(super) fn expected(film: &Film, channel: usize, [n_i, n_t]: [Complex64; 2], cos: f64) -> [f64; 2] {
     let layers = [Layer { index: film.index[channel], thickness: film.thickness }];
     let stack = Stack { n_i: n_i.re, layers: &layers, substrate: n_t };
     let [short, long] = band(channel);
@@ -203,7 +203,7 @@ fn any_film_and_any_direction_give_finite_shares_alike_in_all_widths() {
         of([(1.5, 1e3); 3], 1e-6),
     ];
     for film in hostile.into_iter().chain(films()) {
-        for name in ["conductor", "dielectric"] {
+        for name in ["conductor", "dielectric", "rough-conductor", "conductor-compensated", "conductor-walk"] {
             let index = if film.thickness == 1e-6 { 1.0 / 1.5 } else { 1.5 };
             // Metals that are none: without index, and with the air's.
             let metal = [0.0, 1.0, 0.5].map(|n| Complex64::new(n, 0.0));

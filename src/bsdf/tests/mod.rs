@@ -7,5 +7,6 @@ mod forms;
 mod fresnel;
 mod hostile;
 mod rough;
+mod rough_coated;
 
 use super::audit::direction;

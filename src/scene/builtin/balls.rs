@@ -12,6 +12,7 @@ fn metal(name: &str, alpha: f64) -> Material {
         facets: Facets { alpha: [alpha; 2], slopes: Slopes::Ggx },
         masking: Joint::Correlated,
         energy: Energy::Compensated,
+        coating: None,
     }
 }
 

@@ -15,8 +15,8 @@ pub(super) fn furnace() -> Scene {
     let facets = |alpha, slopes| Facets { alpha, slopes };
     let smooth = facets([0.2; 2], Slopes::Ggx);
     let (ior, outside, absorption) = (1.5, 1.0, [0.0; 3]);
-    let metal =
-        |facets, energy| Material::RoughConductor { metal: white(), facets, masking: Joint::Correlated, energy };
+    let masking = Joint::Correlated;
+    let metal = |facets, energy| Material::RoughConductor { metal: white(), facets, masking, energy, coating: None };
     let glass = |facets, energy| Material::RoughDielectric { ior, outside, absorption, facets, energy };
     let rough = facets([0.5, 0.1], Slopes::Beckmann);
     let materials = vec![

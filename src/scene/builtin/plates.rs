@@ -31,6 +31,7 @@ pub(super) fn veach() -> Scene {
         facets: Facets { alpha: [alpha; 2], slopes: Slopes::Ggx },
         masking: Joint::Correlated,
         energy: Energy::Compensated,
+        coating: None,
     };
     let metals = ROUGHNESS.iter().map(|(name, alpha)| (*name, metal(*alpha)));
     let materials = metals.chain([("grey", grey(0.4)), BLACK]).collect();

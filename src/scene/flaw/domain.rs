@@ -1,12 +1,14 @@
 //! Which numbers are valid where.
 
 use super::{Flaw, Part};
+use crate::bsdf::microfacet::LEAST_ALPHA;
+use crate::bsdf::{INDEX, METAL_INDEX};
 use crate::scene::Triple;
 use std::fmt;
 
-/// From one number to another.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Domain {
+/// From one number to another; shown as `above 0, up to 1e12 m`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Domain {
     least: f64,
     most: f64,
     unit: &'static str,
@@ -58,6 +60,44 @@ impl fmt::Display for Domain {
         if self.unit.is_empty() { Ok(()) } else { write!(f, " {}", self.unit) }
     }
 }
+
+/// Lengths beyond that [m] are mistakes: light takes an hour for it.
+pub(super) const FAR: f64 = 1e12;
+/// The most of a power's density, in any of its units: the square of a sum of it is still a single number.
+const BRIGHT: f64 = 1e15;
+
+/// Reflectance, and whatever else is a share [1].
+pub const SHARE: Domain = Domain::new(0.0, 1.0, "");
+/// A coordinate of a place [m].
+pub const COORDINATE: Domain = Domain::new(-FAR, FAR, "m");
+/// A component of a direction, which has any length that can be told from 0 and from infinity.
+pub const DIRECTION: Domain = Domain::new(-FAR, FAR, "");
+/// A length that is there [m].
+pub const LENGTH: Domain = Domain::above(0.0, FAR, "m");
+/// The radius of a lens [m]; 0 is a pinhole.
+pub const APERTURE: Domain = Domain::new(0.0, FAR, "m");
+/// The full angle that a picture is high [deg].
+pub const FIELD_OF_VIEW: Domain = Domain::between(0.0, 180.0, "deg");
+/// A channel of radiance [W m⁻² sr⁻¹].
+pub const RADIANCE: Domain = Domain::new(0.0, BRIGHT, "W m⁻² sr⁻¹");
+/// A channel of intensity [W sr⁻¹].
+pub const INTENSITY: Domain = Domain::new(0.0, BRIGHT, "W sr⁻¹");
+/// A channel of irradiance [W m⁻²].
+pub const IRRADIANCE: Domain = Domain::new(0.0, BRIGHT, "W m⁻²");
+/// Roughness of facets [1].
+pub const ALPHA: Domain = Domain::new(LEAST_ALPHA, 1.0, "");
+/// The index of what is clear [1].
+pub const IOR: Domain = Domain::new(INDEX[0], INDEX[1], "");
+/// n or κ of a metal [1].
+pub const METAL: Domain = Domain::new(METAL_INDEX[0], METAL_INDEX[1], "");
+/// Absorption on the way [m⁻¹].
+pub const ABSORPTION: Domain = Domain::new(0.0, FAR, "m⁻¹");
+/// The thickness of a film [nm]: of a millimetre it is a pane, through which no light keeps its phase.
+pub const FILM: Domain = Domain::above(0.0, 1e6, "nm");
+/// A turn [deg].
+pub const TURN: Domain = Domain::new(-1e6, 1e6, "deg");
+/// A factor [1] of size, of either sign.
+pub const SCALE: Domain = Domain::new(-FAR, FAR, "");
 
 /// A number as people write it: without a point if it is whole, with an exponent if it is large or small.
 pub(super) struct Shown(pub(super) f64);

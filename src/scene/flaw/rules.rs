@@ -1,9 +1,10 @@
 //! The rules.
 
-use super::domain::{Domain, Shown};
+use super::domain::{
+    ABSORPTION, ALPHA, APERTURE, COORDINATE, DIRECTION, FAR, FIELD_OF_VIEW, FILM, INTENSITY, IOR, IRRADIANCE, LENGTH,
+    METAL, RADIANCE, SCALE, SHARE, Shown, TURN,
+};
 use super::{Flaw, Part};
-use crate::bsdf::microfacet::LEAST_ALPHA;
-use crate::bsdf::{INDEX, METAL_INDEX};
 use crate::media::named;
 use crate::scene::material::{films, metals};
 use crate::scene::triple::{cross, largest, length, minus, plus, widened};
@@ -13,27 +14,6 @@ use crate::scene::{
 
 type Checked = Result<(), Flaw>;
 
-/// Lengths beyond that [m] are mistakes: light takes an hour for it.
-const FAR: f64 = 1e12;
-/// The most of a power's density, in any of its units: the square of a sum of it is still a single number.
-const BRIGHT: f64 = 1e15;
-
-const SHARE: Domain = Domain::new(0.0, 1.0, "");
-const COORDINATE: Domain = Domain::new(-FAR, FAR, "m");
-const LENGTH: Domain = Domain::above(0.0, FAR, "m");
-const APERTURE: Domain = Domain::new(0.0, FAR, "m");
-const FIELD_OF_VIEW: Domain = Domain::between(0.0, 180.0, "deg");
-const RADIANCE: Domain = Domain::new(0.0, BRIGHT, "W m⁻² sr⁻¹");
-const INTENSITY: Domain = Domain::new(0.0, BRIGHT, "W sr⁻¹");
-const IRRADIANCE: Domain = Domain::new(0.0, BRIGHT, "W m⁻²");
-const ALPHA: Domain = Domain::new(LEAST_ALPHA, 1.0, "");
-const IOR: Domain = Domain::new(INDEX[0], INDEX[1], "");
-const METAL: Domain = Domain::new(METAL_INDEX[0], METAL_INDEX[1], "");
-const ABSORPTION: Domain = Domain::new(0.0, FAR, "m⁻¹");
-/// A film of a millimetre is a pane: no light keeps its phase through it.
-const FILM: Domain = Domain::above(0.0, 1e6, "nm");
-const TURN: Domain = Domain::new(-1e6, 1e6, "deg");
-const SCALE: Domain = Domain::new(-FAR, FAR, "");
 /// Sizes below that vanish when they are squared in single numbers.
 const LEAST_SCALE: f64 = 1e-12;
 
@@ -110,7 +90,7 @@ fn camera(camera: &Camera) -> Checked {
 /// A direction has a length that can be told from 0 and from infinity.
 fn direction(part: impl Into<Part>, of: Triple) -> Checked {
     let part = part.into();
-    Domain::new(-FAR, FAR, "").holds_all(part.clone(), of)?;
+    DIRECTION.holds_all(part.clone(), of)?;
     match largest(of) >= 1.0 / FAR {
         true => Ok(()),
         false => Err(Flaw::of(part, format!("has no length; valid: a component of at least {}", Shown(1.0 / FAR)))),
@@ -130,9 +110,10 @@ fn material(material: &Material) -> Checked {
             metal(of)?;
             coating(film.as_ref())
         }
-        Material::RoughConductor { metal: of, facets: rough, masking: _, energy: _ } => {
+        Material::RoughConductor { metal: of, facets: rough, masking: _, energy: _, coating: film } => {
             metal(of)?;
-            facets(*rough)
+            facets(*rough)?;
+            coating(film.as_ref())
         }
         Material::Dielectric { ior, outside, absorption, coating: film } => {
             clear(*ior, *outside, *absorption)?;

@@ -85,6 +85,7 @@ fn workshop() -> Scene {
         facets,
         masking: crate::bsdf::microfacet::Joint::Correlated,
         energy: Energy::Compensated,
+        coating: None,
     };
     let mut workshop = room(16);
     workshop.shapes.pop();

@@ -23,6 +23,7 @@ fn mirror_of(alpha: f64) -> Material {
         facets: Facets { alpha: [alpha; 2], slopes: Slopes::Ggx },
         masking: Joint::Correlated,
         energy: Energy::Compensated,
+        coating: None,
     }
 }
 

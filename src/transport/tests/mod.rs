@@ -455,17 +455,18 @@ fn white_bodies_in_a_white_world_cannot_be_seen() {
     use crate::scene::{Energy, Facets, Metal};
     let facets = Facets { alpha: [0.3; 2], slopes: Slopes::Ggx };
     let white = Metal::Indices { eta: [0.0; 3], k: [1.0; 3] };
+    let rough = |coating| {
+        let (metal, masking, energy) = (white.clone(), Joint::Correlated, Energy::Compensated);
+        Material::RoughConductor { metal, facets, masking, energy, coating }
+    };
     let bodies = [
         ("diffuse", Material::Diffuse { reflectance: [1.0; 3] }, 1e-5),
         ("rough diffuse", Material::RoughDiffuse { reflectance: [1.0; 3], roughness: 0.5 }, 1e-5),
         ("mirror", Material::Mirror { reflectance: [1.0; 3] }, 1e-5),
         ("conductor", Material::Conductor { metal: white.clone(), coating: None }, 1e-5),
-        (
-            "rough conductor",
-            Material::RoughConductor { metal: white, facets, masking: Joint::Correlated, energy: Energy::Compensated },
-            // The compensation's own promise.
-            1e-3,
-        ),
+        // The compensation's own promise.
+        ("rough conductor", rough(None), 1e-3),
+        ("coated rough conductor", rough(Some(veil())), 1e-3),
         ("glass", Material::Dielectric { ior: 1.5, outside: 1.0, absorption: [0.0; 3], coating: None }, 1e-5),
         (
             "coated glass",
