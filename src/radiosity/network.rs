@@ -1,8 +1,9 @@
 //! Which patch sees how much of which.
 
-use super::exchange::exchange;
 use super::sight::Sight;
-use super::{Patches, exchange};
+use super::{Patch, Patches, exchange};
+use crate::scene::triple::{largest, minus};
+use std::collections::HashMap;
 use std::ops::Range;
 
 /// Patches by what they see of each other.
@@ -42,7 +43,30 @@ impl Light {
 }
 
 /// Pieces each way into which patches are cut that see each other in part.
-const IN_PART: usize = 4;
+const IN_PART: usize = 3;
+
+/// What patches of two faces exchange, by the way from one to the other: the pieces of a face are all alike, and of n⁴ pairs at
+/// most 2n³ differ.
+struct Known {
+    values: HashMap<[i64; 5], f64>,
+    unit: f64,
+}
+
+/// Ways that differ by less of the room [1] are one way: far less than a patch, far more than rounding.
+const ALIKE: f64 = 1e-10;
+
+impl Known {
+    fn new(patches: &Patches) -> Self {
+        let reach = patches.list.iter().map(|patch| largest(patch.corner) + patch.size()).fold(0.0, f64::max);
+        Self { values: HashMap::new(), unit: ALIKE * reach }
+    }
+
+    fn exchange(&mut self, faces: [usize; 2], [one, other]: [&Patch; 2]) -> f64 {
+        let [x, y, z] = minus(other.corner, one.corner).map(|way| (way / self.unit).round() as i64);
+        let key = [faces[0] as i64, faces[1] as i64, x, y, z];
+        *self.values.entry(key).or_insert_with(|| exchange::exchange(one, other))
+    }
+}
 
 impl Network {
     /// From the areas [m²] of patches and what each two exchange [m²], row by row and the same both ways. Of a closed room
@@ -55,18 +79,19 @@ impl Network {
         Self { areas, factors, lost }
     }
 
-    /// Of the patches of a room. Where other faces may come between two patches, n⁴ rays are sent (n = 4), and of what the
+    /// Of the patches of a room. Where other faces may come between two patches, n⁴ rays are sent (n = 3), and of what the
     /// two would exchange that share counts which gets through.
     pub fn of(patches: &Patches) -> Self {
         let n = patches.list.len();
-        let areas: Vec<f64> = patches.list.iter().map(super::Patch::area).collect();
+        let areas: Vec<f64> = patches.list.iter().map(Patch::area).collect();
         let sight = Sight::new(&patches.room);
+        let mut known = Known::new(patches);
         let mut exchanged = vec![0.0; n * n];
         for i in 0..n {
             for j in i + 1..n {
                 let [one, other] = [i, j].map(|at| &patches.list[at]);
                 let [from, to] = [i, j].map(|at| patches.owners[at]);
-                let mut both = exchange(one, other);
+                let mut both = known.exchange([from, to], [one, other]);
                 if both > 0.0 && sight.may_be_blocked(from, to) {
                     let between = sight.between([from, to], [one, other]);
                     if !between.is_empty() {
