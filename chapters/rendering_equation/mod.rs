@@ -1,5 +1,6 @@
 //! Light that bounces: rows E51, E52, C19 and C20. One module a step, in teaching order.
 
+mod cornell;
 mod enclosures;
 mod extremes;
 mod form_factors;

@@ -4,6 +4,7 @@ use super::sight::Sight;
 use super::{Patch, Patches, exchange};
 use crate::scene::triple::{largest, minus};
 use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
 use std::ops::Range;
 
 /// Patches by what they see of each other.
@@ -48,8 +49,27 @@ const IN_PART: usize = 3;
 /// What patches of two faces exchange, by the way from one to the other: the pieces of a face are all alike, and of n⁴ pairs at
 /// most 2n³ differ.
 struct Known {
-    values: HashMap<[i64; 5], f64>,
+    values: HashMap<[i64; 5], f64, BuildHasherDefault<Mixed>>,
     unit: f64,
+}
+
+/// A hash of a few whole numbers: each is added, multiplied and folded. Nobody hostile chooses them.
+#[derive(Default)]
+struct Mixed(u64);
+
+impl Hasher for Mixed {
+    fn write(&mut self, bytes: &[u8]) {
+        for eight in bytes.chunks(8) {
+            let number = eight.iter().rev().fold(0, |number, byte| number << 8 | u64::from(*byte));
+            // 2⁶⁴ over the golden ratio, odd.
+            self.0 = (self.0.rotate_left(23) ^ number).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            self.0 ^= self.0 >> 32;
+        }
+    }
+
+    fn finish(&self) -> u64 {
+        self.0
+    }
 }
 
 /// Ways that differ by less of the room [1] are one way: far less than a patch, far more than rounding.
@@ -58,7 +78,7 @@ const ALIKE: f64 = 1e-10;
 impl Known {
     fn new(patches: &Patches) -> Self {
         let reach = patches.list.iter().map(|patch| largest(patch.corner) + patch.size()).fold(0.0, f64::max);
-        Self { values: HashMap::new(), unit: ALIKE * reach }
+        Self { values: HashMap::default(), unit: ALIKE * reach }
     }
 
     fn exchange(&mut self, faces: [usize; 2], [one, other]: [&Patch; 2]) -> f64 {
@@ -143,6 +163,17 @@ impl Network {
 
     /// What arrives at a patch [W m⁻² sr⁻¹], as a mean over the hemisphere: Σ F L.
     pub fn arriving(&self, patch: usize, radiances: &[f64]) -> f64 {
-        self.row(patch).iter().zip(radiances).map(|(factor, radiance)| factor * radiance).sum()
+        let row = self.row(patch);
+        let (rows, rest) = row.as_chunks::<8>();
+        let (lights, last) = radiances[..row.len()].as_chunks::<8>();
+        // Eight sums side by side, which no addition waits for.
+        let mut sums = [0.0; 8];
+        for (factors, lights) in rows.iter().zip(lights) {
+            for (sum, (factor, light)) in sums.iter_mut().zip(factors.iter().zip(lights)) {
+                *sum += factor * light;
+            }
+        }
+        let rest = rest.iter().zip(last).map(|(factor, light)| factor * light).sum::<f64>();
+        sums.iter().sum::<f64>() + rest
     }
 }
