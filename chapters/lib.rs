@@ -14,6 +14,7 @@ pub mod path_tracing;
 pub mod plane_wave;
 pub mod poynting;
 pub mod radiometry;
+pub mod rendering_equation;
 mod symbols;
 pub mod text;
 pub mod vocabulary;
@@ -28,6 +29,7 @@ pub const CURRICULUM: &[&Chapter] = &[
     &radiometry::CHAPTER,
     &fresnel::CHAPTER,
     &brdf::CHAPTER,
+    &rendering_equation::CHAPTER,
     &path_tracing::CHAPTER,
 ];
 

@@ -33,6 +33,7 @@
 //! | phases after any number of periods | [`waves::phase`] | `poynting` |
 //! | conduction, a stiff equation, and its solver | [`waves::conduction`], [`waves::radau`] | `maxwell/conduction` |
 //! | what lamps of any shape send to a place | [`radiometry`] | `radiometry` |
+//! | light between diffuse patches | [`radiosity`] | `rendering-equation` |
 //! | rough surfaces as heights, and rays among them | [`relief`] | `brdf` |
 //! | points for paths, and how they become directions | [`sampling`] | `path-tracing` |
 //! | how light gets from lamps to the picture | [`transport`] | `path-tracing` |
@@ -51,6 +52,7 @@ pub mod number;
 pub mod optics;
 mod polarisation;
 pub mod radiometry;
+pub mod radiosity;
 #[cfg(any(test, feature = "references"))]
 pub mod references;
 pub mod relief;

@@ -4,15 +4,15 @@ mod depth;
 mod extremes;
 mod lanes;
 mod listing;
-mod one_ray;
+pub(crate) mod one_ray;
 mod photons;
 mod picture;
 mod rate;
 mod roulette;
-mod scenes;
+pub(crate) mod scenes;
 mod symbols;
 mod traced;
-mod ways;
+pub(crate) mod ways;
 mod weights;
 
 use crate::vocabulary::{Chapter, Gallery, gallery};
@@ -22,7 +22,7 @@ pub const CHAPTER: Chapter = Chapter {
     id: "path-tracing",
     title: "Path tracing",
     says: "Pictures by chance: one ray after another, and how far to trust their mean.",
-    builds_on: &["radiometry", "brdf"],
+    builds_on: &["radiometry", "brdf", "rendering-equation"],
     prose: PROSE,
     steps: &[
         one_ray::STEP,

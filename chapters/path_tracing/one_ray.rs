@@ -143,7 +143,7 @@ const FLAT: Integrator = Integrator {
 };
 
 /// A t-test of numbers against what they should be on average.
-pub(super) fn judged(found: &Moments, exact: f64) -> Measured {
+pub(crate) fn judged(found: &Moments, exact: f64) -> Measured {
     let at = format!("mean {:.5} ± {:.5}, exact {exact:.5}", found.mean(), found.standard_error());
     Measured::new(t_test(found, exact).p, at, found.count() as usize)
 }

@@ -15,13 +15,13 @@ use std::sync::{Arc, Mutex};
 use yardstick::statistics::Moments;
 
 /// The means of both halves of every pixel [W m⁻² sr⁻¹], of so many pairs of samples.
-pub(super) fn rendered(scene: &Scene, manner: &Manner, pairs: u32) -> Vec<Halves> {
+pub(crate) fn rendered(scene: &Scene, manner: &Manner, pairs: u32) -> Vec<Halves> {
     let renderer = Renderer::new(scene, manner, pairs).expect("a scene without a flaw");
     halves(&renderer, scene, pairs)
 }
 
 /// The same of a scene made ready.
-pub(super) fn halves(renderer: &Renderer, scene: &Scene, pairs: u32) -> Vec<Halves> {
+pub(crate) fn halves(renderer: &Renderer, scene: &Scene, pairs: u32) -> Vec<Halves> {
     let Camera { width, height, .. } = scene.camera;
     let mut film = Film::new(width, height);
     for branch in branches(0..pairs) {
@@ -32,17 +32,17 @@ pub(super) fn halves(renderer: &Renderer, scene: &Scene, pairs: u32) -> Vec<Halv
 }
 
 /// The mean of both halves of every pixel [W m⁻² sr⁻¹].
-pub(super) fn colours(halves: &[Halves]) -> Vec<Rgb<f64>> {
+pub(crate) fn colours(halves: &[Halves]) -> Vec<Rgb<f64>> {
     halves.iter().map(colour).collect()
 }
 
 /// The green of every half of every pixel.
-pub(super) fn greens(halves: &[Halves]) -> Moments {
+pub(crate) fn greens(halves: &[Halves]) -> Moments {
     halves.iter().flatten().map(|half| f64::from(half[1])).collect()
 }
 
 /// Pictures of one small scene by independent seeds, each a number: the mean of its green.
-pub(super) fn runs(count: u64, scene: &Scene, manner: Manner, pairs: u32) -> Moments {
+pub(crate) fn runs(count: u64, scene: &Scene, manner: Manner, pairs: u32) -> Moments {
     (0..count).map(|seed| greens(&rendered(scene, &Manner { seed, ..manner }, pairs)).mean()).collect()
 }
 
@@ -132,7 +132,7 @@ pub(super) fn lit(at: [f64; 2], side: f64, away: f64, pixels: u32) -> (Scene, f6
 
 /// The inside of a ball of radius 1 m that shines and absorbs everywhere alike ([`light::transport::enclosure`]), by paths of at
 /// most so many edges.
-pub(super) fn closed(absorbed: f64, edges: Option<u32>, pixels: u32) -> Scene {
+pub(crate) fn closed(absorbed: f64, edges: Option<u32>, pixels: u32) -> Scene {
     let wall = Emission { radiance: [1.0; 3], two_sided: true };
     let ball = shape(Geometry::Sphere { center: [0.0; 3], radius: 1.0 }, "wall", Some(wall));
     let camera = looking([0.1, 0.2, -0.7], [0.0; 3], 90.0, pixels);

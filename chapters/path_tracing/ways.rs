@@ -112,7 +112,7 @@ fn specks(_: &Setting) -> Vec<Extreme> {
 }
 
 /// The smallest of independent p-values as one of a family.
-pub(super) fn smallest(found: Vec<Measured>) -> Measured {
+pub(crate) fn smallest(found: Vec<Measured>) -> Measured {
     let count = found.len();
     let worst = found.into_iter().min_by(|one, other| one.value.total_cmp(&other.value));
     let Measured { value, at, .. } = worst.unwrap_or_else(|| Measured::new(f64::NAN, "no case", 0));

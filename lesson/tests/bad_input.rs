@@ -21,7 +21,6 @@ fn unknown_chapters_steps_and_items() {
     refused("fresnell", &["fresnell", "did you mean `fresnel`", "path-tracing"]);
     refused("covrage", &["did you mean `coverage`"]);
     refused("compleshuns", &["did you mean `completions`", "prove", "help", "all"]);
-    refused("rendering-equation", &["not written yet", "fresnel"]);
     refused("fresnel brewsterr", &["fresnel/brewsterr", "did you mean `brewster`", "natural"]);
     refused("fresnel brewster/nothing_of_the_kind", &["no such item"]);
     refused("fresnel brewster nothing_of_the_kind", &["no such item"]);
