@@ -2,7 +2,7 @@
 
 use super::one_ray::judged;
 use super::scenes::{LIT, lit, rendered, small};
-use super::symbols::{D, R};
+use super::symbols::{R, S};
 use super::ways::{ERROR, heat, shown};
 use crate::figure::{self as drawn, Axis, Chart, Hue, Mark, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
@@ -51,7 +51,7 @@ pub(super) const STEP: Step = step(
 )
 .rows(&["C26"])
 .derivations(&[
-    derivation("disc", "the weight (2/πr²)(1 − d²/r²) has the mean square distance r²/3", || disc(R.pow(2) / 3))
+    derivation("disc", "the weight (2/πr²)(1 − s²/r²) has the mean square distance r²/3", || disc(R.pow(2) / 3))
         .slip("as if all of the disc counted alike", || disc(R.pow(2) / 2)),
 ])
 .questions(&[question(
@@ -83,12 +83,12 @@ pub(super) const STEP: Step = step(
 .checks(&[&BLUR, &FLUX])
 .races(&[GLASS]);
 
-/// ∫d²w dA over the disc, with w as it is derived for.
+/// ∫s²w dA over the disc, with w as it is derived for.
 fn disc(last: Expr) -> Chain {
-    let weight = 2 / (pi() * R.pow(2)) * (1 - D.pow(2) / R.pow(2));
-    Chain::new(integral_between(D.pow(2) * weight * 2 * pi() * D, D, 0, Expr::from(R)))
-        .primitive(D.pow(4) / R.pow(2) - 2 * D.pow(6) / (3 * R.pow(4)), D)
-        .then(last, ["in rings 2πd dd"])
+    let weight = 2 / (pi() * R.pow(2)) * (1 - S.pow(2) / R.pow(2));
+    Chain::new(integral_between(S.pow(2) * weight * 2 * pi() * S, S, 0, Expr::from(R)))
+        .primitive(S.pow(4) / R.pow(2) - 2 * S.pow(6) / (3 * R.pow(4)), S)
+        .then(last, ["in rings 2πs ds"])
 }
 
 /// Where on the floor; the lamp's side [m], and how far away the camera is [m].
@@ -109,7 +109,7 @@ fn fallen(at: [f64; 2]) -> f64 {
 fn blurred(radius: f64) -> f64 {
     const RINGS: u32 = 64;
     const TURNS: u32 = 32;
-    // In the weight's own measure, 2(1 − s) ds with s = d²/r², rings count alike.
+    // In the weight's own measure, 2(1 − v) dv with v = s²/r², rings count alike.
     let away = |ring: u32| radius * (1.0 - (1.0 - (f64::from(ring) + 0.5) / f64::from(RINGS)).sqrt()).sqrt();
     let around =
         (0..RINGS).flat_map(|ring| (0..TURNS).map(move |turn| (ring, TAU * f64::from(turn) / f64::from(TURNS))));
@@ -136,7 +136,7 @@ fn told(paths: u32, maps: u32, radius: f64, places: &[[f64; 2]]) -> Vec<Vec<f64>
 }
 
 const BLUR: Check<fn(f64) -> f64> =
-    check("blur", "on average a map tells the mean of the irradiance over its disc, not that of the place")
+    check("disc_mean", "on average a map tells the mean of the irradiance over its disc, not that of the place")
         .against("Lambert's closed form of a square lamp, averaged by quadrature, against 512 independent maps of radius 0.35 m (t-test)")
         .significant(1e-3)
         .of(

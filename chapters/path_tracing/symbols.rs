@@ -43,4 +43,4 @@ pub const M_2: Symbol = Symbol::scalar("m_2", Dimension::ONE).real(1.0, 9.0);
 /// Radius of a disc about a place [m].
 pub const R: Symbol = Symbol::scalar("r", Dimension::METRE).real(0.5, 2.0);
 /// Distance from its middle.
-pub const D: Symbol = Symbol::scalar("d", Dimension::METRE).real(0.1, 0.4);
+pub const S: Symbol = Symbol::scalar("s", Dimension::METRE).real(0.1, 0.4);

@@ -14,7 +14,7 @@ use light::transport::Manner;
 /// How a room is made of a scene.
 type Made = fn(&Scene) -> Room;
 
-pub(super) const CORNELL: Check<Made> = check("cornell", "the walls of the Cornell box are as bright by patches as by paths, blocks and all")
+pub(super) const CORNELL: Check<Made> = check("walls", "the walls of the Cornell box are as bright by patches as by paths, blocks and all")
     .against("paths that look at the three walls, some 50 000 of them each or more, against patches of at most 0.6 m")
     .within(0.02, "1", "patches are a ninth of the room: (1/9)² = 1.2 % by the order that means have; and four standard errors of the paths")
     .of(

@@ -76,7 +76,7 @@ fn mean(radiances: &[f64]) -> f64 {
 /// What a share of light not yet sent after so many bounces is.
 type Left = fn(f64, f64) -> f64;
 
-const CRAWL: Check<Left> = check("crawl", "at an albedo of 0.9999 a round of shots, one for each patch, is worth two bounces: the fullest patch holds twice the mean")
+const CRAWL: Check<Left> = check("round", "at an albedo of 0.9999 a round of shots, one for each patch, is worth two bounces: the fullest patch holds twice the mean")
     .against("ρ² a round for what is not sent yet, against shooting in a cube of 24 patches, from the 10th to the 100th round")
     .within(0.04, "1", "of its logarithm. Patches fill evenly from their last shot to their next, 0 to twice the mean; of 24 that is uneven by less than one in 24")
     .of(

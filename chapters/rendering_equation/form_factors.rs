@@ -277,7 +277,7 @@ fn wrong() -> Judge {
 }
 
 const FACTOR: Race = race(
-    "factor",
+    "edge",
     "two squares with a common edge: pairs of points are slow where r is 0; the rim of one and points of the other do better; a closed form is best",
 )
 .work("pairs of points, or points")

@@ -147,7 +147,7 @@ const CUBE: Check<Six> = check(
 /// A bound of eigenvalues, by the walls' reflectances.
 type Limit = fn(&[f64]) -> f64;
 
-const BOUND: Check<Limit> = check("bound", "whatever the room, no pattern outlasts the whitest wall")
+const BOUND: Check<Limit> = check("whitest", "whatever the room, no pattern outlasts the whitest wall")
     .against("the largest reflectance, against all eigenvalues of 40 rooms of random walls")
     .within(1e-12, "1", "what form factors miss of 1 by the roundings of their terms")
     .of(

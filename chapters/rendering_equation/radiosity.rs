@@ -63,7 +63,7 @@ pub(super) const STEP: Step = step(
             choice("it becomes a sixteenth", "That would be order four: bent patches, not constant ones."),
         ],
         right: |_| {
-            let [a, b, c] = [1, 2, 4].map(|n| means(&unequal(), n)[2]);
+            let [a, b, c] = [2, 4, 8].map(|n| means(&unequal(), n)[2]);
             (limit::observed_order([a, b, c]).round().clamp(1.0, 3.0) as usize) - 1
         },
         slip: |_| 0,
@@ -115,7 +115,7 @@ const EVEN: Check<Solver> = check(
 /// What a wall's mean is by n × n patches a wall; or by what it is to be multiplied.
 type Mean = fn(usize) -> f64;
 
-const ORDER: Check<Mean> = check("order", "the mean of a wall by constant patches is of order h²")
+const ORDER: Check<Mean> = check("mean", "the mean of a wall by constant patches is of order h²")
     .against("its limit, 8 and 16 patches an edge extrapolated; 3 to 8 of them")
     .order(
         2.0,

@@ -72,7 +72,7 @@ pub(super) const STEP: Step = step(
         .slip("ρ with the wrong sign", || fixed(L_E / (1 + RHO))),
 ])
 .questions(&[question(
-    "white",
+    "terms",
     "Walls return 99.9999 % of the light. How many terms does the series need to be right to one per cent?",
     Answer::Number {
         unit: "1",
@@ -228,7 +228,7 @@ fn traced(bench: &mut Bench, method: Method, edges: Option<u32>, work: u64) -> H
 }
 
 const CLOSED: Race = race(
-    "closed",
+    "sphere",
     "a sphere that returns 99 %: the series needs a thousand terms, Aitken three of them; paths that chance ends are right on average",
 )
 .work("terms, paths a pixel of 16 pixels, or evaluations")
