@@ -72,7 +72,7 @@ pub(super) const STEP: Step = step(
         .slip("ρ with the wrong sign", || fixed(L_E / (1 + RHO))),
 ])
 .questions(&[question(
-    "terms",
+    "million",
     "Walls return 99.9999 % of the light. How many terms does the series need to be right to one per cent?",
     Answer::Number {
         unit: "1",
