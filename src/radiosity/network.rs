@@ -101,6 +101,9 @@ impl Network {
 
     /// Of the patches of a room. Where other faces may come between two patches, n⁴ rays are sent (n = 3), and of what the
     /// two would exchange that share counts which gets through.
+    ///
+    /// Patches that touch at a slant, as at the foot of a turned block, are summed by points and known badly: their rows may add
+    /// up to more than 1, in the Cornell box to 1.05 of whole faces and 1.2 of quarters of their edges.
     pub fn of(patches: &Patches) -> Self {
         let n = patches.list.len();
         let areas: Vec<f64> = patches.list.iter().map(Patch::area).collect();

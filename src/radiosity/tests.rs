@@ -118,10 +118,11 @@ fn rooms_are_made_of_scenes_that_are_flat_and_diffuse() {
     let scene = |name: &str| (builtin::named(name).unwrap().make)();
     let room = Room::of(&scene("cornell")).unwrap();
     assert_eq!(room.faces.len(), 16);
-    for n in [1, 2, 4] {
-        let network = Network::of(&room.cut(n));
-        let worst = (0..network.len()).map(|at| network.row(at).iter().sum::<f64>()).fold(0.0, f64::max);
-        eprintln!("EXCESS {n} {worst}");
+    let network = Network::of(&room.cut(1));
+    for at in 0..network.len() {
+        let sum: f64 = network.row(at).iter().sum();
+        // Nobody sees more than the whole, but for what points on slanted faces that touch leave uncertain (`Network::of`).
+        assert!(sum > 0.3 && sum < 1.1, "{at}: {sum}");
     }
     for (name, place) in [("glass", "shapes[6].geometry"), ("veach", "shapes[0].geometry")] {
         assert_eq!(Room::of(&scene(name)).unwrap_err().place.to_string(), place);
