@@ -19,7 +19,7 @@ use crate::vocabulary::{Chapter, Gallery, gallery};
 pub const CHAPTER: Chapter = Chapter {
     id: "rendering-equation",
     title: "Light that bounces",
-    says: "Everything lights everything: one equation, its series, and rooms in which it can be solved.",
+    says: "Light that bounces: its series, and rooms solved.",
     builds_on: &["radiometry", "brdf"],
     prose: include_str!("prose.md"),
     steps: &[

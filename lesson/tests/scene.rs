@@ -270,7 +270,7 @@ fn a_wrong_json_is_told_like_a_wrong_toml() {
         (format!("{{{camera},\n \"environment\": 1}}"), ":2:17: environment: ", &["must be a table"]),
         (format!("{{{camera},\n \"filter\": null}}"), ":2:12: filter: ", &["must be a text, found null"]),
         (format!("{{{camera},\n {camera}}}"), ":2:2: cannot be read: ", &["duplicate key"]),
-        (format!("{{{camera},}}"), ":1:97: cannot be read: ", &["trailing commas"]),
+        (format!("{{{camera},}}"), ":1:97: cannot be read: ", &["a comma after the last value"]),
         (format!("{{{camera},\n \"max_depth\": NaN}}"), ":2:15: cannot be read: ", &["unexpected"]),
         (format!("{{{camera},\n \"max_depth\": 1e99}}"), ":2:15: max_depth: ", &["must be a whole number"]),
         ("[1, 2]".into(), ": ", &["must be a table, found a list of 2"]),

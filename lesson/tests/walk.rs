@@ -18,7 +18,7 @@ fn the_map_is_one_screen_and_the_contents_have_a_line_for_each_step() {
     let map = lesson("");
     assert_eq!((map.code, map.err.as_str()), (0, ""));
     assert!(map.out.lines().count() <= 24, "{}", map.out);
-    for word in ["maxwell", "path-tracing", "to be written", "lesson contents", "lesson --help", "lesson fresnel"] {
+    for word in ["maxwell", "path-tracing", "lesson contents", "lesson --help", "lesson fresnel"] {
         assert!(map.out.contains(word), "{word}");
     }
     let all = lesson("contents").out;
