@@ -237,7 +237,7 @@ const GLASS: Race = TRIED
         tried("caustics", "nothing followed from the lamp", |bench, work| {
             with(bench, "glass", Tactics { caustics: false, ..Tactics::default() }, work)
         })
-        .breaks(0.3, "paths from the eye meet the lamp through the glass by chance alone: sparks"),
+        .breaks(0.2, "paths from the eye meet the lamp through the glass by chance alone: sparks"),
     ]);
 
 fn time(setting: &Setting) -> Plot {
