@@ -1,15 +1,18 @@
 //! Caustics: light that comes from a lamp by way of mirrors or glass, followed from the lamp on.
 //!
-//! What a mirror or glass shows of a lamp to a matt surface no ray to the lamp can find, and from the camera only chance does.
-//! From the lamp it is easy: rays are sent into the cones under which it sees what is specular. Those whose first meeting had no
-//! choice of where to go are followed, and every matt place they meet is joined to the camera; the light falls on whichever
-//! pixel shows the place. The same paths are still found from the camera. Each way counts by its share of the density with
-//! which both would have made the path (E. Veach, *Robust Monte Carlo methods for light transport simulation* (1997), §10.2).
+//! What a mirror, glass or polished metal shows of a lamp to a matt surface hardly any ray finds from the camera. From the lamp
+//! it is easy: rays are sent into the cones under which it sees what casts its light. Those that have met it are followed, and
+//! every matt place they meet is joined to the camera; the light falls on whichever pixel shows the place. The same paths are
+//! still found from the camera. Each way counts by its share of the density with which all would have made the path (E. Veach,
+//! *Robust Monte Carlo methods for light transport simulation* (1997), §10.2).
 //!
-//! Both densities have the same factors wherever the path scatters without choice or by the cosine, but for the ends: from
+//! The densities have the same factors wherever the path scatters without choice or by the cosine, but for the ends: from
 //! the lamp M paths a sample with the density p_A of their place and p_ω of their direction, from the camera the density
-//! p_c of rays through a pixel. With e = p_A p_ω/cos θ_L and c = p_c cos θ₁/r₁² they are as π M e to c. Whatever lies between, the
-//! two shares add up to 1, so that nothing is counted twice.
+//! p_c of rays through a pixel. With e = p_A p_ω/cos θ_L and c = p_c cos θ₁/r₁² they are as π M e to c. Where what is met first
+//! from the lamp is rough, a direction is drawn there with a density p, from the lamp's side as from the camera's but for
+//! shadowing (G₁ of the one for G₁ of the other), and rays are sent from there to the lamp, too, with a density p_L: the path is made by
+//! chance, by a ray to the lamp and from the lamp as p c, p_L c and p π M e. Whatever lies between, the shares add up to 1, so
+//! that nothing is counted twice.
 //!
 //! The light of a path is added to a pixel as a whole number of units: such sums know no order.
 
@@ -70,14 +73,14 @@ pub struct Caustics<N: Width> {
 }
 
 impl<N: Width> Caustics<N> {
-    /// For lamps that send out their light over an `extent` [m], and the boxes about what is specular; None if either is missing.
-    pub fn new(lamps: &[Lamp<N>], specular: &[Bounds], extent: f64, pixels: u32) -> Option<Self> {
+    /// For lamps that send out their light over an `extent` [m], and the boxes about what casts it on; None if either is missing.
+    pub fn new(lamps: &[Lamp<N>], casters: &[Bounds], extent: f64, pixels: u32) -> Option<Self> {
         let flux = |lamp: &Lamp<N>| if lamp.area().is_some() { lamp.flux(extent) } else { 0.0 };
         let shares = Shares::new(lamps.iter().map(flux))?;
         let place = |(at, lamp): (usize, &Lamp<N>)| N::of(lamp.area().map_or(0.0, |area| shares.share(at) / area));
         let places = lamps.iter().enumerate().map(place).collect();
-        let all = [specular.iter().fold(Bounds::NOTHING, |all, one| all.union(one))];
-        let aimed_at = if specular.len() > MOST_TARGETS { &all } else { specular };
+        let all = [casters.iter().fold(Bounds::NOTHING, |all, one| all.union(one))];
+        let aimed_at = if casters.len() > MOST_TARGETS { &all } else { casters };
         let targets: Vec<Target<N>> = aimed_at.iter().map(Target::about).collect();
         if targets.is_empty() {
             return None;
@@ -106,16 +109,22 @@ impl<N: Width> Caustics<N> {
         self.weight * by_place * density * each / cos.max(N::of(f64::from(f32::MIN_POSITIVE)))
     }
 
-    /// The share [1] of a path from the camera that has met a lamp after something specular, its end there of density c
-    /// ([`end`]); 1 for what no path from a lamp can be.
+    /// How densely paths from lamps make what a path from the camera is that has met a lamp by chance, against that path: π M e
+    /// over the density c of its end at the camera ([`end`]).
     #[inline(always)]
-    pub fn share(&self, ray: &Ray<N>, vertex: &Vertex<'_, N>, end: N) -> N {
+    pub fn rival(&self, ray: &Ray<N>, vertex: &Vertex<'_, N>, end: N) -> N {
         let mut by_place = N::of(0.0);
         for (number, density) in self.places.iter().enumerate() {
             by_place = N::select((vertex.lamp - N::of(number as f64)).abs().lt(N::of(0.5)), *density, by_place);
         }
-        let one = N::of(1.0);
-        one / (one + self.density(vertex.surface.point, by_place, -ray.direction, vertex.cos) / end)
+        self.density(vertex.surface.point, by_place, -ray.direction, vertex.cos) / end
+    }
+
+    /// The same of a path that has been joined, from a place, to the lamp of a number.
+    #[inline(always)]
+    pub fn rival_of_arrival(&self, from: Vector<N>, number: usize, arrival: &Arrival<N>, end: N) -> N {
+        let place = from + arrival.wi.scaled(arrival.distance);
+        self.density(place, self.places[number], -arrival.wi, arrival.cos) / end
     }
 }
 
@@ -180,8 +189,13 @@ struct Paths<N: Width> {
     light: Rgb<N>,
     /// The same without the lamp, by which chance decides.
     left: Rgb<N>,
+    /// Which lamp they have left, and the cosine [1] to its normal.
+    lamp: N,
+    cos: N,
     /// π M e.
     density: N,
+    /// How densely rays to the lamp would have been sent from what was met first, against those that are drawn there.
+    by_ray: N,
     alive: N::Mask,
 }
 
@@ -247,7 +261,15 @@ impl<N: Width> Caustics<N> {
             let row: Row<N> = stream.at(|lane| samples[lane], |_| edges as usize);
             let drawn = vertex.met.sample(paths.alive, vertex.wo, row.surface);
             if edges == 1 {
-                paths.alive = paths.alive & drawn.is_delta;
+                let is_rough = paths.alive & vertex.met.is_rough_caster();
+                paths.alive = paths.alive & (drawn.is_delta | is_rough);
+                if is_rough.any() {
+                    // Drawn from the camera's side, and by a ray from there.
+                    let (_, by_chance) = vertex.met.eval_pdf(is_rough, vertex.wo, drawn.wi);
+                    let by_ray = stage.density_from(vertex.start, paths.lamp, vertex.distance, paths.cos, is_rough);
+                    let least = N::of(f64::from(f32::MIN_POSITIVE));
+                    paths.by_ray = (by_ray / by_chance.max(least)).only(is_rough);
+                }
             }
             let direction = vertex.frame.outward(drawn.wi);
             paths.scale(vertex.kept(&drawn, direction));
@@ -293,7 +315,10 @@ impl<N: Width> Caustics<N> {
             ray: Ray { origin: start, direction },
             light,
             left: grey(one),
+            lamp: number,
+            cos,
             density,
+            by_ray: zero,
             alive: cos.gt(zero) & density.gt(zero),
         }
     }
@@ -307,7 +332,7 @@ impl<N: Width> Caustics<N> {
         vertex: &Vertex<'_, N>,
         splat: &mut impl FnMut(usize, Rgb<f64>),
     ) {
-        let zero = N::of(0.0);
+        let (zero, one) = (N::of(0.0), N::of(1.0));
         let matt = paths.alive & vertex.met.is_lambert() & vertex.wo.z.gt(zero);
         if !matt.any() {
             return;
@@ -322,13 +347,13 @@ impl<N: Width> Caustics<N> {
         }
         let cos = vertex.surface.normal.dot(to_camera).abs();
         let end = end(stage, -to_camera, distance, cos);
-        let arrival = Arrival { wi: to_camera, distance, share: grey(zero), pdf: zero };
+        let arrival = Arrival { wi: to_camera, distance, share: grey(zero), pdf: zero, cos: one };
         let (ray, reach) = stage.towards(vertex, &arrival);
         let open = matt & !stage.is_blocked(&ray, reach, matt);
-        // Light over e, times c ρ/π, times the share π M e/(π M e + c), over M.
+        // Light over e, times c ρ/π, times the share π M e/(π M e + c + …), over M.
         let least = N::of(f64::from(f32::MIN_POSITIVE));
         let turned = vertex.wo.z.abs() / vertex.cos.max(least);
-        let factor = end / (paths.density + end) * turned;
+        let factor = turned / (one + paths.density / end + paths.by_ray);
         let albedo = vertex.met.paint();
         let light = rgb(|c| paths.light[c] * paths.left[c] * albedo[c] * factor);
         for lane in open.lanes() {

@@ -6,7 +6,9 @@
 //! sampling techniques for Monte Carlo rendering*, SIGGRAPH '95, 419: the balance heuristic).
 
 use super::film::{Halves, added, tree};
-use super::{Stage, Vertex, caustics};
+use super::caustics::{self, Caustics};
+use super::pilot::{self, Effort};
+use super::{Stage, Vertex};
 use crate::bsdf::{Rgb, grey, rgb};
 use crate::geometry::Ray;
 use crate::number::{MOST_LANES, Mask, Vector, Width, vectorised_lanes};
@@ -40,6 +42,8 @@ pub struct Tactics {
     pub caustics: bool,
     /// Samples in place of one, a power of two, in pixels that are worth it ([`super::looks`]).
     pub extra: u32,
+    /// Whether a few samples of each pixel tell first how many it is worth, and how many should go on ([`super::pilot`]).
+    pub pilot: bool,
     /// Whether one path is followed at a time, as if there were no lanes.
     pub one_lane: bool,
 }
@@ -66,12 +70,19 @@ impl Default for Tactics {
             blind_choice: false,
             caustics: true,
             extra: 8,
+            pilot: true,
             one_lane: false,
         }
     }
 }
 
 impl Tactics {
+    /// The most samples that are taken in place of one.
+    pub fn most_samples(&self, is_looked_at: bool) -> u32 {
+        let by_looks = if is_looked_at { self.extra.max(1) } else { 1 };
+        if self.pilot { by_looks.max(pilot::MOST.samples) } else { by_looks }
+    }
+
     /// Whether paths from lamps are followed, if the scene asks for them: they share their light with paths that meet lamps by
     /// chance.
     pub fn follows(&self) -> bool {
@@ -92,8 +103,10 @@ struct Paths<N: Width> {
     edges: N,
     /// n² of where they are, over that of the camera [1].
     squeeze: N,
-    /// The end at the camera, as [`super::caustics`] weighs it; infinite where no path from a lamp could be the same.
+    /// The end at the camera, as [`super::caustics`] weighs it; infinite where it is not matt.
     end: N,
+    /// The same where the last surface casts light; infinite where no path from a lamp could have met a lamp from there.
+    cast: N,
     /// Which of the pixels each is of,
     owner: [usize; MOST_LANES],
     /// which of its samples,
@@ -111,8 +124,8 @@ pub struct Work<'a, N: Width> {
     pub tactics: &'a Tactics,
     /// Column and row of each pixel.
     pub pixels: &'a [[u32; 2]],
-    /// Of how many samples each one's samples are the mean.
-    pub several: &'a [u32],
+    /// What is done for each.
+    pub efforts: &'a [Effort],
     /// Each one's numbers.
     pub streams: &'a [Stream<'a>],
 }
@@ -139,7 +152,7 @@ impl<N: Width> Work<'_, N> {
     pub fn branch(&self, range: Range<u32>) -> Vec<Halves> {
         // Whoever asks for so many samples that there are no numbers left for several in place of each gets single ones.
         let times =
-            |owner: usize| if range.end <= u32::MAX / 4 / self.several[owner] { self.several[owner] } else { 1 };
+            |owner: usize| Some(self.efforts[owner].samples).filter(|n| range.end <= u32::MAX / 4 / n).unwrap_or(1);
         let mut pieces = Vec::new();
         for owner in 0..self.pixels.len() {
             let times = times(owner);
@@ -193,6 +206,7 @@ impl<N: Width> Work<'_, N> {
         let of_net = |piece: &Piece| self.streams[piece.owner].holds(2 * (piece.start + piece.span));
         let rows = if pieces.iter().all(of_net) { self.streams[0].rows() as f64 } else { 0.0 };
         let rows = N::of(rows);
+        let thins = self.efforts.iter().any(|effort| effort.onward != Effort::PLAIN.onward);
         let mut source = Source { pieces, next: 0, before: 0 };
         let mut paths = Paths::<N>::none();
         loop {
@@ -212,7 +226,7 @@ impl<N: Width> Work<'_, N> {
                 break;
             }
             let before = paths.alive;
-            self.step(&mut paths, rows);
+            self.step(&mut paths, rows, thins);
             let ended = before & !paths.alive;
             for lane in ended.lanes() {
                 pairs[paths.slot[lane] as usize / 2][paths.slot[lane] as usize % 2] =
@@ -281,6 +295,7 @@ impl<N: Width> Paths<N> {
             edges: zero,
             squeeze: N::of(1.0),
             end: N::of(f64::INFINITY),
+            cast: N::of(f64::INFINITY),
             owner: [0; MOST_LANES],
             sample: [0; MOST_LANES],
             slot: [0; MOST_LANES],
@@ -315,6 +330,7 @@ impl<N: Width> Paths<N> {
         self.edges = N::select(fresh, zero, self.edges);
         self.squeeze = N::select(fresh, one, self.squeeze);
         self.end = N::select(fresh, N::of(f64::INFINITY), self.end);
+        self.cast = N::select(fresh, N::of(f64::INFINITY), self.cast);
         self.alive = self.alive | fresh;
     }
 
@@ -326,9 +342,15 @@ impl<N: Width> Paths<N> {
 }
 
 impl<N: Width> Work<'_, N> {
-    /// One edge of every path.
+    /// The paths from lamps that share their light with these.
     #[inline(always)]
-    fn step(&self, paths: &mut Paths<N>, rows: N) {
+    fn caustics(&self) -> Option<&Caustics<N>> {
+        self.stage.caustics().filter(|_| self.tactics.follows())
+    }
+
+    /// One edge of every path; whether some end at the second place they meet.
+    #[inline(always)]
+    fn step(&self, paths: &mut Paths<N>, rows: N, thins: bool) {
         let (zero, one) = (N::of(0.0), N::of(1.0));
         let (stage, tactics) = (self.stage, self.tactics);
         let hit = stage.closest(&paths.ray, paths.alive);
@@ -350,17 +372,15 @@ impl<N: Width> Work<'_, N> {
             paths.throughput = rgb(|c| paths.throughput[c] * vertex.clarity[c]);
         }
 
-        let caustics = stage.caustics().filter(|_| tactics.follows());
+        let caustics = self.caustics();
         let shining = met & vertex.lamp.ge(zero);
         if shining.any() {
             let by_lamp = stage.density_to(&paths.ray, &vertex, shining);
             let share = match tactics.meeting {
-                Meeting::Both if caustics.is_some() => {
-                    let is_free = paths.pdf.ge(N::of(f64::INFINITY));
-                    let by_light = caustics.map_or(one, |caustics| caustics.share(&paths.ray, &vertex, paths.end));
-                    N::select(is_free, by_light, one / (one + by_lamp / paths.pdf))
+                Meeting::Both => {
+                    let by_light = caustics.map_or(zero, |caustics| caustics.rival(&paths.ray, &vertex, paths.cast));
+                    one / (one + by_lamp / paths.pdf + by_light)
                 }
-                Meeting::Both => one / (one + by_lamp / paths.pdf),
                 Meeting::Lamps => one.only(paths.pdf.ge(N::of(f64::INFINITY))),
                 Meeting::Chance => one,
             };
@@ -380,8 +400,17 @@ impl<N: Width> Work<'_, N> {
             }
         }
 
-        let row: Row<N> = Row::of(self.numbers(paths, rows, paths.edges));
+        let mut row: Row<N> = Row::of(self.numbers(paths, rows, paths.edges));
+        if thins {
+            self.thin(paths, &mut row);
+            if !paths.alive.any() {
+                return;
+            }
+        }
+        // Where paths from lamps could be the same that rays to lamps make.
+        let is_cast = paths.alive & vertex.met.is_rough_caster();
         if !stage.lamps().is_empty() && tactics.meeting != Meeting::Chance {
+            paths.cast = N::select(is_cast, paths.end, N::of(f64::INFINITY));
             self.join(paths, &vertex, &row);
         }
 
@@ -389,6 +418,7 @@ impl<N: Width> Work<'_, N> {
         paths.throughput = rgb(|c| paths.throughput[c] * drawn.weight[c]);
         paths.squeeze = paths.squeeze * drawn.compression;
         paths.pdf = N::select(drawn.is_delta, N::of(f64::INFINITY), drawn.pdf);
+        paths.cast = N::select(is_cast | drawn.is_delta, paths.end, N::of(f64::INFINITY));
         let direction = vertex.frame.outward(drawn.wi);
         paths.ray = stage.leave(&vertex, direction);
         let is_number = (paths.throughput[0] + paths.throughput[1] + paths.throughput[2]).ge(zero);
@@ -413,6 +443,27 @@ impl<N: Width> Work<'_, N> {
         paths.alive = paths.alive & goes_on;
     }
 
+    /// Lets one of some paths go on from the second place that they meet, as the efforts say, for all of them.
+    #[inline(always)]
+    fn thin(&self, paths: &mut Paths<N>, row: &mut Row<N>) {
+        let second = paths.alive & (paths.edges - N::of(2.0)).abs().lt(N::of(0.5));
+        if !second.any() {
+            return;
+        }
+        let (zero, one) = (N::of(0.0), N::of(1.0));
+        let onward = N::from_lanes(
+            #[inline(always)]
+            |lane| f64::from(self.efforts[paths.owner[lane]].onward),
+        );
+        let onward = N::select(second, onward, one);
+        // The number that decides is stretched to be even again.
+        let stretched = row.survival * onward;
+        let goes_on = stretched.lt(one) & onward.gt(zero);
+        row.survival = N::select(goes_on, stretched, row.survival);
+        paths.throughput = rgb(|c| paths.throughput[c] * onward);
+        paths.alive = paths.alive & goes_on;
+    }
+
     /// Joins every path to a lamp: one candidate a lamp, one of them kept by what it would bring, one ray to it.
     #[inline(never)]
     fn join(&self, paths: &mut Paths<N>, vertex: &Vertex<'_, N>, row: &Row<N>) {
@@ -430,12 +481,19 @@ impl<N: Width> Work<'_, N> {
         let (mut sum, mut u) = (zero, row.which);
         let count = N::of(self.stage.lamps().len() as f64);
         let blind = self.tactics.blind_choice.then(|| row.which * count);
+        let cast = active & paths.cast.lt(N::of(f64::INFINITY));
+        let caustics = self.caustics().filter(|_| cast.any());
         for (number, lamp) in self.stage.lamps().iter().enumerate() {
             let arrival = lamp.sample(vertex.start, row.lamp);
             let wi = vertex.frame.inward(arrival.wi);
             let (f, pdf) = vertex.met.eval_pdf(active, wi, vertex.wo);
             let share = match self.tactics.meeting {
-                Meeting::Both => one / (one + pdf / arrival.pdf),
+                Meeting::Both => {
+                    let by_light = caustics.map_or(zero, |caustics| {
+                        caustics.rival_of_arrival(vertex.start, number, &arrival, paths.cast)
+                    });
+                    one / (one + pdf / arrival.pdf * (one + by_light))
+                }
                 _ => one,
             };
             let factor = wi.z.abs() * share;

@@ -23,6 +23,8 @@ pub struct Arrival<N> {
     pub share: Rgb<N>,
     /// Density [sr⁻¹]; infinite where there was no choice.
     pub pdf: N,
+    /// Cosine [1] to the lamp's normal there; 1 of what has no surface.
+    pub cos: N,
 }
 
 /// A lamp.
@@ -174,9 +176,13 @@ impl<N: Width> Lamp<N> {
             Form::Point(place) => {
                 let (distance, wi) = length_and_way(*place - from);
                 let falloff = N::of(1.0) / distance.squared();
-                Arrival { wi, distance, share: self.light.map(|light| light * falloff), pdf: N::of(f64::INFINITY) }
+                let share = self.light.map(|light| light * falloff);
+                Arrival { wi, distance, share, pdf: N::of(f64::INFINITY), cos: N::of(1.0) }
             }
-            Form::Sun(wi) => Arrival { wi: *wi, distance: N::of(1e30), share: self.light, pdf: N::of(f64::INFINITY) },
+            Form::Sun(wi) => {
+                let (distance, pdf) = (N::of(1e30), N::of(f64::INFINITY));
+                Arrival { wi: *wi, distance, share: self.light, pdf, cos: N::of(1.0) }
+            }
         }
     }
 
@@ -276,7 +282,7 @@ impl<N: Width> Lamp<N> {
         // Never 0, so that quotients of densities are numbers.
         let pdf = (distance.squared() / (area * cos).max(least())).max(least());
         let inverse = area * cos / distance.squared().max(least());
-        Arrival { wi, distance, share: rgb(|c| self.light[c] * inverse), pdf }
+        Arrival { wi, distance, share: rgb(|c| self.light[c] * inverse), pdf, cos }
     }
 
     #[inline(always)]
@@ -296,6 +302,7 @@ impl<N: Width> Lamp<N> {
             distance: (distance * (N::of(1.0) - off) - half).max(N::of(0.0)),
             share: rgb(|c| self.light[c] * solid),
             pdf: warp::cone_density(one_minus_cos),
+            cos: (half / radius).min(N::of(1.0)),
         };
         if !self.two_sided || !(!is_outside).any() {
             return Arrival { share: rgb(|c| outside.share[c].only(is_outside)), ..outside };
@@ -307,6 +314,7 @@ impl<N: Width> Lamp<N> {
             distance: N::select(is_outside, outside.distance, inside.distance),
             share: rgb(|c| N::select(is_outside, outside.share[c], inside.share[c])),
             pdf: N::select(is_outside, outside.pdf, inside.pdf),
+            cos: N::select(is_outside, outside.cos, inside.cos),
         }
     }
 }

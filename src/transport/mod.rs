@@ -9,7 +9,8 @@
 //! | what surfaces are made of, lane by lane | [`surfaces`] |
 //! | integrators to read, one idea more in each | [`simple`] |
 //! | the fast one, eight paths at once | [`kernel`] |
-//! | which pixels are worth more samples | [`looks`] |
+//! | which pixels are worth more samples, by what is seen | [`looks`] |
+//! | and by a few samples | [`pilot`] |
 //! | light by way of mirrors and glass, from the lamp on | [`caustics`] |
 //! | light left where it falls | [`photons`] |
 //! | all pixels | [`picture`] |
@@ -29,6 +30,7 @@ pub mod looks;
 pub mod needs;
 pub mod photons;
 pub mod picture;
+pub mod pilot;
 pub mod simple;
 pub mod stage;
 pub mod surfaces;

@@ -17,6 +17,8 @@ pub struct Needs {
     pub glossy: bool,
     /// Surfaces whose light has no choice of where to go.
     pub specular: bool,
+    /// Surfaces that cast a lamp's light, gathered, on others.
+    pub casters: bool,
     /// Surfaces that let light in.
     pub clear: bool,
     /// Matter that absorbs on the way.
@@ -27,7 +29,7 @@ pub struct Needs {
     pub hierarchy: bool,
     /// Primitives that no shadow test has to look at, as a [`super::Stage`] has found.
     pub walls: u32,
-    /// Paths from lamps by way of what is specular, as a [`super::Stage`] has found.
+    /// Paths from lamps by way of those that cast it, as a [`super::Stage`] has found.
     pub light_paths: bool,
 }
 
@@ -92,6 +94,7 @@ impl Needs {
             environment: scene.environment.is_some_and(|radiance| radiance != [0.0; 3]),
             glossy: used(&|material| !matches!(material, Material::Diffuse { .. })),
             specular: used(&Material::is_specular),
+            casters: used(&Material::casts),
             clear: used(&Material::is_clear),
             absorption: used(&|material| material.absorption() != [0.0; 3]),
             lens: scene.camera.aperture > 0.0,
@@ -103,10 +106,10 @@ impl Needs {
 
     /// What the fast integrator leaves out of a picture that needs this, and why.
     pub fn left_out(&self) -> Vec<LeftOut> {
-        let light_paths = if self.specular {
+        let light_paths = if self.casters {
             "no lamp has a surface, or a lens or a wide filter shows a place in many pixels"
         } else {
-            "nothing throws light on anything without a choice of where to go"
+            "nothing is polished enough to cast a lamp's light on anything"
         };
         let none = Needless::NOTHING;
         let all = [

@@ -2,6 +2,7 @@
 
 use super::film::{Halves, Splats, added, tree};
 use super::kernel::{Tactics, Work};
+use super::pilot::{Effort, Pilot};
 use super::photons::Photons;
 use super::simple::{INTEGRATORS, Integrator, Numbers};
 use super::{Needless, Needs, Stage, caustics, looks};
@@ -90,18 +91,37 @@ pub struct Renderer {
     numbers: (Choice, usize, u64),
     /// Pairs that the points are made for.
     pairs: u32,
-    several: Several,
+    efforts: Efforts,
 }
 
-/// Of how many samples each one of a pixel is the mean ([`looks`]): row by row, known once a row is worked on.
-pub struct Several {
-    rows: Vec<OnceLock<Vec<u32>>>,
+/// What is done for each pixel, by a pilot and by what it shows ([`looks`]): row by row, known once a row is worked on.
+pub struct Efforts {
+    pilot: Option<Pilot>,
+    rows: Vec<OnceLock<Vec<Effort>>>,
 }
 
-impl Several {
-    /// Of a picture of so many rows.
-    pub fn new(rows: u32) -> Self {
-        Self { rows: (0..rows).map(|_| OnceLock::new()).collect() }
+impl Efforts {
+    /// Of a stage.
+    pub fn new<N: Width>(stage: &Stage<N>, tactics: &Tactics, (choice, vertices, seed): (Choice, usize, u64)) -> Self {
+        let pilot = tactics.pilot.then(|| Pilot::new(stage, tactics, choice, vertices, seed));
+        Self { pilot, rows: (0..stage.size()[1]).map(|_| OnceLock::new()).collect() }
+    }
+
+    /// Of a picture whose integrator does the same for every pixel.
+    fn alike() -> Self {
+        Self { pilot: None, rows: Vec::new() }
+    }
+
+    /// Of the pixels of a row.
+    fn of_row<N: Width>(&self, stage: &Stage<N>, tactics: &Tactics, row: u32) -> &[Effort] {
+        let look = || {
+            let pixels: Vec<[u32; 2]> = (0..stage.size()[0]).map(|column| [column, row]).collect();
+            let known = |pixel| self.pilot.as_ref().map_or(Effort::PLAIN, |pilot| pilot.effort(pixel));
+            let several = looks::several(stage, tactics, &pixels).into_iter();
+            let effort = |(several, known): (u32, Effort)| Effort { samples: several.max(known.samples), ..known };
+            several.zip(pixels.iter().map(|pixel| known(*pixel))).map(effort).collect()
+        };
+        self.rows[row as usize].get_or_init(look)
     }
 }
 
@@ -116,9 +136,9 @@ impl Engine {
     /// How many pairs of numbers so many pairs of samples ask for.
     fn numbered(&self, pairs: u32) -> u32 {
         match self {
-            Self::Fast(stage, tactics) if stage.is_looked_at() => pairs.saturating_mul(tactics.extra.max(1)),
-            Self::Single(stage, tactics) if stage.is_looked_at() => pairs.saturating_mul(tactics.extra.max(1)),
-            Self::Fast(..) | Self::Single(..) | Self::Simple(..) | Self::Photons(..) => pairs,
+            Self::Fast(stage, tactics) => pairs.saturating_mul(tactics.most_samples(stage.is_looked_at())),
+            Self::Single(stage, tactics) => pairs.saturating_mul(tactics.most_samples(stage.is_looked_at())),
+            Self::Simple(..) | Self::Photons(..) => pairs,
         }
     }
 }
@@ -157,8 +177,13 @@ impl Renderer {
             _ => Points::new(Choice::Independent, 1, 0, manner.seed),
         };
         let points = Points::new(manner.choice, engine.numbered(pairs), vertices, manner.seed);
-        let several = Several::new(scene.camera.height);
-        Ok(Self { engine, points, light, numbers: (manner.choice, vertices, manner.seed), pairs, several })
+        let numbers = (manner.choice, vertices, manner.seed);
+        let efforts = match &engine {
+            Engine::Fast(stage, tactics) => Efforts::new(stage, tactics, numbers),
+            Engine::Single(stage, tactics) => Efforts::new(stage, tactics, numbers),
+            Engine::Simple(..) | Engine::Photons(..) => Efforts::alike(),
+        };
+        Ok(Self { engine, points, light, numbers, pairs, efforts })
     }
 
     /// Makes it ready for samples of numbers below 2·`pairs`; those it was ready for stay what they are.
@@ -206,8 +231,8 @@ impl Renderer {
     /// Sums over a branch of pairs of samples ([`super::film`]) of some rows of the picture, row by row.
     pub fn sums(&self, rows: Range<u32>, pairs: Range<u32>) -> Vec<Halves> {
         match &self.engine {
-            Engine::Fast(stage, tactics) => fast(stage, tactics, &self.several, &self.points, rows, pairs),
-            Engine::Single(stage, tactics) => fast(stage, tactics, &self.several, &self.points, rows, pairs),
+            Engine::Fast(stage, tactics) => fast(stage, tactics, &self.efforts, &self.points, rows, pairs),
+            Engine::Single(stage, tactics) => fast(stage, tactics, &self.efforts, &self.points, rows, pairs),
             Engine::Simple(stage, integrator) => {
                 let depth = stage.max_depth().unwrap_or(DEEP);
                 simple(stage, integrator, depth, &self.points, rows, pairs)
@@ -274,7 +299,7 @@ fn features<N: Width>(stage: &Stage<N>, points: &Points, rows: Range<u32>) -> Ve
 pub fn fast<N: Width>(
     stage: &Stage<N>,
     tactics: &Tactics,
-    several: &Several,
+    efforts: &Efforts,
     points: &Points,
     rows: Range<u32>,
     pairs: Range<u32>,
@@ -282,20 +307,16 @@ pub fn fast<N: Width>(
     let width = stage.size()[0];
     let lines: Vec<u32> = rows.collect();
     let line = |row: u32| -> Vec<[u32; 2]> { (0..width).map(|column| [column, row]).collect() };
-    let times = |row: &u32| {
-        let times = || looks::several(stage, tactics, &line(*row));
-        several.rows[*row as usize].get_or_init(times).clone()
-    };
-    let times = mapped(&lines, times).concat();
+    let efforts = mapped(&lines, |row| efforts.of_row(stage, tactics, *row)).concat();
     let all = lines.iter().map(|row| line(*row)).collect::<Vec<_>>().concat();
     let together = Work::<N>::together(pairs.end - pairs.start);
-    let blocks: Vec<_> = all.chunks(together).zip(times.chunks(together)).collect();
-    let of = |(pixels, several): &(&[[u32; 2]], &[u32])| {
+    let blocks: Vec<_> = all.chunks(together).zip(efforts.chunks(together)).collect();
+    let of = |(pixels, efforts): &(&[[u32; 2]], &[Effort])| {
         vectorised_lanes::<N, _>(
             #[inline(always)]
             || {
                 let streams: Vec<Stream<'_>> = pixels.iter().map(|pixel| points.of_pixel(*pixel)).collect();
-                Work { stage, tactics, pixels, several, streams: &streams }.branch(pairs.clone())
+                Work { stage, tactics, pixels, efforts, streams: &streams }.branch(pairs.clone())
             },
         )
     };

@@ -90,7 +90,7 @@ impl<N: Width> Stage<N> {
             let emission = shape.emission.filter(|_| lamp.is_some());
             let [red, green, blue] = emission.map_or([0.0; 3], |emission| emission.radiance);
             let flag = |holds: bool| f64::from(u8::from(holds));
-            let [rho_red, rho_green, rho_blue, is_lambert] = surfaces.paint(material);
+            let [rho_red, rho_green, rho_blue, role] = surfaces.paint(material);
             let row = [
                 material as f64,
                 if lamp.is_some() { lamps.len() as f64 } else { -1.0 },
@@ -99,7 +99,7 @@ impl<N: Width> Stage<N> {
                 rho_red,
                 rho_green,
                 rho_blue,
-                is_lambert,
+                role,
             ];
             let number = |part: f64| N::of(part).get(0);
             shapes.push(row.map(number));
@@ -122,16 +122,16 @@ impl<N: Width> Stage<N> {
             });
         }
         let lens = Lens::new(&scene.camera, scene.filter, (middle, scale), needless.lens);
-        let specular: Vec<Bounds> = scene
+        let casters: Vec<Bounds> = scene
             .shapes
             .iter()
             .enumerate()
-            .filter(|(_, shape)| scene.material(&shape.material).is_some_and(Material::is_specular))
+            .filter(|(_, shape)| scene.material(&shape.material).is_some_and(Material::casts))
             .map(|(at, _)| flat.of_shape(at).iter().fold(Bounds::NOTHING, |all, one| all.union(&one.bounds())))
             .collect();
         let [width, height] = [scene.camera.width, scene.camera.height];
         let caustics =
-            if lens.is_plain() { Caustics::new(&lamps, &specular, 1.0, width.saturating_mul(height)) } else { None };
+            if lens.is_plain() { Caustics::new(&lamps, &casters, 1.0, width.saturating_mul(height)) } else { None };
         if caustics.is_some() {
             // Their light is joined to the camera, which is the origin.
             ends.iter_mut().for_each(|ends| ends.push([0.0; 3]));
@@ -194,7 +194,7 @@ impl<N: Width> Stage<N> {
         &self.lens
     }
 
-    /// The paths from lamps that it asks for; None if nothing specular could throw their light on anything, or the picture is
+    /// The paths from lamps that it asks for; None if nothing polished could cast their light on anything, or the picture is
     /// not that of a pinhole with a box filter.
     pub fn caustics(&self) -> Option<&Caustics<N>> {
         self.caustics.as_ref()
@@ -262,7 +262,7 @@ impl<N: Width> Stage<N> {
             #[inline(always)]
             |lane| self.shapes[self.owners.shape(hit.primitive.place(lane))],
         );
-        let [material, lamp, turns, two_sided, rho_red, rho_green, rho_blue, is_lambert] = row;
+        let [material, lamp, turns, two_sided, rho_red, rho_green, rho_blue, role] = row;
         let back = -ray.direction;
         let cos = back.dot(surface.normal);
         let is_back = cos.lt(zero);
@@ -280,7 +280,7 @@ impl<N: Width> Stage<N> {
             start: surface.leave(back),
             frame,
             wo,
-            met: self.surfaces.met(material, [rho_red, rho_green, rho_blue, is_lambert]),
+            met: self.surfaces.met(material, [rho_red, rho_green, rho_blue, role]),
             lamp: N::select(shines, lamp, N::of(-1.0)),
             cos: cos.abs(),
             emitted,
@@ -315,11 +315,18 @@ impl<N: Width> Stage<N> {
     /// is false.
     #[inline(always)]
     pub fn density_to(&self, ray: &Ray<N>, vertex: &Vertex<'_, N>, active: N::Mask) -> N {
+        self.density_from(ray.origin, vertex.lamp, vertex.distance, vertex.cos, active)
+    }
+
+    /// The density [sr⁻¹] with which rays are sent from a point to a lamp that is so far away at a cosine to its normal; 0 where
+    /// none is of that number, or the mask is false.
+    #[inline(always)]
+    pub fn density_from(&self, from: Vector<N>, lamp: N, distance: N, cos: N, active: N::Mask) -> N {
         let mut density = N::of(0.0);
-        for (number, lamp) in self.lamps.iter().enumerate() {
-            let its = active & (vertex.lamp - N::of(number as f64)).abs().lt(N::of(0.5));
-            if its.any() {
-                density = N::select(its, lamp.pdf(ray.origin, vertex.distance, vertex.cos), density);
+        for (number, its) in self.lamps.iter().enumerate() {
+            let is_it = active & (lamp - N::of(number as f64)).abs().lt(N::of(0.5));
+            if is_it.any() {
+                density = N::select(is_it, its.pdf(from, distance, cos), density);
             }
         }
         density

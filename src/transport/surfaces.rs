@@ -11,7 +11,7 @@ use num_complex::Complex64;
 /// The materials of a scene.
 pub struct Surfaces<N: Width> {
     models: Vec<Model<N>>,
-    /// ρ of every material, and 1 if it is Lambert's.
+    /// ρ of every material, and its role: [`LAMBERT`], [`CASTER`] or [`OTHER`].
     paints: Vec<[f64; 4]>,
     /// Whether Lambert's too are asked as models.
     all_by_models: bool,
@@ -25,6 +25,16 @@ struct Model<N: Width> {
     absorption: [f64; 3],
     is_specular: bool,
 }
+
+/// What a surface is to paths, besides its model.
+const OTHER: f64 = 0.0;
+/// Lambert's: light is joined to the camera there.
+const LAMBERT: f64 = 1.0;
+/// Rough, and still so polished that it gathers a lamp's light somewhere.
+const CASTER: f64 = 2.0;
+
+/// The largest roughness [1] that does: measured, paths from lamps by way of rougher ones are no better than those by chance.
+const GATHERS: f64 = 0.25;
 
 impl Material {
     /// The model's name in the [`zoo`], and what it is made from.
@@ -94,6 +104,21 @@ impl Material {
             _ => false,
         }
     }
+
+    /// Whether it casts a lamp's light, gathered, on what is matt.
+    pub fn casts(&self) -> bool {
+        self.is_specular() || self.is_rough_caster()
+    }
+
+    /// Whether it does so although it is rough. A walk does not know its density.
+    pub fn is_rough_caster(&self) -> bool {
+        match self {
+            Self::RoughConductor { facets, energy, .. } | Self::RoughDielectric { facets, energy, .. } => {
+                *energy != Energy::Walk && facets.alpha.iter().all(|alpha| *alpha <= GATHERS)
+            }
+            _ => false,
+        }
+    }
 }
 
 impl Metal {
@@ -147,9 +172,13 @@ impl<N: Width> Surfaces<N> {
                 absorption: material.absorption().map(|a| a / scale),
                 is_specular: material.is_specular(),
             });
-            let is_lambert = f64::from(u8::from(matches!(material, Material::Diffuse { .. })));
+            let role = match material {
+                Material::Diffuse { .. } => LAMBERT,
+                _ if material.is_rough_caster() => CASTER,
+                _ => OTHER,
+            };
             let [red, green, blue] = setting.albedo;
-            paints.push([red, green, blue, is_lambert]);
+            paints.push([red, green, blue, role]);
         }
         Ok(Self { models, paints, all_by_models })
     }
@@ -164,18 +193,19 @@ impl<N: Width> Surfaces<N> {
         self.models[material].absorption
     }
 
-    /// ρ [1] of a material, and 1 if it is Lambert's, else 0.
+    /// ρ [1] of a material, and its role as [`Surfaces::met`] takes it.
     pub fn paint(&self, material: usize) -> [f64; 4] {
         self.paints[material]
     }
 
     /// What each lane has met, by the number of its material and its [`Surfaces::paint`].
     #[inline(always)]
-    pub fn met(&self, material: N, [red, green, blue, is_lambert]: [N; 4]) -> Met<'_, N> {
+    pub fn met(&self, material: N, [red, green, blue, role]: [N; 4]) -> Met<'_, N> {
         let paint = Lambert { albedo: [red, green, blue] };
-        let is_lambert = is_lambert.gt(N::of(0.5));
+        let is_lambert = (role - N::of(LAMBERT)).abs().lt(N::of(0.5));
+        let is_rough_caster = role.gt(N::of(CASTER - 0.5));
         let is_plain = if self.all_by_models { N::Mask::of(false) } else { is_lambert };
-        Met { models: &self.models, material, paint, is_lambert, is_plain }
+        Met { models: &self.models, material, paint, is_lambert, is_rough_caster, is_plain }
     }
 }
 
@@ -186,6 +216,7 @@ pub struct Met<'a, N: Width> {
     /// All that are Lambert's at once, each of its own colour.
     paint: Lambert<N>,
     is_lambert: N::Mask,
+    is_rough_caster: N::Mask,
     /// Where that is known to be enough.
     is_plain: N::Mask,
 }
@@ -195,6 +226,12 @@ impl<N: Width> Met<'_, N> {
     #[inline(always)]
     pub fn is_lambert(&self) -> N::Mask {
         self.is_lambert
+    }
+
+    /// Where it is rough and casts light ([`Material::is_rough_caster`]).
+    #[inline(always)]
+    pub fn is_rough_caster(&self) -> N::Mask {
+        self.is_rough_caster
     }
 
     /// ρ [1] where it is Lambert's.
