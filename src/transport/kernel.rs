@@ -7,12 +7,12 @@
 
 use super::film::{Halves, added, tree};
 use super::caustics::{self, Caustics};
-use super::pilot::{self, Effort};
-use super::{Stage, Vertex};
+use super::{Stage, Vertex, pilot};
 use crate::bsdf::{Rgb, grey, rgb};
 use crate::geometry::Ray;
 use crate::number::{MOST_LANES, Mask, Vector, Width, vectorised_lanes};
 use crate::sampling::{Row, Stream};
+use std::cell::Cell;
 use std::ops::Range;
 
 /// Pairs of samples that lanes take from without a halt.
@@ -42,7 +42,7 @@ pub struct Tactics {
     pub caustics: bool,
     /// Samples in place of one, a power of two, in pixels that are worth it ([`super::looks`]).
     pub extra: u32,
-    /// Whether a few samples of each pixel tell first how many it is worth, and how many should go on ([`super::pilot`]).
+    /// Whether two samples of each pixel tell first how many it is worth ([`super::pilot`]).
     pub pilot: bool,
     /// Whether one path is followed at a time, as if there were no lanes.
     pub one_lane: bool,
@@ -80,7 +80,7 @@ impl Tactics {
     /// The most samples that are taken in place of one.
     pub fn most_samples(&self, is_looked_at: bool) -> u32 {
         let by_looks = if is_looked_at { self.extra.max(1) } else { 1 };
-        if self.pilot { by_looks.max(pilot::MOST.samples) } else { by_looks }
+        if self.pilot { by_looks.max(pilot::MOST) } else { by_looks }
     }
 
     /// Whether paths from lamps are followed, if the scene asks for them: they share their light with paths that meet lamps by
@@ -124,10 +124,12 @@ pub struct Work<'a, N: Width> {
     pub tactics: &'a Tactics,
     /// Column and row of each pixel.
     pub pixels: &'a [[u32; 2]],
-    /// What is done for each.
-    pub efforts: &'a [Effort],
+    /// Of how many samples each one's samples are the mean.
+    pub several: &'a [u32],
     /// Each one's numbers.
     pub streams: &'a [Stream<'a>],
+    /// Where the edges of each one's paths are counted, if they are.
+    pub edges: Option<&'a [Cell<u32>]>,
 }
 
 /// A branch of pairs of one pixel, small enough for lanes to take from it without a halt.
@@ -152,7 +154,7 @@ impl<N: Width> Work<'_, N> {
     pub fn branch(&self, range: Range<u32>) -> Vec<Halves> {
         // Whoever asks for so many samples that there are no numbers left for several in place of each gets single ones.
         let times =
-            |owner: usize| Some(self.efforts[owner].samples).filter(|n| range.end <= u32::MAX / 4 / n).unwrap_or(1);
+            |owner: usize| if range.end <= u32::MAX / 4 / self.several[owner] { self.several[owner] } else { 1 };
         let mut pieces = Vec::new();
         for owner in 0..self.pixels.len() {
             let times = times(owner);
@@ -206,7 +208,6 @@ impl<N: Width> Work<'_, N> {
         let of_net = |piece: &Piece| self.streams[piece.owner].holds(2 * (piece.start + piece.span));
         let rows = if pieces.iter().all(of_net) { self.streams[0].rows() as f64 } else { 0.0 };
         let rows = N::of(rows);
-        let thins = self.efforts.iter().any(|effort| effort.onward != Effort::PLAIN.onward);
         let mut source = Source { pieces, next: 0, before: 0 };
         let mut paths = Paths::<N>::none();
         loop {
@@ -226,11 +227,15 @@ impl<N: Width> Work<'_, N> {
                 break;
             }
             let before = paths.alive;
-            self.step(&mut paths, rows, thins);
+            self.step(&mut paths, rows);
             let ended = before & !paths.alive;
             for lane in ended.lanes() {
                 pairs[paths.slot[lane] as usize / 2][paths.slot[lane] as usize % 2] =
                     rgb(|c| paths.gathered[c].lane(lane) as f32);
+                if let Some(edges) = self.edges {
+                    let edges = &edges[paths.owner[lane]];
+                    edges.set(edges.get() + paths.edges.lane(lane) as u32);
+                }
             }
         }
     }
@@ -348,9 +353,9 @@ impl<N: Width> Work<'_, N> {
         self.stage.caustics().filter(|_| self.tactics.follows())
     }
 
-    /// One edge of every path; whether some end at the second place they meet.
+    /// One edge of every path.
     #[inline(always)]
-    fn step(&self, paths: &mut Paths<N>, rows: N, thins: bool) {
+    fn step(&self, paths: &mut Paths<N>, rows: N) {
         let (zero, one) = (N::of(0.0), N::of(1.0));
         let (stage, tactics) = (self.stage, self.tactics);
         let hit = stage.closest(&paths.ray, paths.alive);
@@ -400,13 +405,7 @@ impl<N: Width> Work<'_, N> {
             }
         }
 
-        let mut row: Row<N> = Row::of(self.numbers(paths, rows, paths.edges));
-        if thins {
-            self.thin(paths, &mut row);
-            if !paths.alive.any() {
-                return;
-            }
-        }
+        let row: Row<N> = Row::of(self.numbers(paths, rows, paths.edges));
         // Where paths from lamps could be the same that rays to lamps make.
         let is_cast = paths.alive & vertex.met.is_rough_caster();
         if !stage.lamps().is_empty() && tactics.meeting != Meeting::Chance {
@@ -440,27 +439,6 @@ impl<N: Width> Work<'_, N> {
         let goes_on = row.survival.lt(chance) & left.gt(zero);
         let inverse = one / N::select(goes_on, chance, one);
         paths.throughput = rgb(|c| paths.throughput[c] * inverse);
-        paths.alive = paths.alive & goes_on;
-    }
-
-    /// Lets one of some paths go on from the second place that they meet, as the efforts say, for all of them.
-    #[inline(always)]
-    fn thin(&self, paths: &mut Paths<N>, row: &mut Row<N>) {
-        let second = paths.alive & (paths.edges - N::of(2.0)).abs().lt(N::of(0.5));
-        if !second.any() {
-            return;
-        }
-        let (zero, one) = (N::of(0.0), N::of(1.0));
-        let onward = N::from_lanes(
-            #[inline(always)]
-            |lane| f64::from(self.efforts[paths.owner[lane]].onward),
-        );
-        let onward = N::select(second, onward, one);
-        // The number that decides is stretched to be even again.
-        let stretched = row.survival * onward;
-        let goes_on = stretched.lt(one) & onward.gt(zero);
-        row.survival = N::select(goes_on, stretched, row.survival);
-        paths.throughput = rgb(|c| paths.throughput[c] * onward);
         paths.alive = paths.alive & goes_on;
     }
 

@@ -2,7 +2,7 @@
 
 use super::film::{Halves, Splats, added, tree};
 use super::kernel::{Tactics, Work};
-use super::pilot::{Effort, Pilot};
+use super::pilot::Pilot;
 use super::photons::Photons;
 use super::simple::{INTEGRATORS, Integrator, Numbers};
 use super::{Needless, Needs, Stage, caustics, looks};
@@ -91,16 +91,17 @@ pub struct Renderer {
     numbers: (Choice, usize, u64),
     /// Pairs that the points are made for.
     pairs: u32,
-    efforts: Efforts,
+    several: Several,
 }
 
-/// What is done for each pixel, by a pilot and by what it shows ([`looks`]): row by row, known once a row is worked on.
-pub struct Efforts {
+/// Of how many samples each one of a pixel is the mean, by a pilot and by what it shows ([`looks`]): row by row, known once a
+/// row is worked on.
+pub struct Several {
     pilot: Option<Pilot>,
-    rows: Vec<OnceLock<Vec<Effort>>>,
+    rows: Vec<OnceLock<Vec<u32>>>,
 }
 
-impl Efforts {
+impl Several {
     /// Of a stage.
     pub fn new<N: Width>(stage: &Stage<N>, tactics: &Tactics, (choice, vertices, seed): (Choice, usize, u64)) -> Self {
         let pilot = tactics.pilot.then(|| Pilot::new(stage, tactics, choice, vertices, seed));
@@ -113,13 +114,12 @@ impl Efforts {
     }
 
     /// Of the pixels of a row.
-    fn of_row<N: Width>(&self, stage: &Stage<N>, tactics: &Tactics, row: u32) -> &[Effort] {
+    fn of_row<N: Width>(&self, stage: &Stage<N>, tactics: &Tactics, row: u32) -> &[u32] {
         let look = || {
             let pixels: Vec<[u32; 2]> = (0..stage.size()[0]).map(|column| [column, row]).collect();
-            let known = |pixel| self.pilot.as_ref().map_or(Effort::PLAIN, |pilot| pilot.effort(pixel));
-            let several = looks::several(stage, tactics, &pixels).into_iter();
-            let effort = |(several, known): (u32, Effort)| Effort { samples: several.max(known.samples), ..known };
-            several.zip(pixels.iter().map(|pixel| known(*pixel))).map(effort).collect()
+            let worth = |pixel| self.pilot.as_ref().map_or(1, |pilot| pilot.samples(pixel));
+            let seen = looks::several(stage, tactics, &pixels);
+            seen.into_iter().zip(pixels).map(|(seen, pixel)| seen.max(worth(pixel))).collect()
         };
         self.rows[row as usize].get_or_init(look)
     }
@@ -178,12 +178,12 @@ impl Renderer {
         };
         let points = Points::new(manner.choice, engine.numbered(pairs), vertices, manner.seed);
         let numbers = (manner.choice, vertices, manner.seed);
-        let efforts = match &engine {
-            Engine::Fast(stage, tactics) => Efforts::new(stage, tactics, numbers),
-            Engine::Single(stage, tactics) => Efforts::new(stage, tactics, numbers),
-            Engine::Simple(..) | Engine::Photons(..) => Efforts::alike(),
+        let several = match &engine {
+            Engine::Fast(stage, tactics) => Several::new(stage, tactics, numbers),
+            Engine::Single(stage, tactics) => Several::new(stage, tactics, numbers),
+            Engine::Simple(..) | Engine::Photons(..) => Several::alike(),
         };
-        Ok(Self { engine, points, light, numbers, pairs, efforts })
+        Ok(Self { engine, points, light, numbers, pairs, several })
     }
 
     /// Makes it ready for samples of numbers below 2·`pairs`; those it was ready for stay what they are.
@@ -231,8 +231,8 @@ impl Renderer {
     /// Sums over a branch of pairs of samples ([`super::film`]) of some rows of the picture, row by row.
     pub fn sums(&self, rows: Range<u32>, pairs: Range<u32>) -> Vec<Halves> {
         match &self.engine {
-            Engine::Fast(stage, tactics) => fast(stage, tactics, &self.efforts, &self.points, rows, pairs),
-            Engine::Single(stage, tactics) => fast(stage, tactics, &self.efforts, &self.points, rows, pairs),
+            Engine::Fast(stage, tactics) => fast(stage, tactics, &self.several, &self.points, rows, pairs),
+            Engine::Single(stage, tactics) => fast(stage, tactics, &self.several, &self.points, rows, pairs),
             Engine::Simple(stage, integrator) => {
                 let depth = stage.max_depth().unwrap_or(DEEP);
                 simple(stage, integrator, depth, &self.points, rows, pairs)
@@ -299,7 +299,7 @@ fn features<N: Width>(stage: &Stage<N>, points: &Points, rows: Range<u32>) -> Ve
 pub fn fast<N: Width>(
     stage: &Stage<N>,
     tactics: &Tactics,
-    efforts: &Efforts,
+    several: &Several,
     points: &Points,
     rows: Range<u32>,
     pairs: Range<u32>,
@@ -307,16 +307,16 @@ pub fn fast<N: Width>(
     let width = stage.size()[0];
     let lines: Vec<u32> = rows.collect();
     let line = |row: u32| -> Vec<[u32; 2]> { (0..width).map(|column| [column, row]).collect() };
-    let efforts = mapped(&lines, |row| efforts.of_row(stage, tactics, *row)).concat();
+    let several = mapped(&lines, |row| several.of_row(stage, tactics, *row)).concat();
     let all = lines.iter().map(|row| line(*row)).collect::<Vec<_>>().concat();
     let together = Work::<N>::together(pairs.end - pairs.start);
-    let blocks: Vec<_> = all.chunks(together).zip(efforts.chunks(together)).collect();
-    let of = |(pixels, efforts): &(&[[u32; 2]], &[Effort])| {
+    let blocks: Vec<_> = all.chunks(together).zip(several.chunks(together)).collect();
+    let of = |(pixels, several): &(&[[u32; 2]], &[u32])| {
         vectorised_lanes::<N, _>(
             #[inline(always)]
             || {
                 let streams: Vec<Stream<'_>> = pixels.iter().map(|pixel| points.of_pixel(*pixel)).collect();
-                Work { stage, tactics, pixels, efforts, streams: &streams }.branch(pairs.clone())
+                Work { stage, tactics, pixels, several, streams: &streams, edges: None }.branch(pairs.clone())
             },
         )
     };

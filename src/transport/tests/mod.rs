@@ -3,7 +3,7 @@
 
 use super::film::{Clash, Film, Halves};
 use super::kernel::{Meeting, Tactics};
-use super::picture::{self, Efforts};
+use super::picture::{self, Several};
 use super::simple::{INTEGRATORS, Integrator};
 use super::{Manner, Method, Needless, Renderer, Stage};
 use crate::geometry::Structure;
@@ -80,8 +80,8 @@ fn room(pixels: u32) -> Scene {
 fn fast<N: Width>(of: &Scene, tactics: &Tactics, pairs: u32, seed: u64) -> Vec<Halves> {
     let stage = Stage::<N>::new(of, Structure::Best).expect("a scene without a flaw");
     let points = Points::new(Choice::Net, pairs, 8, seed);
-    let efforts = Efforts::new(&stage, tactics, (Choice::Net, 8, seed));
-    let sums = picture::fast(&stage, tactics, &efforts, &points, 0..of.camera.height, 0..pairs);
+    let several = Several::new(&stage, tactics, (Choice::Net, 8, seed));
+    let sums = picture::fast(&stage, tactics, &several, &points, 0..of.camera.height, 0..pairs);
     means(&sums, pairs)
 }
 
@@ -166,8 +166,8 @@ fn no_split_of_samples_can_be_told() {
     let stage = Stage::<F32x8>::new(&room, Structure::Best).expect("a scene without a flaw");
     let points = Points::new(Choice::Net, 1024, 8, 0);
     let tactics = Tactics::default();
-    let efforts = Efforts::new(&stage, &tactics, (Choice::Net, 8, 0));
-    let part = |rows: std::ops::Range<u32>, pairs| picture::fast(&stage, &tactics, &efforts, &points, rows, pairs);
+    let several = Several::new(&stage, &tactics, (Choice::Net, 8, 0));
+    let part = |rows: std::ops::Range<u32>, pairs| picture::fast(&stage, &tactics, &several, &points, rows, pairs);
     let whole = part(0..6, 0..1024);
     let halves = part(0..6, 0..512).into_iter().zip(part(0..6, 512..1024));
     assert_eq!(whole, halves.map(|(a, b)| super::film::added(a, b)).collect::<Vec<_>>());
