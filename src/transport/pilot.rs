@@ -14,13 +14,17 @@ use crate::sampling::{Choice, Points, Stream};
 use std::cell::Cell;
 
 /// The most pixels that are asked; of larger pictures one in every few columns and rows.
-const MOST_ASKED: u32 = 1 << 18;
+const MOST_ASKED: u64 = 1 << 18;
 
 /// What is added to a mean square, as in the picture's error.
 const FLOOR: f64 = 0.01;
 
 /// What a path costs before its first edge, in edges.
 const START: f64 = 0.5;
+
+/// Samples [1] in place of one where noise over cost is as in the whole picture. Most of a picture is quieter than the whole,
+/// and there is no less than one sample: with more here, more of those that noise is worth are taken, and more of all.
+const BASE: f64 = 1.25;
 
 /// The most samples in place of one: two do not know rare things well.
 pub const MOST: u32 = 16;
@@ -37,8 +41,7 @@ impl Pilot {
     /// Of a stage, by numbers of a choice and a seed for so many vertices.
     pub fn new<N: Width>(stage: &Stage<N>, tactics: &Tactics, choice: Choice, vertices: usize, seed: u64) -> Self {
         let [width, height] = stage.size();
-        let asked = |side: u32| u64::from(width.div_ceil(side)) * u64::from(height.div_ceil(side));
-        let side = (0..).map(|power| 1 << power).find(|side| asked(*side) <= u64::from(MOST_ASKED)).unwrap_or(1);
+        let side = side([width, height]);
         let [columns, rows] = [width, height].map(|size| size.div_ceil(side));
         let middle = |at: u32, size: u32| (at * side + side / 2).min(size - 1);
         let pixels: Vec<[u32; 2]> =
@@ -51,6 +54,16 @@ impl Pilot {
     pub fn samples(&self, [column, row]: [u32; 2]) -> u32 {
         self.samples[(row / self.side * self.columns + column / self.side) as usize]
     }
+}
+
+/// Pixels along a side of those that share a pair of samples.
+fn side(size: [u32; 2]) -> u32 {
+    let asked = |side: u32| size.map(|size| u64::from(size.div_ceil(side))).into_iter().product::<u64>();
+    let mut side = 1;
+    while asked(side) > MOST_ASKED {
+        side *= 2;
+    }
+    side
 }
 
 /// What a pair of samples of every pixel tells.
@@ -124,9 +137,7 @@ fn worth(found: &[Found], columns: u32) -> Vec<u32> {
     };
     let all: Vec<[f64; 2]> = (0..found.len()).map(about).collect();
     let [variance, cost] = all.iter().fold([0.0; 2], |[v, c], one| [v + one[0], c + one[1]]);
-    let envf = |n: &str, d: f64| std::env::var(n).ok().and_then(|x| x.parse().ok()).unwrap_or(d);
-    let base = envf("PB", 1.0);
-    all.iter().map(|[v, c]| power_of_two(base * (v / c * cost / variance).sqrt())).collect()
+    all.iter().map(|[v, c]| power_of_two(BASE * (v / c * cost / variance).sqrt())).collect()
 }
 
 /// The nearest power of two, by quotients, from 1 to the most; 1 of what is no number.
