@@ -4,7 +4,8 @@ use light::bsdf::Rgb;
 use light::bsdf::microfacet::{Joint, Slopes};
 use light::radiometry::polygon;
 use light::scene::{
-    Camera, Emission, Energy, Facets, Filter, Geometry, Material, Metal, Scene, Shape, Transform, Triple, builtin,
+    Camera, Emission, Energy, Facets, Filter, Geometry, Material, Mesh, Metal, Normals, Scene, Shape, Transform,
+    Triple, builtin,
 };
 use light::transport::estimate::colour;
 use light::transport::film::{Film, Halves, branches};
@@ -152,4 +153,31 @@ pub(super) fn plate(alpha: f64, radius: f64, pixels: u32) -> Scene {
     let shapes = vec![shape(floor(), "plate", None), shape(ball, "black", Some(lamp))];
     let camera = looking([0.0, -away, away], [0.0; 3], 1e-4, pixels);
     scene(camera, 2, vec![("plate".into(), metal), diffuse("black", 0.0)], shapes)
+}
+
+/// A needle's ray into a prism of 60° of a glass, that goes through along its base if it is bent by an angle [rad]; and behind it a
+/// strip of radiance 1 that begins where it then goes, and reaches to where light is bent more.
+pub(super) fn needle(glass: &str, bent: f64) -> Scene {
+    let half = 0.5 * bent;
+    // Along x within the glass; the edge is up, along y, and the prism long in z.
+    let (side, tall) = (0.3, 0.3 * 3f64.sqrt() / 2.0);
+    let section = [[-0.5 * side, -0.5 * tall, -0.1], [0.5 * side, -0.5 * tall, -0.1], [0.0, 0.5 * tall, -0.1]];
+    let mesh = Arc::new(Mesh::wedge(section, [0.0, 0.0, 0.2]));
+    let prism = Geometry::Mesh { file: None, normals: Normals::Flat, mesh };
+    // Halfway up, a quarter of the side from the middle.
+    let (entry, exit) = ([-0.25 * side, 0.0], [0.25 * side, 0.0]);
+    let out = [half.cos(), -half.sin()];
+    let at = |along: f64, down: f64, z: f64| {
+        [exit[0] + along * out[0] + down * out[1], exit[1] + along * out[1] - down * out[0], z]
+    };
+    let strip = [at(8.0, 0.0, -1.0), at(8.0, 0.0, 1.0), at(8.0, 3.0, 1.0), at(8.0, 3.0, -1.0)];
+    let camera = Camera {
+        up: [0.0, 0.0, 1.0],
+        ..looking([entry[0] - 0.5 * out[0], entry[1] + 0.5 * out[1], 0.0], [entry[0], entry[1], 0.0], 1e-5, 1)
+    };
+    let clear = Material::Dispersive { glass: glass.into(), outside: 1.0, absorption: [0.0; 3] };
+    let lamp = Emission { radiance: [1.0; 3], two_sided: true };
+    let shapes = vec![shape(prism, "prism", None), shape(Geometry::Quad { vertices: strip }, "black", Some(lamp))];
+    // Camera, two faces, strip.
+    scene(camera, 3, vec![("prism".into(), clear), diffuse("black", 0.0)], shapes)
 }

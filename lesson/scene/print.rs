@@ -132,6 +132,11 @@ impl Printer {
                 self.clear(*ior, *outside, *absorption);
                 self.coating(coating.as_ref());
             }
+            Material::Dispersive { glass, outside, absorption } => {
+                self.put("type", quoted("dielectric"), "");
+                self.put("glass", quoted(glass), "");
+                self.surrounded(*outside, *absorption);
+            }
             Material::RoughDielectric { ior, outside, absorption, facets, energy } => {
                 self.put("type", quoted("rough_dielectric"), "");
                 self.clear(*ior, *outside, *absorption);
@@ -185,6 +190,10 @@ impl Printer {
 
     fn clear(&mut self, ior: f64, outside: f64, absorption: Triple) {
         self.put("ior", number(ior), "");
+        self.surrounded(outside, absorption);
+    }
+
+    fn surrounded(&mut self, outside: f64, absorption: Triple) {
         if outside != OUTSIDE {
             self.put("outside", number(outside), "");
         }

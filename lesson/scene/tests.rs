@@ -433,6 +433,8 @@ fn material() -> BoxedStrategy<Material> {
         (index(), outside(), absorption(), coating()).prop_map(|(ior, outside, absorption, coating)| {
             Material::Dielectric { ior, outside, absorption, coating }
         }),
+        (prop::sample::select(vec!["bk7", "N-SF11", "water"]), outside(), absorption())
+            .prop_map(|(glass, outside, absorption)| Material::Dispersive { glass: glass.into(), outside, absorption }),
         (index(), outside(), absorption(), facets(), energy()).prop_map(
             |(ior, outside, absorption, facets, energy)| {
                 Material::RoughDielectric { ior, outside, absorption, facets, energy }

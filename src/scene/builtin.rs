@@ -3,6 +3,7 @@
 mod balls;
 mod furnace;
 mod plates;
+pub mod prism;
 mod room;
 #[cfg(test)]
 mod tests;
@@ -24,6 +25,7 @@ pub struct Builtin {
 pub const BUILTIN: &[Builtin] = &[
     entry("cornell", "the Cornell box: diffuse walls and blocks, one lamp", room::cornell),
     entry("glass", "the box with a mirror and a ball of glass: a caustic", room::glass),
+    entry("prism", "a slit of light through a prism of dense flint: a rainbow", prism::prism),
     entry(
         "veach",
         "four plates of metal, ever rougher, and four lamps of one power: which sampling sees which?",

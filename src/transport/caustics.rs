@@ -11,11 +11,15 @@
 //! p_c of rays through a pixel. With e = p_A p_ω/cos θ_L and c = p_c cos θ₁/r₁² they are as π M e to c. Whatever lies between, the
 //! two shares add up to 1, so that nothing is counted twice.
 //!
+//! A wavelength changes none of this. Where glass disperses, either way draws it with the same density at a path's second
+//! dispersing event, or the first that it passes; the shares ask for the ends alone, and add up to 1 for every wavelength.
+//!
 //! The light of a path is added to a pixel as a whole number of units: such sums know no order.
 
 use super::film::{Splats, UNITS};
 use super::lamp::{Arrival, Lamp};
 use super::{Stage, Vertex};
+use crate::bsdf::dispersive::Hue;
 use crate::bsdf::{Rgb, grey, rgb};
 use crate::geometry::{Bounds, Ray};
 use crate::number::{Frame, MOST_LANES, Mask, Vector, Width, length_and_way, vectorised_lanes};
@@ -182,6 +186,8 @@ struct Paths<N: Width> {
     left: Rgb<N>,
     /// π M e.
     density: N,
+    /// What they know of their wavelength, where glass disperses.
+    hue: Hue<N>,
     alive: N::Mask,
 }
 
@@ -245,14 +251,19 @@ impl<N: Width> Caustics<N> {
                 self.join(stage, &paths, &vertex, &mut splat);
             }
             let row: Row<N> = stream.at(|lane| samples[lane], |_| edges as usize);
-            let drawn = vertex.met.sample(paths.alive, vertex.wo, row.surface);
+            let mut drawn = vertex.met.sample(paths.alive, vertex.wo, row.surface);
+            if stage.disperses() {
+                let numbers = (row.surface, row.wavelength);
+                drawn = vertex.met.dispersed(paths.alive, vertex.wo, numbers, &mut paths.hue, drawn);
+            }
             if edges == 1 {
                 paths.alive = paths.alive & drawn.is_delta;
             }
             let direction = vertex.frame.outward(drawn.wi);
             paths.scale(vertex.kept(&drawn, direction));
             paths.ray = stage.leave(&vertex, direction);
-            let left = paths.left[0].max(paths.left[1]).max(paths.left[2]);
+            let left = rgb(|c| paths.left[c].abs());
+            let left = left[0].max(left[1]).max(left[2]);
             let chance = if f64::from(edges) < PATIENCE { one } else { left.min(one) };
             let goes_on = row.survival.lt(chance) & left.gt(zero);
             paths.scale(grey(one / N::select(goes_on, chance, one)));
@@ -294,6 +305,7 @@ impl<N: Width> Caustics<N> {
             light,
             left: grey(one),
             density,
+            hue: Hue::none(),
             alive: cos.gt(zero) & density.gt(zero),
         }
     }

@@ -7,6 +7,7 @@
 
 use super::film::{Halves, added, tree};
 use super::{Stage, Vertex, caustics};
+use crate::bsdf::dispersive::Hue;
 use crate::bsdf::{Rgb, grey, rgb};
 use crate::geometry::Ray;
 use crate::number::{MOST_LANES, Mask, Vector, Width, vectorised_lanes};
@@ -94,6 +95,8 @@ struct Paths<N: Width> {
     squeeze: N,
     /// The end at the camera, as [`super::caustics`] weighs it; infinite where no path from a lamp could be the same.
     end: N,
+    /// What they know of their wavelength, where glass disperses.
+    hue: Hue<N>,
     /// Which of the pixels each is of,
     owner: [usize; MOST_LANES],
     /// which of its samples,
@@ -207,6 +210,9 @@ impl<N: Width> Work<'_, N> {
                 };
                 let ray = self.stage.camera([place(0), place(1)], [u[0], u[1], u[2], u[3]]);
                 paths.begin(fresh, ray);
+                if self.stage.disperses() {
+                    paths.hue = Hue::select(fresh, Hue::none(), paths.hue);
+                }
             }
             if !paths.alive.any() {
                 break;
@@ -281,6 +287,7 @@ impl<N: Width> Paths<N> {
             edges: zero,
             squeeze: N::of(1.0),
             end: N::of(f64::INFINITY),
+            hue: Hue::none(),
             owner: [0; MOST_LANES],
             sample: [0; MOST_LANES],
             slot: [0; MOST_LANES],
@@ -385,20 +392,26 @@ impl<N: Width> Work<'_, N> {
             self.join(paths, &vertex, &row);
         }
 
-        let drawn = vertex.met.sample(paths.alive, vertex.wo, row.surface);
+        let mut drawn = vertex.met.sample(paths.alive, vertex.wo, row.surface);
+        if stage.disperses() {
+            let numbers = (row.surface, row.wavelength);
+            drawn = vertex.met.dispersed(paths.alive, vertex.wo, numbers, &mut paths.hue, drawn);
+        }
         paths.throughput = rgb(|c| paths.throughput[c] * drawn.weight[c]);
         paths.squeeze = paths.squeeze * drawn.compression;
         paths.pdf = N::select(drawn.is_delta, N::of(f64::INFINITY), drawn.pdf);
         let direction = vertex.frame.outward(drawn.wi);
         paths.ray = stage.leave(&vertex, direction);
-        let is_number = (paths.throughput[0] + paths.throughput[1] + paths.throughput[2]).ge(zero);
+        // Of one wavelength alone a channel may carry less than nothing.
+        let is_number = (paths.throughput[0] + paths.throughput[1] + paths.throughput[2]).abs().ge(zero);
         let odd = paths.alive & !is_number;
         if odd.any() {
             // It would end without a word; the pixel has to tell.
             paths.gather(odd, grey(one));
         }
         // What is left of the light's energy, not of its radiance, decides.
-        let left = paths.throughput[0].max(paths.throughput[1]).max(paths.throughput[2]) / paths.squeeze;
+        let size = paths.throughput.map(N::abs);
+        let left = size[0].max(size[1]).max(size[2]) / paths.squeeze;
         // Light gathered again and again on a way that ends too soon has no finite variance: a bounce that keeps w of it needs a
         // chance above w². Where there is no choice of where to go, nothing is gathered.
         let kept = drawn.weight[0].max(drawn.weight[1]).max(drawn.weight[2]);

@@ -21,6 +21,8 @@ pub struct Needs {
     pub clear: bool,
     /// Matter that absorbs on the way.
     pub absorption: bool,
+    /// Glass whose index depends on the wavelength.
+    pub wavelength: bool,
     /// A lens with an opening.
     pub lens: bool,
     /// A hierarchy of boxes; a [`super::Stage`] knows.
@@ -59,6 +61,8 @@ pub struct Needless {
     pub absorption: bool,
     /// Places on a lens, whose opening may have no size.
     pub lens: bool,
+    /// Wavelengths, although every index is one number.
+    pub wavelengths: bool,
 }
 
 impl Needless {
@@ -71,10 +75,19 @@ impl Needless {
         looks: false,
         absorption: false,
         lens: false,
+        wavelengths: false,
     };
     /// All of it.
-    pub const EVERYTHING: Self =
-        Self { hierarchy: true, walls: true, sky: true, models: true, looks: true, absorption: true, lens: true };
+    pub const EVERYTHING: Self = Self {
+        hierarchy: true,
+        walls: true,
+        sky: true,
+        models: true,
+        looks: true,
+        absorption: true,
+        lens: true,
+        wavelengths: true,
+    };
 }
 
 impl Needs {
@@ -94,6 +107,7 @@ impl Needs {
             specular: used(&Material::is_specular),
             clear: used(&Material::is_clear),
             absorption: used(&|material| material.absorption() != [0.0; 3]),
+            wavelength: used(&Material::disperses),
             lens: scene.camera.aperture > 0.0,
             hierarchy: true,
             walls: 0,
@@ -148,6 +162,12 @@ impl Needs {
                 "absorption on the way",
                 "nothing clear absorbs",
                 Some(Needless { absorption: true, ..none }),
+            ),
+            (
+                !self.wavelength,
+                "wavelengths",
+                "no glass disperses: three channels go the same ways",
+                Some(Needless { wavelengths: true, ..none }),
             ),
             (!self.lens, "places on the lens", "it is a pinhole", Some(Needless { lens: true, ..none })),
         ];

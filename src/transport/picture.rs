@@ -3,7 +3,7 @@
 use super::film::{Halves, Splats, added, tree};
 use super::kernel::{Tactics, Work};
 use super::photons::Photons;
-use super::simple::{INTEGRATORS, Integrator, Numbers};
+use super::simple::{INTEGRATORS, Integrator, Numbers, RARE};
 use super::{Needless, Needs, Stage, caustics, looks};
 use crate::bsdf::{Rgb, rgb};
 use crate::geometry::Structure;
@@ -48,7 +48,7 @@ impl Default for Method {
 impl Method {
     /// All of them, the fast one first.
     pub fn all() -> impl Iterator<Item = Self> {
-        let simple = INTEGRATORS.iter().map(Self::Simple);
+        let simple = INTEGRATORS.iter().chain(RARE).map(Self::Simple);
         std::iter::once(Self::default()).chain(simple).chain([Self::Photons])
     }
 
@@ -75,7 +75,7 @@ impl Method {
         match self {
             Self::Fast(_) => true,
             Self::Simple(integrator) => (integrator.fits)(needs),
-            Self::Photons => !needs.environment && !needs.bare_lights,
+            Self::Photons => !needs.environment && !needs.bare_lights && !needs.wavelength,
         }
     }
 }

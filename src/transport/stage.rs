@@ -6,9 +6,11 @@ use super::caustics::Caustics;
 use super::lamp::{Arrival, Lamp, Piece};
 use super::surfaces::{Met, Surfaces};
 use super::{Lens, Needless, Needs};
+use crate::bsdf::dispersive::Hue;
 use crate::bsdf::{Rgb, Sample, grey, rgb};
 use crate::geometry::{Bounds, Ends, Hit, Owners, Primitive, Ray, Settings, Structure, Surface, World, flatten};
 use crate::number::{Frame, Mask, Vector, Width, exp, length_and_way, vectorised_lanes};
+use crate::sampling::Row;
 use crate::scene::triple::{minus, times};
 use crate::scene::{Emission, Flaw, Light, Material, Scene};
 
@@ -182,6 +184,12 @@ impl<N: Width> Stage<N> {
     #[inline(always)]
     pub fn absorbs(&self) -> bool {
         self.needs.absorption || self.needless.absorption
+    }
+
+    /// Whether paths may need a wavelength.
+    #[inline(always)]
+    pub fn disperses(&self) -> bool {
+        self.needs.wavelength || self.needless.wavelengths
     }
 
     /// Whether pixels are looked at before there is any light ([`super::looks`]).
@@ -391,6 +399,12 @@ impl Vertex<'_, f64> {
     /// A direction for light to come from.
     pub fn scatter(&self, u: [f64; 3]) -> Sample<f64> {
         self.met.sample(true, self.wo, u)
+    }
+
+    /// The same, where glass disperses by what the path knows of its wavelength.
+    pub fn scatter_hued(&self, row: &Row<f64>, hue: &mut Hue<f64>) -> Sample<f64> {
+        let drawn = self.scatter(row.surface);
+        self.met.dispersed(true, self.wo, (row.surface, row.wavelength), hue, drawn)
     }
 }
 

@@ -1,8 +1,10 @@
 //! What a scene's surfaces are made of, as models of [`crate::bsdf`], for lanes that meet different ones.
 
 use crate::bsdf::coated::Film;
+use crate::bsdf::dispersive::{Dispersive, Hue};
 use crate::bsdf::lambert::Lambert;
 use crate::bsdf::{self, Bsdf, Rgb, Sample, rgb, zoo};
+use crate::colour::response::BAND;
 use crate::media;
 use crate::number::{Mask, Vector, Width};
 use crate::scene::{Coating, Energy, Facets, Flaw, Material, Metal};
@@ -24,6 +26,7 @@ struct Model<N: Width> {
     /// Absorption inside [1 over the unit of length]; 0 for what nothing gets into.
     absorption: [f64; 3],
     is_specular: bool,
+    dispersion: Option<Dispersive>,
 }
 
 impl Material {
@@ -57,6 +60,11 @@ impl Material {
                 let film = coating.as_ref().map(|coating| coating.film(*outside)).transpose()?;
                 ("dielectric", bsdf::Setting { index: ior / outside, film, ..plain })
             }
+            Self::Dispersive { .. } => {
+                // What looks at no wavelength takes it for glass of one index.
+                let index = self.dispersion()?.map_or(plain.index, |glass| glass.middle());
+                ("dielectric", bsdf::Setting { index, ..plain })
+            }
             Self::RoughDielectric { ior, outside, facets, energy, .. } => {
                 let name = match energy {
                     Energy::Compensated => "dielectric-compensated",
@@ -76,20 +84,41 @@ impl Material {
     /// Absorption [m⁻¹] inside what it encloses.
     pub fn absorption(&self) -> [f64; 3] {
         match self {
-            Self::Dielectric { absorption, .. } | Self::RoughDielectric { absorption, .. } => *absorption,
+            Self::Dielectric { absorption, .. }
+            | Self::Dispersive { absorption, .. }
+            | Self::RoughDielectric { absorption, .. } => *absorption,
             _ => [0.0; 3],
         }
     }
 
     /// Whether light gets into it.
     pub fn is_clear(&self) -> bool {
-        matches!(self, Self::Dielectric { .. } | Self::RoughDielectric { .. })
+        matches!(self, Self::Dielectric { .. } | Self::Dispersive { .. } | Self::RoughDielectric { .. })
+    }
+
+    /// Whether its index depends on the wavelength.
+    pub fn disperses(&self) -> bool {
+        matches!(self, Self::Dispersive { .. })
+    }
+
+    /// What it does to wavelengths, if it disperses.
+    ///
+    /// # Errors
+    /// If there is no medium of that name, or it is not known at all wavelengths that are seen.
+    pub fn dispersion(&self) -> Result<Option<Dispersive>, Flaw> {
+        let Self::Dispersive { glass, outside, .. } = self else { return Ok(None) };
+        let medium = media::named(glass).ok_or_else(|| Flaw::of("glass", format!("`{glass}` is no known medium")))?;
+        for end in BAND {
+            medium.index(end).map_err(|error| Flaw::of("glass", error.to_string()))?;
+        }
+        // Between the ends of the band it is known as well.
+        Ok(Some(Dispersive::new(|wavelength| medium.index(wavelength).map_or(1.0, |index| index.re) / outside)))
     }
 
     /// Whether any of its light has no choice of where to go.
     pub fn is_specular(&self) -> bool {
         match self {
-            Self::Mirror { .. } | Self::Conductor { .. } | Self::Dielectric { .. } => true,
+            Self::Mirror { .. } | Self::Conductor { .. } | Self::Dielectric { .. } | Self::Dispersive { .. } => true,
             Self::Plastic { alpha, .. } => alpha.is_none(),
             _ => false,
         }
@@ -146,6 +175,7 @@ impl<N: Width> Surfaces<N> {
                 turns: !material.is_clear() && !matches!(material, Material::Plastic { .. }),
                 absorption: material.absorption().map(|a| a / scale),
                 is_specular: material.is_specular(),
+                dispersion: material.dispersion()?,
             });
             let is_lambert = f64::from(u8::from(matches!(material, Material::Diffuse { .. })));
             let [red, green, blue] = setting.albedo;
@@ -226,6 +256,31 @@ impl<N: Width> Met<'_, N> {
     pub fn sample(&self, active: N::Mask, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
         let mut found = Sample::select(active & self.is_plain, self.paint.sample(wo, u), Sample::none(wo));
         self.others(active, |mask, model| found = Sample::select(mask, model.sample(wo, u), found));
+        found
+    }
+
+    /// What [`Met::sample`] has drawn, but where glass disperses, by what the path knows of its wavelength, and by a number for
+    /// one where it needs it.
+    #[inline(never)]
+    pub fn dispersed(
+        &self,
+        active: N::Mask,
+        wo: Vector<N>,
+        (u, number): ([N; 3], N),
+        hue: &mut Hue<N>,
+        drawn: Sample<N>,
+    ) -> Sample<N> {
+        let mut found = drawn;
+        let mut left = active & !self.is_plain;
+        while let Some(lane) = left.lanes().next() {
+            let same = left & (self.material - N::all(self.material.get(lane))).abs().lt(N::of(0.5));
+            if let Some(glass) = &self.models[self.material.place(lane)].dispersion {
+                let (sample, known) = glass.sample(same, wo, u, number, *hue);
+                found = Sample::select(same, sample, found);
+                *hue = Hue::select(same, known, *hue);
+            }
+            left = left & !same;
+        }
         found
     }
 

@@ -18,6 +18,7 @@ mod extremes;
 mod features;
 mod looks;
 mod photons;
+mod prism;
 
 /// The chance that any one of these tests fails though nothing is wrong.
 const SIGNIFICANCE: f64 = 1e-4;
