@@ -39,6 +39,7 @@
 //! | points for paths, and how they become directions | [`sampling`] | `path-tracing` |
 //! | how light gets from lamps to the picture | [`transport`] | `path-tracing` |
 //! | spectra, eyes, and what a channel means | [`colour`] | `path-tracing/dispersion` |
+//! | polarised light, and what changes it | [`stokes`] | `path-tracing/polarised` |
 //! | from radiance to what a screen shows | [`tone`] | `path-tracing` |
 //! | what is rendered, as data | [`scene`] | `path-tracing` |
 //! | what a ray meets | [`geometry`] | `path-tracing` |
@@ -61,6 +62,7 @@ pub mod references;
 pub mod relief;
 pub mod sampling;
 pub mod scene;
+pub mod stokes;
 pub mod tone;
 pub mod transport;
 pub mod waves;

@@ -43,6 +43,7 @@ pub fn needed(needs: &Needs) -> Vec<String> {
         (needs.specular || needs.rims, MORE),
         (needs.clear, "ways into what is clear"),
         (needs.absorption, "absorption on the way"),
+        (needs.polariser, "polarisation, which a filter sees"),
         (needs.wavelength, "a wavelength for paths that glass disperses"),
         (needs.lens, "places on the lens"),
     ];

@@ -118,6 +118,12 @@ pub const CAMERA: Object = Object {
         must("height", Kind::Count, "pixels"),
         may("aperture", Kind::Number(domain::APERTURE), "0", "the lens's radius; 0 is a pinhole"),
         may("focus", Kind::Number(domain::LENGTH), "the distance of the target", "the distance of what is sharp"),
+        may(
+            "polariser_deg",
+            Kind::Number(domain::TURN),
+            "none",
+            "an ideal polariser before it, its axis from the picture's right towards its up",
+        ),
     ]],
     later: &[],
 };

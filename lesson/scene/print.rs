@@ -79,7 +79,7 @@ impl Printer {
     }
 
     fn camera(&mut self, camera: &Camera) {
-        let Camera { origin, target, up, fov_y_deg, width, height, aperture, focus } = camera;
+        let Camera { origin, target, up, fov_y_deg, width, height, aperture, focus, polariser_deg } = camera;
         self.line("\n[camera]");
         self.put("origin", triple(*origin), "");
         self.put("target", triple(*target), "");
@@ -94,6 +94,9 @@ impl Printer {
         }
         if let Some(focus) = focus {
             self.put("focus", number(*focus), "m to what is sharp");
+        }
+        if let Some(angle) = polariser_deg {
+            self.put("polariser_deg", number(*angle), "axis of a filter, from the picture's right to its up");
         }
     }
 

@@ -72,6 +72,7 @@ fn camera(item: Item) -> Result<Camera, Snag> {
         height: fields.must("height")?.count()?,
         aperture: fields.may("aperture", Item::number)?.unwrap_or_default(),
         focus: fields.may("focus", Item::number)?,
+        polariser_deg: fields.may("polariser_deg", Item::number)?,
     })
 }
 

@@ -23,6 +23,10 @@ pub struct Needs {
     pub absorption: bool,
     /// Glass whose index depends on the wavelength.
     pub wavelength: bool,
+    /// A filter before the camera.
+    pub polariser: bool,
+    /// Surfaces of which it is not known what they do to polarised light.
+    pub scalar: bool,
     /// A lens with an opening.
     pub lens: bool,
     /// A hierarchy of boxes; a [`super::Stage`] knows.
@@ -108,6 +112,8 @@ impl Needs {
             clear: used(&Material::is_clear),
             absorption: used(&|material| material.absorption() != [0.0; 3]),
             wavelength: used(&Material::disperses),
+            polariser: scene.camera.polariser_deg.is_some(),
+            scalar: used(&|material| !material.is_polarising()),
             lens: scene.camera.aperture > 0.0,
             hierarchy: true,
             walls: 0,
@@ -168,6 +174,12 @@ impl Needs {
                 "wavelengths",
                 "no glass disperses: three channels go the same ways",
                 Some(Needless { wavelengths: true, ..none }),
+            ),
+            (
+                !self.polariser,
+                "polarisation",
+                "no filter is before the camera, and light is taken for natural wherever it is reflected",
+                None,
             ),
             (!self.lens, "places on the lens", "it is a pinhole", Some(Needless { lens: true, ..none })),
         ];

@@ -52,6 +52,12 @@ impl Method {
         std::iter::once(Self::default()).chain(simple).chain([Self::Photons])
     }
 
+    /// The one for scenes that need this, if nothing is asked: the fast one, and behind a polariser the only one that looks at it.
+    pub fn usual(needs: &Needs) -> Self {
+        let polarised = RARE.iter().find(|one| needs.polariser && one.name == "polarised");
+        polarised.map_or_else(Self::default, Self::Simple)
+    }
+
     /// Command-line word.
     pub fn name(&self) -> &'static str {
         match self {
@@ -73,9 +79,9 @@ impl Method {
     /// Whether it can do scenes that need this.
     pub fn fits(&self, needs: &Needs) -> bool {
         match self {
-            Self::Fast(_) => true,
+            Self::Fast(_) => !needs.polariser,
             Self::Simple(integrator) => (integrator.fits)(needs),
-            Self::Photons => !needs.environment && !needs.bare_lights && !needs.wavelength,
+            Self::Photons => !needs.environment && !needs.bare_lights && !needs.wavelength && !needs.polariser,
         }
     }
 }

@@ -28,6 +28,8 @@ pub struct Stage<N: Width> {
     environment: Option<Rgb<N>>,
     max_depth: Option<u32>,
     size: [u32; 2],
+    /// The angle [rad] of a filter before the camera.
+    polariser: Option<f64>,
     scale: f64,
     needless: Needless,
     needs: Needs,
@@ -158,6 +160,7 @@ impl<N: Width> Stage<N> {
             environment: scene.environment.or(black).map(|radiance| radiance.map(N::of)),
             max_depth: scene.max_depth,
             size: [scene.camera.width, scene.camera.height],
+            polariser: scene.camera.polariser_deg.map(f64::to_radians),
             scale,
             needless: *needless,
             needs,
@@ -216,6 +219,11 @@ impl<N: Width> Stage<N> {
     /// Width and height of the picture [pixels].
     pub fn size(&self) -> [u32; 2] {
         self.size
+    }
+
+    /// The angle [rad] of an ideal polariser before the camera, from the picture's right to its up.
+    pub fn polariser(&self) -> Option<f64> {
+        self.polariser
     }
 
     /// The lamps.

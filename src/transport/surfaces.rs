@@ -2,6 +2,7 @@
 
 use crate::bsdf::coated::Film;
 use crate::bsdf::dispersive::{Dispersive, Hue};
+use crate::bsdf::fresnel::dielectric;
 use crate::bsdf::lambert::Lambert;
 use crate::bsdf::{self, Bsdf, Rgb, Sample, rgb, zoo};
 use crate::colour::response::BAND;
@@ -27,6 +28,28 @@ struct Model<N: Width> {
     absorption: [f64; 3],
     is_specular: bool,
     dispersion: Option<Dispersive>,
+    polished: Option<Polished>,
+}
+
+/// What is polished, as far as its polarisation is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Polished {
+    /// The same share [1] at every angle, phases as of a perfect conductor.
+    Mirror(Rgb<f64>),
+    /// n + iκ [1] over that outside, by channel.
+    Metal([Complex64; 3]),
+    /// n [1] inside over that outside.
+    Clear(f64),
+}
+
+impl Polished {
+    /// The chance [1] with which [`Met::sample`] lets light that goes to a direction of that z come through, or be reflected.
+    pub fn chance(&self, z: f64, is_transmitted: bool) -> f64 {
+        let Self::Clear(index) = self else { return 1.0 };
+        let eta = if z < 0.0 { 1.0 / index } else { *index };
+        let reflected = dielectric(z.abs().min(1.0), eta).reflectance;
+        if is_transmitted { 1.0 - reflected } else { reflected }
+    }
 }
 
 impl Material {
@@ -115,6 +138,25 @@ impl Material {
         Ok(Some(Dispersive::new(|wavelength| medium.index(wavelength).map_or(1.0, |index| index.re) / outside)))
     }
 
+    /// What it is if it is polished and bare.
+    ///
+    /// # Errors
+    /// If there is no such metal.
+    pub fn polished(&self) -> Result<Option<Polished>, Flaw> {
+        Ok(match self {
+            Self::Mirror { reflectance } => Some(Polished::Mirror(*reflectance)),
+            Self::Conductor { metal, coating: None } => Some(Polished::Metal(metal.indices()?)),
+            Self::Dielectric { ior, outside, coating: None, .. } => Some(Polished::Clear(ior / outside)),
+            _ => None,
+        })
+    }
+
+    /// Whether it is known what it does to polarised light: what is matt forgets it.
+    pub fn is_polarising(&self) -> bool {
+        let is_matt = matches!(self, Self::Diffuse { .. } | Self::RoughDiffuse { .. });
+        is_matt || self.polished().is_ok_and(|polished| polished.is_some())
+    }
+
     /// Whether any of its light has no choice of where to go.
     pub fn is_specular(&self) -> bool {
         match self {
@@ -176,6 +218,7 @@ impl<N: Width> Surfaces<N> {
                 absorption: material.absorption().map(|a| a / scale),
                 is_specular: material.is_specular(),
                 dispersion: material.dispersion()?,
+                polished: material.polished()?,
             });
             let is_lambert = f64::from(u8::from(matches!(material, Material::Diffuse { .. })));
             let [red, green, blue] = setting.albedo;
@@ -236,6 +279,11 @@ impl<N: Width> Met<'_, N> {
     /// Whether any of the light of what a lane has met has no choice of where to go.
     pub fn is_specular(&self, lane: usize) -> bool {
         self.models[self.material.place(lane)].is_specular
+    }
+
+    /// What the first lane has met, if it is polished and bare.
+    pub fn polished(&self) -> Option<&Polished> {
+        self.models[self.material.place(0)].polished.as_ref()
     }
 
     /// f [sr⁻¹] and the density [sr⁻¹], 0 where the mask is false.

@@ -56,7 +56,7 @@ fn every<T>(key: &str, list: &[T], rule: impl Fn(&T) -> Checked) -> Checked {
 }
 
 fn camera(camera: &Camera) -> Checked {
-    let Camera { origin, target, up, fov_y_deg, width, height, aperture, focus } = camera;
+    let Camera { origin, target, up, fov_y_deg, width, height, aperture, focus, polariser_deg } = camera;
     COORDINATE.holds_all("origin", *origin)?;
     COORDINATE.holds_all("target", *target)?;
     if origin == target {
@@ -85,7 +85,8 @@ fn camera(camera: &Camera) -> Checked {
         return Err(Flaw::of(if width >= height { "width" } else { "height" }, why));
     }
     APERTURE.holds("aperture", *aperture)?;
-    focus.map_or(Ok(()), |focus| LENGTH.holds("focus", focus))
+    focus.map_or(Ok(()), |focus| LENGTH.holds("focus", focus))?;
+    polariser_deg.map_or(Ok(()), |angle| TURN.holds("polariser_deg", angle))
 }
 
 /// A direction has a length that can be told from 0 and from infinity.

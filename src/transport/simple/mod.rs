@@ -7,10 +7,12 @@
 //! | rays to lamps | [`lamps`] |
 //! | both, weighed; and an end by chance | [`both`] |
 //! | the same of one wavelength | [`spectral`] |
+//! | the same with polarisation | [`polarised`] |
 
 pub mod both;
 pub mod hemisphere;
 pub mod lamps;
+pub mod polarised;
 pub mod spectral;
 pub mod surface;
 
@@ -37,36 +39,49 @@ pub const INTEGRATORS: &[Integrator] = &[
     Integrator {
         name: "hemisphere",
         about: "directions all alike over the hemisphere, to a fixed depth",
-        fits: |needs| !needs.specular && !needs.clear && !needs.bare_lights && !needs.wavelength,
+        fits: |needs| !needs.specular && !needs.clear && !needs.bare_lights && is_plain(needs),
         radiance: hemisphere::radiance,
     },
     Integrator {
         name: "surface",
         about: "directions as the surface scatters, to a fixed depth",
-        fits: |needs| !needs.bare_lights && !needs.wavelength,
+        fits: |needs| !needs.bare_lights && is_plain(needs),
         radiance: surface::radiance,
     },
     Integrator {
         name: "lamps",
         about: "rays to lamps; lamps met by chance count where rays cannot be sent",
-        fits: |needs| !needs.wavelength,
+        fits: is_plain,
         radiance: lamps::radiance,
     },
     Integrator {
         name: "both",
         about: "rays to lamps and lamps met by chance, weighed by their densities; roulette",
-        fits: |needs| !needs.wavelength,
+        fits: is_plain,
         radiance: both::radiance,
     },
 ];
 
 /// Those of what most scenes do without.
-pub const RARE: &[Integrator] = &[Integrator {
-    name: "spectral",
-    about: "as both, of one wavelength a path, drawn at the eye; where glass disperses",
-    fits: |needs| needs.wavelength,
-    radiance: spectral::radiance,
-}];
+pub const RARE: &[Integrator] = &[
+    Integrator {
+        name: "spectral",
+        about: "as both, of one wavelength a path, drawn at the eye; where glass disperses",
+        fits: |needs| needs.wavelength && !needs.polariser,
+        radiance: spectral::radiance,
+    },
+    Integrator {
+        name: "polarised",
+        about: "as both, with what mirrors, metal and glass do to polarised light; not of rough or coated ones",
+        fits: |needs| !needs.wavelength && !needs.scalar,
+        radiance: polarised::radiance,
+    },
+];
+
+/// Whether three channels of natural light are enough.
+fn is_plain(needs: &Needs) -> bool {
+    !needs.wavelength && !needs.polariser
+}
 
 /// The numbers of one path, vertex after vertex.
 pub struct Numbers<'a> {
