@@ -9,6 +9,7 @@ mod listing;
 pub(crate) mod one_ray;
 mod photons;
 mod picture;
+mod polarised;
 mod rate;
 mod roulette;
 pub(crate) mod scenes;
@@ -36,6 +37,7 @@ pub const CHAPTER: Chapter = Chapter {
         lanes::STEP,
         photons::STEP,
         dispersion::STEP,
+        polarised::STEP,
         extremes::STEP,
         picture::STEP,
         traced::STEP,
@@ -57,6 +59,7 @@ pub const FIGURES: Gallery = gallery(
         lanes::EXHIBIT,
         photons::EXHIBIT,
         dispersion::EXHIBIT,
+        polarised::EXHIBIT,
         extremes::EXHIBIT,
         picture::EXHIBIT,
         traced::EXHIBIT,

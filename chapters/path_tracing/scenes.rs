@@ -86,7 +86,17 @@ fn diffuse(name: &str, reflectance: f64) -> (String, Material) {
 
 /// A square picture.
 fn looking(origin: Triple, target: Triple, fov_y_deg: f64, pixels: u32) -> Camera {
-    Camera { origin, target, up: [0.0, 0.6, 0.8], fov_y_deg, width: pixels, height: pixels, aperture: 0.0, focus: None, polariser_deg: None }
+    Camera {
+        origin,
+        target,
+        up: [0.0, 0.6, 0.8],
+        fov_y_deg,
+        width: pixels,
+        height: pixels,
+        aperture: 0.0,
+        focus: None,
+        polariser_deg: None,
+    }
 }
 
 fn scene(camera: Camera, depth: u32, materials: Vec<(String, Material)>, shapes: Vec<Shape>) -> Scene {
@@ -180,4 +190,30 @@ pub(super) fn needle(glass: &str, bent: f64) -> Scene {
     let shapes = vec![shape(prism, "prism", None), shape(Geometry::Quad { vertices: strip }, "black", Some(lamp))];
     // Camera, two faces, strip.
     scene(camera, 3, vec![("prism".into(), clear), diffuse("black", 0.0)], shapes)
+}
+
+/// A needle's ray that meets two plates of glass of an index, at an angle [rad] from the normal each, the plane of incidence of the second
+/// turned by an angle [rad] from that of the first; and a lamp of radiance 1 where it then goes: Malus's polariscope.
+pub(super) fn polariscope(index: f64, theta: f64, turned: f64) -> Scene {
+    let bend = PI - 2.0 * theta;
+    let (there, next) = ([1.0, 0.0, 0.0], [bend.cos(), bend.sin(), 0.0]);
+    let side = [-bend.sin() * turned.cos(), bend.cos() * turned.cos(), turned.sin()];
+    let last: Triple = std::array::from_fn(|k| next[k] * bend.cos() + side[k] * bend.sin());
+    let between = |from: Triple, to: Triple| -> Triple {
+        let off: Triple = std::array::from_fn(|k| to[k] - from[k]);
+        let length = off.iter().map(|x| x * x).sum::<f64>().sqrt();
+        off.map(|x| x / length)
+    };
+    let disc = |center, normal, radius| Geometry::Disc { center, normal, radius };
+    let second = next.map(|x| 2.0 * x);
+    let lamp = std::array::from_fn(|k| second[k] + 2.0 * last[k]);
+    let shapes = vec![
+        shape(disc([0.0; 3], between(there, next), 0.1), "glass", None),
+        shape(disc(second, between(next, last), 0.1), "glass", None),
+        shape(disc(lamp, last, 0.2), "black", Some(Emission { radiance: [1.0; 3], two_sided: true })),
+    ];
+    let clear = Material::Dielectric { ior: index, outside: 1.0, absorption: [0.0; 3], coating: None };
+    let camera = Camera { up: [0.0, 1.0, 0.0], ..looking([-2.0, 0.0, 0.0], [0.0; 3], 1e-6, 1) };
+    // Camera, two plates, lamp.
+    scene(camera, 3, vec![("glass".into(), clear), diffuse("black", 0.0)], shapes)
 }

@@ -207,7 +207,7 @@ fn wavelengths<N: Width>(fresh: N::Mask, number: N) -> [N; 4] {
 mod tests {
     use super::*;
     use crate::media::named;
-    use crate::number::F32x8;
+    use crate::number::{F32x8, Number};
     use crate::optics::Incidence;
     use crate::optics::fresnel::powers;
 

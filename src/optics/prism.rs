@@ -46,7 +46,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn it_is_the_least(apex in 0.05..1.2, n in 1.0001..2.0, off in -0.5..0.5) {
+        fn it_is_the_least(apex in 0.05f64..1.2, n in 1.0001..2.0, off in -0.5f64..0.5) {
             if let Some(least) = least_deviation(apex, n) {
                 let theta = 0.5 * (least + apex);
                 let own = deviation(theta, apex, n).expect("the same light");

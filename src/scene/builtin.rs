@@ -59,7 +59,17 @@ const DEPTH: u32 = 16;
 
 /// A pinhole upright that takes a square picture of 256 × 256 pixels.
 fn pinhole(origin: Triple, target: Triple, fov_y_deg: f64) -> Camera {
-    Camera { origin, target, up: Camera::UP, fov_y_deg, width: 256, height: 256, aperture: 0.0, focus: None, polariser_deg: None }
+    Camera {
+        origin,
+        target,
+        up: Camera::UP,
+        fov_y_deg,
+        width: 256,
+        height: 256,
+        aperture: 0.0,
+        focus: None,
+        polariser_deg: None,
+    }
 }
 
 /// A scene under a black sky.

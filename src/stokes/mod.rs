@@ -31,6 +31,15 @@ pub fn degree([s_0, s_1, s_2, s_3]: Stokes) -> f64 {
     s_1.hypot(s_2).hypot(s_3) / s_0
 }
 
+/// The degree of polarisation [1] of natural light that is reflected at a surface of index `n` > 1 over that before it, of the angle of
+/// incidence θ by `sin2` = sin² θ: 2 sin² θ u/(sin⁴ θ + u²) with u = cos θ √(n² − sin² θ). It is 1 where u = sin² θ, at Brewster's angle.
+/// R_s − R_p has no digits near the normal, where this keeps its own.
+pub fn reflected_degree(sin2: f64, n: f64) -> f64 {
+    let cos2 = 1.0 - sin2;
+    let u2 = cos2 * ((n - 1.0) * (n + 1.0) + cos2);
+    2.0 * sin2 * u2.sqrt() / (sin2 * sin2 + u2)
+}
+
 /// What becomes of a Stokes vector [1].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mueller(pub [[f64; 4]; 4]);
@@ -50,7 +59,12 @@ impl Mueller {
         // 2⟨E_x* E_y⟩ = S₂ + iS₃ is turned and scaled as a whole.
         let both = a.conj() * b;
         let (mean, half) = (0.5 * (x + y), 0.5 * (x - y));
-        Self([[mean, half, 0.0, 0.0], [half, mean, 0.0, 0.0], [0.0, 0.0, both.re, -both.im], [0.0, 0.0, both.im, both.re]])
+        Self([
+            [mean, half, 0.0, 0.0],
+            [half, mean, 0.0, 0.0],
+            [0.0, 0.0, both.re, -both.im],
+            [0.0, 0.0, both.im, both.re],
+        ])
     }
     // ANCHOR_END: mueller
 
@@ -133,7 +147,9 @@ impl Mueller {
         let mut worst: f64 = 0.0;
         // Cholesky with the largest pivot first: what is left after it must have none below 0.
         let mut left: Vec<usize> = (0..4).collect();
-        while let Some(at) = (0..left.len()).max_by(|a, b| h[left[*a]][left[*a]].re.total_cmp(&h[left[*b]][left[*b]].re)) {
+        while let Some(at) =
+            (0..left.len()).max_by(|a, b| h[left[*a]][left[*a]].re.total_cmp(&h[left[*b]][left[*b]].re))
+        {
             let pivot = left.swap_remove(at);
             let size = h[pivot][pivot].re;
             let least = left.iter().map(|k| h[*k][*k].re).fold(size, f64::min);

@@ -73,14 +73,18 @@ fn beside(way: Vector<f64>) -> Vector<f64> {
 
 /// The matrices by channel of what is polished, for light that comes from `wi` and goes to `wo` along the vertex's axes, over the chance
 /// that it was drawn.
-fn matrices(polished: &Polished, vertex: &Vertex<'_, f64>, is_transmitted: bool, chance: f64, squeeze: f64) -> Rgb<Mueller> {
+fn matrices(
+    polished: &Polished,
+    vertex: &Vertex<'_, f64>,
+    is_transmitted: bool,
+    chance: f64,
+    squeeze: f64,
+) -> Rgb<Mueller> {
     let cos = vertex.wo.z.abs().min(1.0);
     let scaled = |matrix: Mueller, by: f64| Mueller(matrix.0.map(|row| row.map(|m| m * by)));
     match polished {
         Polished::Mirror(reflectance) => rgb(|c| Mueller::mirror(reflectance[c])),
-        Polished::Metal(indices) => {
-            rgb(|c| Mueller::reflection(Incidence::from_cos(cos), 1.0, indices[c]))
-        }
+        Polished::Metal(indices) => rgb(|c| Mueller::reflection(Incidence::from_cos(cos), 1.0, indices[c])),
         Polished::Clear(index) => {
             let (n_o, n_i) = if vertex.wo.z < 0.0 { (*index, 1.0) } else { (1.0, *index) };
             // Light runs the other way than the path; a reflection is the same both ways, and so is a passage's share.
