@@ -24,6 +24,7 @@ use light::scene::builtin::prism::on_screen;
 use light::scene::{Camera, Scene};
 use light::transport::{Manner, Stage};
 use std::f64::consts::FRAC_PI_3;
+use std::sync::OnceLock;
 use yardstick::precise;
 use yardstick::statistics::Moments;
 
@@ -31,7 +32,7 @@ const GLASS: Parameter = Parameter::new(
     "glass",
     "",
     "of which the prism is made",
-    Kind::Choice(&["sf11", "bk7", "fused-silica", "water", "diamond"]),
+    Kind::Choice(&["sf11", "bk7", "fused-silica", "water", "sapphire"]),
 )
 .default("sf11");
 const WAVELENGTH: Parameter =
@@ -201,23 +202,27 @@ const SNELL: Check<fn(f64) -> [f64; 3]> =
         .slip("what is below zero cut off before the mean", |wavelength| response().at(wavelength).map(|r| r.max(0.0)));
 
 const GLOWS: Check<fn(f64, f64) -> f64> =
-    check("locus", "what glows has the colours that are printed: lamps, the sun, and an even spectrum")
-        .against(
-            "CIE 15:2004 for illuminant A (c₂/T of 2855.54 K); Wyszecki and Stiles, *Color Science*, table 1(3.11)",
-        )
-        .within(1e-4, "1", "of x and y, which are printed to four digits; the sums every 5 nm are good to 2e-5")
+    check("locus", "what glows has the colours that are printed, from 1667 K to 100 000 K; and an even spectrum is in the middle")
+        .against("u and v of the locus: A. R. Robertson, J. Opt. Soc. Am. 58 (1968) 1528, table 1; x = y = ⅓ of the even spectrum, to 5e-5, as the CIE has it")
+        .within(1.0, "1", "over 8e-6: five digits are printed, ±5e-6, and a sum every 5 nm is good to about 2e-6")
         .of(
             |_: &mut Bench, glows: fn(f64, f64) -> f64| {
                 let printed = [
-                    (2855.54, [0.44758, 0.40745]),
-                    (4000.0, [0.3805, 0.3768]),
-                    (6500.0, [0.3135, 0.3237]),
-                    (10_000.0, [0.2807, 0.2884]),
+                    (10.0, [0.18066, 0.26589]),
+                    (50.0, [0.18388, 0.27709]),
+                    (100.0, [0.19032, 0.29326]),
+                    (150.0, [0.19962, 0.30921]),
+                    (250.0, [0.22511, 0.33439]),
+                    (400.0, [0.27218, 0.35407]),
+                    (600.0, [0.33724, 0.36051]),
                 ];
-                let even = chromaticity(tristimulus(|_| 1.0)).map(|x| (x - 1.0 / 3.0, "an even spectrum".to_owned()));
-                let all = printed.into_iter().flat_map(|(temperature, printed)| {
-                    let found = chromaticity(tristimulus(|wavelength| glows(wavelength, temperature)));
-                    [0, 1].map(|k| (found[k] - printed[k], format!("{temperature} K, {}", ["x", "y"][k])))
+                let even = chromaticity(tristimulus(|_| 1.0));
+                let even = even.map(|x| ((x - 1.0 / 3.0) / 5e-5, "an even spectrum".to_owned()));
+                let all = printed.into_iter().flat_map(|(mired, printed)| {
+                    let [x, y, z] = tristimulus(|wavelength| glows(wavelength, 1e6 / mired));
+                    let whole = x + 15.0 * y + 3.0 * z;
+                    let found = [4.0 * x / whole, 6.0 * y / whole];
+                    [0, 1].map(|k| ((found[k] - printed[k]) / 8e-6, format!("{:.0} K, {}", 1e6 / mired, ["u", "v"][k])))
                 });
                 Measured::worst(all.chain(even))
             },
@@ -299,6 +304,12 @@ fn near(pixels: [u32; 2]) -> Scene {
 }
 
 fn rainbow(_: &Setting) -> Plot {
+    // It is the same in every setting.
+    static DRAWN: OnceLock<Plot> = OnceLock::new();
+    DRAWN.get_or_init(drawn).clone()
+}
+
+fn drawn() -> Plot {
     const WIDE: u32 = 144;
     const HIGH: u32 = 80;
     let whole = small("prism", 112);
@@ -335,10 +346,7 @@ fn spread(setting: &Setting) -> Plot {
     for (k, name) in ["water", "fused-silica", "bk7", "sf10", "sf11"].into_iter().enumerate() {
         chart = chart.line(Hue::Nth(k as u8), name, points(name));
     }
-    let own = setting.word("glass");
-    if index(own, 587.56e-9) < 2.0 {
-        chart = chart.dashed(Hue::Natural, "the setting", points(own));
-    }
+    chart = chart.dashed(Hue::Natural, "the setting", points(setting.word("glass")));
     Plot::of("How far glass spreads what it bends", chart)
 }
 

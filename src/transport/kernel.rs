@@ -410,7 +410,7 @@ impl<N: Width> Work<'_, N> {
             paths.gather(odd, grey(one));
         }
         // What is left of the light's energy, not of its radiance, decides.
-        let size = paths.throughput.map(N::abs);
+        let size = rgb(|c| paths.throughput[c].abs());
         let left = size[0].max(size[1]).max(size[2]) / paths.squeeze;
         // Light gathered again and again on a way that ends too soon has no finite variance: a bounce that keeps w of it needs a
         // chance above w². Where there is no choice of where to go, nothing is gathered.

@@ -102,8 +102,8 @@ fn every_wavelength_goes_where_snell_says() {
                     let test = t_test(&moments[c], exact[c]);
                     let said = format!("{name} to {end:e}, {c}, {how}: {} against {}", moments[c].mean(), exact[c]);
                     assert!(test.p > least, "{said}, p = {:.1e}", test.p);
-                    // A nanometre beside it would be seen.
-                    assert!(moments[c].standard_error() < 5e-3, "{said} ± {}", moments[c].standard_error());
+                    // Two nanometres beside it would be seen.
+                    assert!(moments[c].standard_error() < 1e-2, "{said} ± {}", moments[c].standard_error());
                 }
             }
         }
@@ -240,11 +240,16 @@ fn a_rainbow_lies_where_snell_puts_it() {
             *material = Material::Diffuse { reflectance: [0.0; 3] };
         }
     }
-    let (pixels, half) = (32, 0.16);
-    let angle = 2.0 * (half / 0.5_f64).atan().to_degrees();
-    let middle = [0.27, 0.1];
-    scene.camera =
-        Camera { up: Camera::UP, ..looking([middle[0], middle[1], -0.1], [middle[0], middle[1], -0.6], angle, pixels) };
+    // A strip as high as the lamp is: what goes through the prism at a slant is bent more, so that lines are curved.
+    let (pixels, high, half) = (128, 8, 0.16);
+    let angle = 2.0 * (half * f64::from(high) / f64::from(pixels) / 0.5).atan().to_degrees();
+    let middle = [0.27, 0.02];
+    scene.camera = Camera {
+        up: Camera::UP,
+        width: pixels,
+        height: high,
+        ..looking([middle[0], middle[1], -0.1], [middle[0], middle[1], -0.6], angle, pixels)
+    };
     let place = |wavelength| crate::scene::builtin::prism::on_screen(wavelength).expect("it gets through");
     let n = |wavelength| index("sf11", wavelength);
     let theta = (n(crate::bsdf::dispersive::D_LINE) * (APEX / 2.0).sin()).asin();
@@ -257,7 +262,7 @@ fn a_rainbow_lies_where_snell_puts_it() {
     let (first, zeroth) = (response().mean(|l| passed(l) * place(l)), response().mean(passed));
     let mut found = [Moments::default(), Moments::default(), Moments::default()];
     for seed in 0..16 {
-        let picture = filmed(&scene, &with(Tactics::default(), seed), &[0..128]).halves();
+        let picture = filmed(&scene, &with(Tactics::default(), seed), &[0..512]).halves();
         for (c, moments) in found.iter_mut().enumerate() {
             let (mut sum, mut along) = (0.0, 0.0);
             for (at, halves) in picture.iter().enumerate() {
