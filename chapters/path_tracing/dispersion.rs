@@ -49,7 +49,7 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
         ),
         figure(
             "rainbow",
-            "The lecture's prism, and its screen from nearby. White ticks above stand where Snell's law puts 430, 480, 530, 580, 630 and 680 nm, from right to left.",
+            "The lecture's prism, and its screen from nearby. White ticks at its foot, from left to right, stand where Snell's law puts 430, 480, 530, 580, 630 and 680 nm; further up lines bend to the left, for what goes through a prism at a slant is turned more.",
             rainbow,
         ),
         figure("spread", "The least deviation of a prism of 60° over the wavelength, for five media.", spread),
@@ -320,15 +320,15 @@ fn drawn() -> Plot {
     for nm in [430.0, 480.0, 530.0, 580.0, 630.0, 680.0] {
         let Some(x) = on_screen(nm * 1e-9) else { continue };
         let [a, b, c] = scene.camera.origin;
-        for k in 0..12 {
-            let to = Vector::of([x - a, 0.094 + 0.001 * f64::from(k) - b, -0.6 - c]);
+        for k in 0..8 {
+            let to = Vector::of([x - a, 0.001 + 0.001 * f64::from(k) - b, -0.6 - c]);
             let [column, row] = stage.lens().place(to.normalised());
             if (0.0..f64::from(WIDE)).contains(&column) && (0.0..f64::from(HIGH)).contains(&row) {
                 close.pixels[row as usize * WIDE as usize + column as usize] = [1.0; 3];
             }
         }
     }
-    Plot::grid("A slit of light through a prism of dense flint", 2, vec![view.into(), close.exposed(1.0).into()])
+    Plot::grid("A slit of light through a prism of dense flint", 2, vec![view.into(), close.into()])
 }
 
 fn spread(setting: &Setting) -> Plot {

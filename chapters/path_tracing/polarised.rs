@@ -40,7 +40,7 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
         ),
         figure(
             "glare",
-            "A pool under a grey sky, seen at Brewster's angle: without a filter, and through a polariser on its side and upright, both brightened by the stop that a filter costs.",
+            "A pool under a grey sky, seen at Brewster's angle: without a filter, darkened by the stop that a filter costs, and through a polariser on its side and upright.",
             glare,
         ),
         figure(
@@ -156,7 +156,7 @@ const TURNS: Check<fn(f64, f64) -> f64> =
                 let found = [0.0, 0.5, 1.2, FRAC_PI_2].map(|turned: f64| {
                     let scene = polariscope(n, brewster_angle(1.0, n), turned);
                     let manner = Manner { method: Method::Simple(polarised()), ..Manner::default() };
-                    let found = runs(64, &scene, manner, 64);
+                    let found = runs(64, &scene, manner, 512);
                     let exact = exact(n, turned);
                     // Where nothing comes back there is no scatter to test by: any light at all would be wrong.
                     if exact < 1e-20 && found.mean() < 1e-12 {
@@ -352,7 +352,7 @@ fn glare(_: &Setting) -> Plot {
         pool.camera.polariser_deg = filter;
         let manner = Manner { method: Method::Simple(polarised()), ..Manner::default() };
         let picture = shown(title, &rendered(&pool, &manner, 32), PIXELS as usize);
-        if filter.is_some() { picture.exposed(1.0) } else { picture }.into()
+        if filter.is_some() { picture } else { picture.exposed(-1.0) }.into()
     };
     let drawn = || {
         let panels = vec![panel("no filter", None), panel("on its side", Some(0.0)), panel("upright", Some(90.0))];
@@ -368,7 +368,7 @@ fn plates(setting: &Setting) -> Plot {
     let manner = Manner { method: Method::Simple(polarised()), ..Manner::default() };
     let found = (0..=12).map(|k| {
         let turned = 15.0 * f64::from(k);
-        [turned, 100.0 * runs(16, &polariscope(n, theta, turned.to_radians()), manner, 64).mean()]
+        [turned, 100.0 * runs(64, &polariscope(n, theta, turned.to_radians()), manner, 256).mean()]
     });
     let forgotten = 100.0 * reflected(n).0[0][0].powi(2);
     let chart = Chart::new(

@@ -49,5 +49,5 @@ pub(super) fn polariser() -> Scene {
     let away = 3.2;
     let origin = [0.0, away * (1.0 / n).atan().sin(), -away * (1.0 / n).atan().cos()];
     let camera = Camera { polariser_deg: Some(90.0), ..pinhole(origin, [0.0, 0.0, 0.1], 36.0) };
-    Scene { environment: Some([0.9, 0.95, 1.0]), ..scene("polariser", camera, materials, shapes) }
+    Scene { environment: Some([1.8, 1.9, 2.0]), ..scene("polariser", camera, materials, shapes) }
 }

@@ -1,6 +1,6 @@
 //! Newton's experiment: a slit, a prism on a white table, and a screen.
 //!
-//! A small lamp in a black box shines through a slit. The prism stands so that the light of the d line goes through it along its
+//! A small lamp at the end of a black tunnel shines through a slit. The prism stands so that the light of the d line goes through it along its
 //! base, where it is bent least (2 arcsin(n sin ½A) − A with the angle A of its edge), and the screen is where that light goes.
 //! Lamp and slit are so narrow that a wavelength's image is about a tenth of the rainbow.
 
@@ -9,7 +9,7 @@ use crate::bsdf::dispersive::D_LINE;
 use crate::media;
 use crate::optics::prism::{deviation, least_deviation};
 use crate::scene::triple::{minus, plus, times};
-use crate::scene::{Camera, Geometry, Material, Mesh, Normals, Scene, Triple};
+use crate::scene::{Geometry, Material, Mesh, Normals, Scene, Triple};
 use std::f64::consts::FRAC_PI_3;
 use std::sync::Arc;
 
@@ -71,35 +71,30 @@ pub fn on_screen(wavelength: f64) -> Option<f64> {
 pub(super) fn prism() -> Scene {
     let mesh = Arc::new(Mesh::wedge(section(index(D_LINE)), [0.0, HEIGHT, 0.0]));
     let wedge = Geometry::Mesh { file: None, normals: Normals::Flat, mesh };
-    // The box before the lamp lets out what falls on the slit's plates.
-    let (front, out, top) = (LAMP + 0.03, 0.006, 0.026);
-    let plate = |at: f64, [low, high]: [f64; 2], [left, right]: [f64; 2]| {
-        quad([at, low, left], [0.0, high - low, 0.0], [0.0, 0.0, right - left])
-    };
-    let side = |z: f64| quad([LAMP - 0.01, 0.0, z], [front - LAMP + 0.01, 0.0, 0.0], [0.0, 0.06, 0.0]);
-    let lid = quad([LAMP - 0.01, 0.06, -0.03], [0.0, 0.0, 0.06], [front - LAMP + 0.01, 0.0, 0.0]);
-    let black = [
-        plate(front, [0.0, 0.06], [-0.03, -out]),
-        plate(front, [0.0, 0.06], [out, 0.03]),
-        plate(front, [top, 0.06], [-out, out]),
-        side(-0.03),
-        side(0.03),
+    // A tunnel from behind the lamp to the slit, through which alone light gets out.
+    let (back, wide, tall) = (LAMP - 0.01, 0.02, 0.05);
+    let plate = |at: f64, [left, right]: [f64; 2]| quad([at, 0.0, left], [0.0, tall, 0.0], [0.0, 0.0, right - left]);
+    let side = |z: f64| quad([back, 0.0, z], [SLIT - back, 0.0, 0.0], [0.0, tall, 0.0]);
+    let lid = quad([back, tall, -wide], [0.0, 0.0, 2.0 * wide], [SLIT - back, 0.0, 0.0]);
+    let tunnel = [
+        plate(SLIT, [-wide, -HALF]),
+        plate(SLIT, [HALF, wide]),
+        plate(back, [-wide, wide]),
+        side(-wide),
+        side(wide),
         lid,
     ];
-    let plates = [plate(SLIT, [0.0, 0.1], [-0.1, -HALF]), plate(SLIT, [0.0, 0.1], [HALF, 0.1])];
     let table = quad([-2.0, 0.0, -2.0], [0.0, 0.0, 4.0], [4.0, 0.0, 0.0]);
     let screen = quad([-0.1, 0.0, -SCREEN], [0.7, 0.0, 0.0], [0.0, 0.16, 0.0]);
     let bulb = Geometry::Disc { center: [LAMP, LEVEL, 0.0], normal: [1.0, 0.0, 0.0], radius: RADIUS };
-    let shapes = [shape(wedge, "glass"), lamp(bulb, [4e5; 3])]
+    let shapes = [shape(wedge, "glass"), lamp(bulb, [1e6; 3]), shape(table, "table"), shape(screen, "white")]
         .into_iter()
-        .chain([shape(table, "table"), shape(screen, "white")])
-        .chain(plates.map(|plate| shape(plate, "plate")))
-        .chain(black.map(|side| shape(side, BLACK.0)))
+        .chain(tunnel.map(|side| shape(side, "tunnel")))
         .collect();
     let glass = Material::Dispersive { glass: GLASS.to_owned(), outside: 1.0, absorption: [0.0; 3] };
-    let materials = vec![("glass", glass), ("table", grey(0.6)), ("white", grey(0.8)), ("plate", grey(0.2)), BLACK];
-    let camera = Camera { up: Camera::UP, ..pinhole([0.12, 0.55, 0.75], [0.06, 0.0, -0.22], 38.0) };
-    Scene { environment: Some([0.02; 3]), ..scene("prism", camera, materials, shapes) }
+    let materials = vec![("glass", glass), ("table", grey(0.6)), ("white", grey(0.8)), ("tunnel", grey(0.05)), BLACK];
+    let camera = pinhole([0.08, 0.5, 0.55], [0.08, 0.0, -0.27], 36.0);
+    Scene { environment: Some([0.04; 3]), ..scene("prism", camera, materials, shapes) }
 }
 
 #[cfg(test)]

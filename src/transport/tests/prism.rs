@@ -236,7 +236,7 @@ fn a_rainbow_lies_where_snell_puts_it() {
     let mut scene = (crate::scene::builtin::named("prism").expect("there").make)();
     scene.environment = None;
     for (name, material) in &mut scene.materials {
-        if matches!(name.as_str(), "table" | "plate") {
+        if matches!(name.as_str(), "table" | "tunnel") {
             *material = Material::Diffuse { reflectance: [0.0; 3] };
         }
     }
