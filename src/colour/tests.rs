@@ -48,6 +48,10 @@ fn what_glows_has_the_published_colours() {
         let whole = x + 15.0 * y + 3.0 * z;
         near(&[4.0 * x / whole, 6.0 * y / whole], &printed, 8e-6);
     }
+    // The candela of 1948: a black body as hot as freezing platinum, 2042 K, has 60 cd/cm². The one of 1979 was rounded to agree
+    // within a hundredth.
+    let luminance = EFFICACY * tristimulus(|l| blackbody(l, 2042.0))[1];
+    assert!((luminance / 6e5 - 1.0).abs() < 0.01, "{luminance}");
     // Stefan and Boltzmann: π∫L dλ = σT⁴, σ = 5.670374419e−8, by the midpoint rule in ln λ.
     let steps = 4000;
     let integral: f64 = (0..steps)
