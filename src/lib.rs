@@ -24,6 +24,7 @@
 //! | the same as the lecture writes it | [`optics::textbook`] | `fresnel/digits` |
 //! | Schlick and its descendants | [`optics::schlick`] | `fresnel/schlick` |
 //! | stacks of films | [`optics::film`] | `fresnel/films` |
+//! | where a prism sends light | [`optics::prism`] | `path-tracing/dispersion` |
 //! | surfaces that scatter | [`bsdf`] | `brdf` |
 //! | one formula for `f64`, `f32` and eight `f32` | [`number`] | `brdf` |
 //! | media by name: indices, (ε, μ, σ) | [`media`] | every step, by name |
@@ -37,6 +38,8 @@
 //! | rough surfaces as heights, and rays among them | [`relief`] | `brdf` |
 //! | points for paths, and how they become directions | [`sampling`] | `path-tracing` |
 //! | how light gets from lamps to the picture | [`transport`] | `path-tracing` |
+//! | spectra, eyes, and what a channel means | [`colour`] | `path-tracing/dispersion` |
+//! | polarised light, and what changes it | [`stokes`] | `path-tracing/polarised` |
 //! | from radiance to what a screen shows | [`tone`] | `path-tracing` |
 //! | what is rendered, as data | [`scene`] | `path-tracing` |
 //! | what a ray meets | [`geometry`] | `path-tracing` |
@@ -44,6 +47,7 @@
 //! | references in arbitrary precision, condition numbers | `references` | every stress |
 
 pub mod bsdf;
+pub mod colour;
 pub mod em;
 pub mod fields;
 pub mod geometry;
@@ -58,6 +62,7 @@ pub mod references;
 pub mod relief;
 pub mod sampling;
 pub mod scene;
+pub mod stokes;
 pub mod tone;
 pub mod transport;
 pub mod waves;

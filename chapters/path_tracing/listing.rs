@@ -7,6 +7,8 @@ const SHOWN: &[(&str, &str)] = &[
     ("lamps", include_str!("../../src/transport/simple/lamps.rs")),
     ("both", include_str!("../../src/transport/simple/both.rs")),
     ("photons", include_str!("../../src/transport/photons.rs")),
+    ("polarised", include_str!("../../src/transport/simple/polarised.rs")),
+    ("spectral", include_str!("../../src/transport/simple/spectral.rs")),
 ];
 
 const MARK: &[u8] = b"<!-- listing: ";

@@ -1,12 +1,15 @@
-//! Path tracing: rows E53, C21–C24 and C26. One module a step, in teaching order.
+//! Path tracing: rows E53, C21–C24, C26 and C27. One module a step, in teaching order.
 
 mod depth;
+mod dispersion;
 mod extremes;
+mod functions;
 mod lanes;
 mod listing;
 pub(crate) mod one_ray;
 mod photons;
 mod picture;
+mod polarised;
 mod rate;
 mod roulette;
 pub(crate) mod scenes;
@@ -33,12 +36,14 @@ pub const CHAPTER: Chapter = Chapter {
         rate::STEP,
         lanes::STEP,
         photons::STEP,
+        dispersion::STEP,
+        polarised::STEP,
         extremes::STEP,
         picture::STEP,
         traced::STEP,
     ],
     figures: FIGURES,
-    functions: &[],
+    functions: functions::FUNCTIONS,
 };
 
 /// What its steps show, apart from the evidence.
@@ -53,6 +58,8 @@ pub const FIGURES: Gallery = gallery(
         rate::EXHIBIT,
         lanes::EXHIBIT,
         photons::EXHIBIT,
+        dispersion::EXHIBIT,
+        polarised::EXHIBIT,
         extremes::EXHIBIT,
         picture::EXHIBIT,
         traced::EXHIBIT,

@@ -4,7 +4,8 @@ use light::bsdf::Rgb;
 use light::bsdf::microfacet::{Joint, Slopes};
 use light::radiometry::polygon;
 use light::scene::{
-    Camera, Emission, Energy, Facets, Filter, Geometry, Material, Metal, Scene, Shape, Transform, Triple, builtin,
+    Camera, Emission, Energy, Facets, Filter, Geometry, Material, Mesh, Metal, Normals, Scene, Shape, Transform,
+    Triple, builtin,
 };
 use light::transport::estimate::colour;
 use light::transport::film::{Film, Halves, branches};
@@ -85,7 +86,17 @@ fn diffuse(name: &str, reflectance: f64) -> (String, Material) {
 
 /// A square picture.
 fn looking(origin: Triple, target: Triple, fov_y_deg: f64, pixels: u32) -> Camera {
-    Camera { origin, target, up: [0.0, 0.6, 0.8], fov_y_deg, width: pixels, height: pixels, aperture: 0.0, focus: None }
+    Camera {
+        origin,
+        target,
+        up: [0.0, 0.6, 0.8],
+        fov_y_deg,
+        width: pixels,
+        height: pixels,
+        aperture: 0.0,
+        focus: None,
+        polariser_deg: None,
+    }
 }
 
 fn scene(camera: Camera, depth: u32, materials: Vec<(String, Material)>, shapes: Vec<Shape>) -> Scene {
@@ -152,4 +163,57 @@ pub(super) fn plate(alpha: f64, radius: f64, pixels: u32) -> Scene {
     let shapes = vec![shape(floor(), "plate", None), shape(ball, "black", Some(lamp))];
     let camera = looking([0.0, -away, away], [0.0; 3], 1e-4, pixels);
     scene(camera, 2, vec![("plate".into(), metal), diffuse("black", 0.0)], shapes)
+}
+
+/// A needle's ray into a prism of 60° of a glass, that goes through along its base if it is bent by an angle [rad]; and behind it a
+/// strip of radiance 1 that begins where it then goes, and reaches to where light is bent more.
+pub(super) fn needle(glass: &str, bent: f64) -> Scene {
+    let half = 0.5 * bent;
+    // Along x within the glass; the edge is up, along y, and the prism long in z.
+    let (side, tall) = (0.3, 0.3 * 3f64.sqrt() / 2.0);
+    let section = [[-0.5 * side, -0.5 * tall, -0.1], [0.5 * side, -0.5 * tall, -0.1], [0.0, 0.5 * tall, -0.1]];
+    let mesh = Arc::new(Mesh::wedge(section, [0.0, 0.0, 0.2]));
+    let prism = Geometry::Mesh { file: None, normals: Normals::Flat, mesh };
+    // Halfway up, a quarter of the side from the middle.
+    let (entry, exit) = ([-0.25 * side, 0.0], [0.25 * side, 0.0]);
+    let out = [half.cos(), -half.sin()];
+    let at = |along: f64, down: f64, z: f64| {
+        [exit[0] + along * out[0] + down * out[1], exit[1] + along * out[1] - down * out[0], z]
+    };
+    let strip = [at(8.0, 0.0, -1.0), at(8.0, 0.0, 1.0), at(8.0, 3.0, 1.0), at(8.0, 3.0, -1.0)];
+    let camera = Camera {
+        up: [0.0, 0.0, 1.0],
+        ..looking([entry[0] - 0.5 * out[0], entry[1] + 0.5 * out[1], 0.0], [entry[0], entry[1], 0.0], 1e-5, 1)
+    };
+    let clear = Material::Dispersive { glass: glass.into(), outside: 1.0, absorption: [0.0; 3] };
+    let lamp = Emission { radiance: [1.0; 3], two_sided: true };
+    let shapes = vec![shape(prism, "prism", None), shape(Geometry::Quad { vertices: strip }, "black", Some(lamp))];
+    // Camera, two faces, strip.
+    scene(camera, 3, vec![("prism".into(), clear), diffuse("black", 0.0)], shapes)
+}
+
+/// A needle's ray that meets two plates of glass of an index, at an angle [rad] from the normal each, the plane of incidence of the second
+/// turned by an angle [rad] from that of the first; and a lamp of radiance 1 where it then goes: Malus's polariscope.
+pub(super) fn polariscope(index: f64, theta: f64, turned: f64) -> Scene {
+    let bend = PI - 2.0 * theta;
+    let (there, next) = ([1.0, 0.0, 0.0], [bend.cos(), bend.sin(), 0.0]);
+    let side = [-bend.sin() * turned.cos(), bend.cos() * turned.cos(), turned.sin()];
+    let last: Triple = std::array::from_fn(|k| next[k] * bend.cos() + side[k] * bend.sin());
+    let between = |from: Triple, to: Triple| -> Triple {
+        let off: Triple = std::array::from_fn(|k| to[k] - from[k]);
+        let length = off.iter().map(|x| x * x).sum::<f64>().sqrt();
+        off.map(|x| x / length)
+    };
+    let disc = |center, normal, radius| Geometry::Disc { center, normal, radius };
+    let second = next.map(|x| 2.0 * x);
+    let lamp = std::array::from_fn(|k| second[k] + 2.0 * last[k]);
+    let shapes = vec![
+        shape(disc([0.0; 3], between(there, next), 0.1), "glass", None),
+        shape(disc(second, between(next, last), 0.1), "glass", None),
+        shape(disc(lamp, last, 0.2), "black", Some(Emission { radiance: [1.0; 3], two_sided: true })),
+    ];
+    let clear = Material::Dielectric { ior: index, outside: 1.0, absorption: [0.0; 3], coating: None };
+    let camera = Camera { up: [0.0, 1.0, 0.0], ..looking([-2.0, 0.0, 0.0], [0.0; 3], 1e-6, 1) };
+    // Camera, two plates, lamp.
+    scene(camera, 3, vec![("glass".into(), clear), diffuse("black", 0.0)], shapes)
 }

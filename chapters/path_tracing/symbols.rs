@@ -44,3 +44,15 @@ pub const M_2: Symbol = Symbol::scalar("m_2", Dimension::ONE).real(1.0, 9.0);
 pub const R: Symbol = Symbol::scalar("r", Dimension::METRE).real(0.5, 2.0);
 /// Distance from its middle.
 pub const S: Symbol = Symbol::scalar("s", Dimension::METRE).real(0.1, 0.4);
+/// Index of a prism over that outside [1].
+pub const N: Symbol = Symbol::scalar("n", Dimension::ONE).real(1.1, 1.7);
+/// Sine of half the angle of its edge [1], or of an angle within it.
+pub const S_HALF: Symbol = Symbol::scalar("s", Dimension::ONE).real(0.1, 0.5);
+/// Angles of two polarisers' axes.
+pub const ALPHA: Symbol = Symbol::scalar("alpha", Dimension::ONE).real(0.1, 1.5);
+/// The other's.
+pub const BETA: Symbol = Symbol::scalar("beta", Dimension::ONE).real(0.1, 1.5);
+/// Cosine of the angle before an interface [1].
+pub const COS_1: Symbol = Symbol::scalar("c_1", Dimension::ONE).real(0.2, 0.9);
+/// Behind it.
+pub const COS_2: Symbol = Symbol::scalar("c_2", Dimension::ONE).real(0.2, 0.9);

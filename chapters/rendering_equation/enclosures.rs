@@ -178,6 +178,7 @@ fn around(radius: f64, ball: Wall, shell: Wall, seen: f64) -> Scene {
             height: 1,
             aperture: 0.0,
             focus: None,
+            polariser_deg: None,
         },
         environment: None,
         materials: vec![("ball".into(), diffuse(ball)), ("shell".into(), diffuse(shell))],

@@ -81,6 +81,7 @@ fn facing(patch: &Patch, away: f64) -> Camera {
         height: rows,
         aperture: 0.0,
         focus: None,
+        polariser_deg: None,
     }
 }
 

@@ -43,6 +43,8 @@ pub fn needed(needs: &Needs) -> Vec<String> {
         (needs.specular || needs.rims, MORE),
         (needs.clear, "ways into what is clear"),
         (needs.absorption, "absorption on the way"),
+        (needs.polariser, "polarisation, which a filter sees"),
+        (needs.wavelength, "a wavelength for paths that glass disperses"),
         (needs.lens, "places on the lens"),
     ];
     let others = all.into_iter().filter(|(is_needed, _)| *is_needed).map(|(_, what)| what.to_owned());

@@ -77,7 +77,7 @@ pub fn serve(job: &Job, folder: &Path) -> Result<ExitCode, Stop> {
     }
     let method = match &job.integrator {
         Some(name) => integrator(name, &scene)?,
-        None => Method::default(),
+        None => usual(&scene)?,
     };
     if let Some(threads) = job.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
@@ -279,6 +279,17 @@ impl Place {
     }
 }
 
+/// The integrator for a scene if none is named.
+fn usual(scene: &Scene) -> Result<Method, Stop> {
+    let needs = Needs::of(scene);
+    let usual = Method::usual(&needs);
+    if usual.fits(&needs) {
+        return Ok(usual);
+    }
+    let why = "a polariser sees what is polished and bare, or matt, and no glass by name; valid: without it, or without other materials";
+    Err(Stop::at("camera.polariser_deg", why))
+}
+
 /// The integrator of that name, if it can do the scene.
 fn integrator(name: &str, scene: &Scene) -> Result<Method, Stop> {
     let (wanted, needs) = (plain(name), Needs::of(scene));
@@ -288,8 +299,8 @@ fn integrator(name: &str, scene: &Scene) -> Result<Method, Stop> {
     })?;
     if !found.fits(&needs) {
         let names: Vec<&str> = Method::all().filter(|one| one.fits(&needs)).map(|one| one.name()).collect();
-        let why =
-            format!("{} cannot do this scene ({}); valid here: {}", found.name(), found.about(), names.join(", "));
+        let names = if names.is_empty() { "none of them".to_owned() } else { names.join(", ") };
+        let why = format!("{} cannot do this scene ({}); valid here: {names}", found.name(), found.about());
         return Err(Stop::at("--integrator", why));
     }
     Ok(found)

@@ -2,7 +2,7 @@
 
 use light::bsdf::microfacet::{Joint, Slopes};
 use light::scene::flaw::domain::{self, Domain};
-use light::scene::material::{films, metals};
+use light::scene::material::{films, glasses, metals};
 use light::scene::{Energy, Filter};
 
 /// A key of a table.
@@ -118,6 +118,12 @@ pub const CAMERA: Object = Object {
         must("height", Kind::Count, "pixels"),
         may("aperture", Kind::Number(domain::APERTURE), "0", "the lens's radius; 0 is a pinhole"),
         may("focus", Kind::Number(domain::LENGTH), "the distance of the target", "the distance of what is sharp"),
+        may(
+            "polariser_deg",
+            Kind::Number(domain::TURN),
+            "none",
+            "an ideal polariser before it, its axis from the picture's right towards its up",
+        ),
     ]],
     later: &[],
 };
@@ -183,6 +189,19 @@ pub const CLEAR: &[Key] = &[
     IOR,
     may("outside", Kind::Number(domain::IOR), "1", "the index outside"),
     may("absorption", Kind::Three(domain::ABSORPTION), "[0, 0, 0]", "radiance falls by e^(−aℓ) on a way ℓ inside"),
+];
+
+/// What polished glass is, by its index or its name.
+pub const GLASS: &[Key] = &[
+    key("ior", Kind::Number(domain::IOR), Need::Unless("glass"), "the index inside"),
+    key(
+        "glass",
+        Kind::Word(|| glasses().map(|known| known.name).collect()),
+        Need::Unless("ior"),
+        "which: its index depends on the wavelength",
+    ),
+    CLEAR[1],
+    CLEAR[2],
 ];
 
 /// What glass cannot be yet.

@@ -79,7 +79,7 @@ impl Printer {
     }
 
     fn camera(&mut self, camera: &Camera) {
-        let Camera { origin, target, up, fov_y_deg, width, height, aperture, focus } = camera;
+        let Camera { origin, target, up, fov_y_deg, width, height, aperture, focus, polariser_deg } = camera;
         self.line("\n[camera]");
         self.put("origin", triple(*origin), "");
         self.put("target", triple(*target), "");
@@ -94,6 +94,9 @@ impl Printer {
         }
         if let Some(focus) = focus {
             self.put("focus", number(*focus), "m to what is sharp");
+        }
+        if let Some(angle) = polariser_deg {
+            self.put("polariser_deg", number(*angle), "axis of a filter, from the picture's right to its up");
         }
     }
 
@@ -131,6 +134,11 @@ impl Printer {
                 self.put("type", quoted("dielectric"), "");
                 self.clear(*ior, *outside, *absorption);
                 self.coating(coating.as_ref());
+            }
+            Material::Dispersive { glass, outside, absorption } => {
+                self.put("type", quoted("dielectric"), "");
+                self.put("glass", quoted(glass), "");
+                self.surrounded(*outside, *absorption);
             }
             Material::RoughDielectric { ior, outside, absorption, facets, energy } => {
                 self.put("type", quoted("rough_dielectric"), "");
@@ -185,6 +193,10 @@ impl Printer {
 
     fn clear(&mut self, ior: f64, outside: f64, absorption: Triple) {
         self.put("ior", number(ior), "");
+        self.surrounded(outside, absorption);
+    }
+
+    fn surrounded(&mut self, outside: f64, absorption: Triple) {
         if outside != OUTSIDE {
             self.put("outside", number(outside), "");
         }

@@ -2,7 +2,7 @@
 
 use super::fields::{Fields, Item};
 use super::keys::{
-    CAMERA, CLEAR, COATED, COATING, ENERGY, ENVIRONMENT, FACETS, GLASSES, IOR, Kind, MASKING as MASKED, METAL,
+    CAMERA, CLEAR, COATED, COATING, ENERGY, ENVIRONMENT, FACETS, GLASS, GLASSES, IOR, Kind, MASKING as MASKED, METAL,
     PATTERNS, REFLECTANCE, ROUGH_GLASSES, SCENE, SHAPE, TRANSFORM, TYPE, Type, may, must,
 };
 use super::meshes::Meshes;
@@ -72,6 +72,7 @@ fn camera(item: Item) -> Result<Camera, Snag> {
         height: fields.must("height")?.count()?,
         aperture: fields.may("aperture", Item::number)?.unwrap_or_default(),
         focus: fields.may("focus", Item::number)?,
+        polariser_deg: fields.may("polariser_deg", Item::number)?,
     })
 }
 
@@ -132,9 +133,16 @@ pub const MATERIALS: &[Type<Read<Material>>] = &[
     },
     Type {
         name: "dielectric",
-        keys: &[&[TYPE], CLEAR, &[COATED]],
-        later: GLASSES,
+        keys: &[&[TYPE], GLASS, &[COATED]],
+        later: &[],
         read: |fields| {
+            if let Some(glass) = fields.may("glass", Item::text)? {
+                fields.idle("ior", "given beside glass, which has its own")?;
+                fields.idle("coating", "a film on glass by name cannot be used so far; valid: on glass of one ior")?;
+                let glass = glass.to_owned();
+                let (outside, absorption) = surrounded(fields)?;
+                return Ok(Material::Dispersive { glass, outside, absorption });
+            }
             let (ior, outside, absorption) = clear(fields)?;
             Ok(Material::Dielectric { ior, outside, absorption, coating: fields.may("coating", coating)? })
         },
@@ -213,8 +221,14 @@ fn energy(fields: &Fields) -> Result<Energy, Snag> {
 
 /// Index, index outside, and absorption.
 fn clear(fields: &Fields) -> Result<(f64, f64, Triple), Snag> {
+    let (outside, absorption) = surrounded(fields)?;
+    Ok((fields.number("ior")?, outside, absorption))
+}
+
+/// Index outside, and absorption.
+fn surrounded(fields: &Fields) -> Result<(f64, Triple), Snag> {
     let outside = fields.may("outside", Item::number)?.unwrap_or(OUTSIDE);
-    Ok((fields.number("ior")?, outside, fields.may("absorption", Item::triple)?.unwrap_or_default()))
+    Ok((outside, fields.may("absorption", Item::triple)?.unwrap_or_default()))
 }
 
 fn coating(item: &Item) -> Result<Coating, Snag> {

@@ -70,6 +70,7 @@ width = 256
 height = 128
 aperture = 0.1
 focus = 7
+polariser_deg = 90
 
 [environment]
 radiance = [0.4, 0.5, 0.6]
@@ -184,6 +185,7 @@ fn whole() -> Scene {
             height: 128,
             aperture: 0.1,
             focus: Some(7.0),
+            polariser_deg: Some(90.0),
         },
         environment: Some([0.4, 0.5, 0.6]),
         materials: vec![
@@ -290,6 +292,7 @@ fn what_may_be_left_out_has_the_value_that_the_contract_says() {
         height: 2,
         aperture: 0.0,
         focus: None,
+        polariser_deg: None,
     };
     let expected = Scene {
         name: "test".into(),
@@ -433,6 +436,8 @@ fn material() -> BoxedStrategy<Material> {
         (index(), outside(), absorption(), coating()).prop_map(|(ior, outside, absorption, coating)| {
             Material::Dielectric { ior, outside, absorption, coating }
         }),
+        (prop::sample::select(vec!["bk7", "N-SF11", "water"]), outside(), absorption())
+            .prop_map(|(glass, outside, absorption)| Material::Dispersive { glass: glass.into(), outside, absorption }),
         (index(), outside(), absorption(), facets(), energy()).prop_map(
             |(ior, outside, absorption, facets, energy)| {
                 Material::RoughDielectric { ior, outside, absorption, facets, energy }
@@ -504,8 +509,9 @@ fn camera() -> BoxedStrategy<Camera> {
     let point = || triple_of(signed(1e3));
     let pixels = || 1..4000u32;
     let up = prop_oneof![Just(Camera::UP), point()];
-    (point(), point(), up, 1.0..179.0, pixels(), pixels(), size(1.0), prop::option::of(1e-3..1e3))
-        .prop_map(|(origin, target, up, fov_y_deg, width, height, aperture, focus)| Camera {
+    let filter = (prop::option::of(1e-3..1e3), prop::option::of(-360.0..360.0));
+    (point(), point(), up, 1.0..179.0, pixels(), pixels(), size(1.0), filter)
+        .prop_map(|(origin, target, up, fov_y_deg, width, height, aperture, (focus, polariser_deg))| Camera {
             origin,
             target,
             up,
@@ -514,6 +520,7 @@ fn camera() -> BoxedStrategy<Camera> {
             height,
             aperture,
             focus,
+            polariser_deg,
         })
         .boxed()
 }

@@ -142,7 +142,27 @@ fn one_wrong_line_is_shown_with_what_would_be_right() {
             &["not yet: a film on rough glass"],
         ),
         ("ior = 1.5", "ior = 20", ":17:7: materials.clear.ior: ", &["20 is out of range; valid: 0.1 to 10"]),
-        ("ior = 1.5", "glass = \"bk7\"", ":17:1: materials.clear.glass: ", &["not yet: a glass by name"]),
+        ("ior = 1.5", "ior = 1.5\nglass = \"bk7\"", ":17:7: materials.clear.ior: ", &["given beside glass"]),
+        ("ior = 1.5", "glass = \"bk8\"", ":17:9: materials.clear.glass: ", &["no clear medium", "did you mean `bk7`"]),
+        ("ior = 1.5", "glass = \"gold\"", ":17:9: materials.clear.glass: ", &["no clear medium", "Known: "]),
+        (
+            "ior = 1.5",
+            "glass = \"bk7\"\noutside = 20",
+            ":18:11: materials.clear.outside: ",
+            &["20 is out of range; valid: 0.1 to 10"],
+        ),
+        (
+            "ior = 1.5",
+            "glass = \"bk7\"\ncoating = { medium = \"mgf2\", thickness_nm = 100 }",
+            ":18:11: materials.clear.coating: ",
+            &["cannot be used so far"],
+        ),
+        (
+            "type = \"dielectric\"\nior = 1.5",
+            "type = \"rough_dielectric\"\nalpha = 0.1\nglass = \"bk7\"",
+            ":18:1: materials.clear.glass: ",
+            &["not yet: a glass by name"],
+        ),
         (
             "ior = 1.5",
             "ior = 1.5\ncoating = { medium = \"mgf3\", thickness_nm = 1 }",
@@ -400,7 +420,7 @@ fn a_name_is_one_that_a_terminal_shows_and_a_list_is_no_scene() -> Result<(), St
 fn the_scenes_of_the_lecture_are_listed_and_printed() {
     let list = lesson("render --list");
     assert_eq!((list.code, list.err.as_str()), (0, ""));
-    for name in ["cornell", "furnace", "glass", "veach", "metals", "mesh", "far", "tiny"] {
+    for name in ["cornell", "furnace", "glass", "prism", "polariser", "veach", "metals", "mesh", "far", "tiny"] {
         assert!(
             list.out.lines().any(|line| line.trim_start().starts_with(&format!("{name} "))),
             "{name}: {}",

@@ -13,7 +13,7 @@ pub const LEAST_COSINE: f64 = 1e-7;
 
 /// Whether a direction can be let in.
 #[inline(always)]
-fn is_fit<N: Number>(w: Vector<N>) -> N::Mask {
+pub(super) fn is_fit<N: Number>(w: Vector<N>) -> N::Mask {
     (w.dot(w) - N::of(1.0)).abs().lt(N::of(1e-3)) & w.z.abs().ge(N::of(LEAST_COSINE))
 }
 

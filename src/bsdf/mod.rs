@@ -10,6 +10,7 @@
 //! | Lambert; rough and diffuse | [`lambert`], [`oren_nayar`], [`eon`] |
 //! | smooth: mirror, metal, glass | [`smooth`] |
 //! | smooth metal and glass under a film | [`coated`] |
+//! | smooth glass whose index depends on the wavelength | [`dispersive`] |
 //! | slopes of a rough surface, what of them is visible | [`microfacet`] |
 //! | rough metal, rough glass, one event | [`rough_conductor`], [`rough_dielectric`] |
 //! | a diffuse body under a coat | [`plastic`] |
@@ -23,6 +24,7 @@ pub mod albedo;
 pub mod audit;
 pub mod coated;
 pub mod compensated;
+pub mod dispersive;
 pub mod eon;
 pub mod fresnel;
 pub mod guard;

@@ -3,6 +3,7 @@
 pub mod film;
 pub mod fresnel;
 pub mod incidence;
+pub mod prism;
 pub mod schlick;
 pub mod textbook;
 

@@ -26,13 +26,15 @@ pub struct Row<N> {
     pub which: N,
     /// Whether the path goes on.
     pub survival: N,
+    /// Which wavelength, where a path needs one.
+    pub wavelength: N,
 }
 
 impl<N> Row<N> {
     /// The numbers in their order.
     #[inline(always)]
-    pub fn of([a, b, c, d, e, which, survival, _]: [N; ROW]) -> Self {
-        Self { lamp: [a, b], surface: [c, d, e], which, survival }
+    pub fn of([a, b, c, d, e, which, survival, wavelength]: [N; ROW]) -> Self {
+        Self { lamp: [a, b], surface: [c, d, e], which, survival, wavelength }
     }
 }
 

@@ -3,6 +3,8 @@
 mod balls;
 mod furnace;
 mod plates;
+mod pool;
+pub mod prism;
 mod room;
 #[cfg(test)]
 mod tests;
@@ -24,6 +26,8 @@ pub struct Builtin {
 pub const BUILTIN: &[Builtin] = &[
     entry("cornell", "the Cornell box: diffuse walls and blocks, one lamp", room::cornell),
     entry("glass", "the box with a mirror and a ball of glass: a caustic", room::glass),
+    entry("prism", "a slit of light through a prism of dense flint: a rainbow", prism::prism),
+    entry("polariser", "a pool through a polariser that takes the sky's glare off the water", pool::polariser),
     entry(
         "veach",
         "four plates of metal, ever rougher, and four lamps of one power: which sampling sees which?",
@@ -55,7 +59,17 @@ const DEPTH: u32 = 16;
 
 /// A pinhole upright that takes a square picture of 256 × 256 pixels.
 fn pinhole(origin: Triple, target: Triple, fov_y_deg: f64) -> Camera {
-    Camera { origin, target, up: Camera::UP, fov_y_deg, width: 256, height: 256, aperture: 0.0, focus: None }
+    Camera {
+        origin,
+        target,
+        up: Camera::UP,
+        fov_y_deg,
+        width: 256,
+        height: 256,
+        aperture: 0.0,
+        focus: None,
+        polariser_deg: None,
+    }
 }
 
 /// A scene under a black sky.

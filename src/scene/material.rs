@@ -2,7 +2,9 @@
 
 use super::Triple;
 use crate::bsdf::microfacet::{Joint, Slopes};
+use crate::colour::response::BAND;
 use crate::media::{self, Substance};
+use num_complex::Complex64;
 
 /// A material. What is opaque reflects on both of its sides, but for [`Material::Plastic`], whose back is black.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,6 +56,15 @@ pub enum Material {
         absorption: Triple,
         /// A film upon it.
         coating: Option<Coating>,
+    },
+    /// Polished glass whose index depends on the wavelength.
+    Dispersive {
+        /// Its name in [`media`]: one of [`glasses`].
+        glass: String,
+        /// Index outside [1].
+        outside: f64,
+        /// Absorption inside [m⁻¹].
+        absorption: Triple,
     },
     /// Rough glass.
     RoughDielectric {
@@ -140,6 +151,16 @@ pub fn metals() -> impl Iterator<Item = &'static Substance> {
 /// The media that films are made of: all that are known at [`media::CHANNELS`].
 pub fn films() -> impl Iterator<Item = &'static Substance> {
     media::optical().filter(|known| known.colour().is_ok())
+}
+
+/// The most κ [1] of what is clear: a millimetre of it takes a hundredth. And the least n [1] of a body that can be seen.
+const CLEAR: f64 = 1e-6;
+const SOLID: f64 = 1.01;
+
+/// The media that dispersing bodies are made of: clear, and known at all wavelengths that are seen.
+pub fn glasses() -> impl Iterator<Item = &'static Substance> {
+    let is_clear = |index: Complex64| index.im < CLEAR && index.re > SOLID;
+    media::optical().filter(move |medium| BAND.iter().all(|end| medium.index(*end).is_ok_and(is_clear)))
 }
 
 /// A film of a named medium.

@@ -89,6 +89,9 @@ pub struct Camera {
     pub aperture: f64,
     /// Distance [m] of the sharp plane; None is that of the target.
     pub focus: Option<f64>,
+    /// The angle [deg] of an ideal polariser before it, from the picture's right to its up: what swings along that passes. None is no
+    /// filter.
+    pub polariser_deg: Option<f64>,
 }
 
 /// A light without a surface.

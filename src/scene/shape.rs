@@ -104,6 +104,22 @@ pub struct Mesh {
 }
 
 impl Mesh {
+    /// A prism over a triangle [m], as long as a vector [m] that does not lie in it; its faces look outward.
+    pub fn wedge(section: [Triple; 3], along: Triple) -> Self {
+        let corner = |k: usize| if k < 3 { section[k] } else { plus(section[k - 3], along) };
+        let positions = (0..6).map(|k| corner(k).map(|x| x as f32)).collect();
+        let normal = cross(minus(section[1], section[0]), minus(section[2], section[0]));
+        let mut triangles = vec![[0, 2, 1], [3, 4, 5]];
+        for k in 0..3 {
+            let next = (k + 1) % 3;
+            triangles.extend([[k, next, next + 3], [k, next + 3, k + 3]]);
+        }
+        if dot(normal, along) < 0.0 {
+            triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
+        }
+        Self { positions, normals: Vec::new(), triangles }
+    }
+
     /// (v₁ − v₀) × (v₂ − v₀) [m²] of a triangle, twice its area along its normal.
     ///
     /// # Panics

@@ -14,11 +14,15 @@
 //! chance, by a ray to the lamp and from the lamp as p c, p_L c and p π M e. Whatever lies between, the shares add up to 1, so
 //! that nothing is counted twice.
 //!
+//! A wavelength changes none of this. Where glass disperses, either way draws it with the same density at a path's second
+//! dispersing event, or the first that it passes; the shares ask for the ends alone, and add up to 1 for every wavelength.
+//!
 //! The light of a path is added to a pixel as a whole number of units: such sums know no order.
 
 use super::film::{Splats, UNITS};
 use super::lamp::{Arrival, Lamp};
 use super::{Stage, Vertex};
+use crate::bsdf::dispersive::Hue;
 use crate::bsdf::{Rgb, grey, rgb};
 use crate::geometry::{Bounds, Ray};
 use crate::number::{Frame, MOST_LANES, Mask, Vector, Width, length_and_way, vectorised_lanes};
@@ -196,6 +200,8 @@ struct Paths<N: Width> {
     density: N,
     /// How densely rays to the lamp would have been sent from what was met first, against those that are drawn there.
     by_ray: N,
+    /// What they know of their wavelength, where glass disperses.
+    hue: Hue<N>,
     alive: N::Mask,
 }
 
@@ -259,7 +265,11 @@ impl<N: Width> Caustics<N> {
                 self.join(stage, &paths, &vertex, &mut splat);
             }
             let row: Row<N> = stream.at(|lane| samples[lane], |_| edges as usize);
-            let drawn = vertex.met.sample(paths.alive, vertex.wo, row.surface);
+            let mut drawn = vertex.met.sample(paths.alive, vertex.wo, row.surface);
+            if stage.disperses() {
+                let numbers = (row.surface, row.wavelength);
+                drawn = vertex.met.dispersed(paths.alive, vertex.wo, numbers, &mut paths.hue, drawn);
+            }
             if edges == 1 {
                 let is_rough = paths.alive & vertex.met.is_rough_caster();
                 paths.alive = paths.alive & (drawn.is_delta | is_rough);
@@ -274,7 +284,8 @@ impl<N: Width> Caustics<N> {
             let direction = vertex.frame.outward(drawn.wi);
             paths.scale(vertex.kept(&drawn, direction));
             paths.ray = stage.leave(&vertex, direction);
-            let left = paths.left[0].max(paths.left[1]).max(paths.left[2]);
+            let left = rgb(|c| paths.left[c].abs());
+            let left = left[0].max(left[1]).max(left[2]);
             let chance = if f64::from(edges) < PATIENCE { one } else { left.min(one) };
             let goes_on = row.survival.lt(chance) & left.gt(zero);
             paths.scale(grey(one / N::select(goes_on, chance, one)));
@@ -319,6 +330,7 @@ impl<N: Width> Caustics<N> {
             cos,
             density,
             by_ray: zero,
+            hue: Hue::none(),
             alive: cos.gt(zero) & density.gt(zero),
         }
     }

@@ -43,7 +43,7 @@ impl Splats {
         Self { exponent, sums }
     }
 
-    /// More light ≥ 0 for a half of a pixel.
+    /// More light for a half of a pixel; of one wavelength a channel's may be below 0.
     pub fn add(&mut self, pixel: usize, half: usize, light: Rgb<f64>) {
         let unit = f64::from(self.exponent).exp2();
         for (sum, light) in self.sums[pixel][half].iter_mut().zip(light) {
@@ -70,7 +70,7 @@ impl Splats {
     }
 }
 
-/// The sum of counts ≥ 0: once it is no number or does not fit, it stays so, in whatever order.
+/// The sum of counts: once it is no number or does not fit, it stays so, in whatever order as long as none is below 0.
 fn counted(a: i64, b: i64) -> i64 {
     if a == NO_NUMBER || b == NO_NUMBER { NO_NUMBER } else { a.checked_add(b).unwrap_or(NO_NUMBER) }
 }

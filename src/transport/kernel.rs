@@ -5,9 +5,10 @@
 //! surface, and both ways of meeting a lamp are weighed by their densities (E. Veach and L. J. Guibas, *Optimally combining
 //! sampling techniques for Monte Carlo rendering*, SIGGRAPH '95, 419: the balance heuristic).
 
-use super::film::{Halves, added, tree};
 use super::caustics::{self, Caustics};
+use super::film::{Halves, added, tree};
 use super::{Stage, Vertex, pilot};
+use crate::bsdf::dispersive::Hue;
 use crate::bsdf::{Rgb, grey, rgb};
 use crate::geometry::Ray;
 use crate::number::{MOST_LANES, Mask, Vector, Width, vectorised_lanes};
@@ -107,6 +108,8 @@ struct Paths<N: Width> {
     end: N,
     /// The same where the last surface casts light; infinite where no path from a lamp could have met a lamp from there.
     cast: N,
+    /// What they know of their wavelength, where glass disperses.
+    hue: Hue<N>,
     /// Which of the pixels each is of,
     owner: [usize; MOST_LANES],
     /// which of its samples,
@@ -222,6 +225,9 @@ impl<N: Width> Work<'_, N> {
                 };
                 let ray = self.stage.camera([place(0), place(1)], [u[0], u[1], u[2], u[3]]);
                 paths.begin(fresh, ray);
+                if self.stage.disperses() {
+                    paths.hue = Hue::select(fresh, Hue::none(), paths.hue);
+                }
             }
             if !paths.alive.any() {
                 break;
@@ -301,6 +307,7 @@ impl<N: Width> Paths<N> {
             squeeze: N::of(1.0),
             end: N::of(f64::INFINITY),
             cast: N::of(f64::INFINITY),
+            hue: Hue::none(),
             owner: [0; MOST_LANES],
             sample: [0; MOST_LANES],
             slot: [0; MOST_LANES],
@@ -413,21 +420,27 @@ impl<N: Width> Work<'_, N> {
             self.join(paths, &vertex, &row);
         }
 
-        let drawn = vertex.met.sample(paths.alive, vertex.wo, row.surface);
+        let mut drawn = vertex.met.sample(paths.alive, vertex.wo, row.surface);
+        if stage.disperses() {
+            let numbers = (row.surface, row.wavelength);
+            drawn = vertex.met.dispersed(paths.alive, vertex.wo, numbers, &mut paths.hue, drawn);
+        }
         paths.throughput = rgb(|c| paths.throughput[c] * drawn.weight[c]);
         paths.squeeze = paths.squeeze * drawn.compression;
         paths.pdf = N::select(drawn.is_delta, N::of(f64::INFINITY), drawn.pdf);
         paths.cast = N::select(is_cast | drawn.is_delta, paths.end, N::of(f64::INFINITY));
         let direction = vertex.frame.outward(drawn.wi);
         paths.ray = stage.leave(&vertex, direction);
-        let is_number = (paths.throughput[0] + paths.throughput[1] + paths.throughput[2]).ge(zero);
+        // Of one wavelength alone a channel may carry less than nothing.
+        let is_number = (paths.throughput[0] + paths.throughput[1] + paths.throughput[2]).abs().ge(zero);
         let odd = paths.alive & !is_number;
         if odd.any() {
             // It would end without a word; the pixel has to tell.
             paths.gather(odd, grey(one));
         }
         // What is left of the light's energy, not of its radiance, decides.
-        let left = paths.throughput[0].max(paths.throughput[1]).max(paths.throughput[2]) / paths.squeeze;
+        let size = rgb(|c| paths.throughput[c].abs());
+        let left = size[0].max(size[1]).max(size[2]) / paths.squeeze;
         // Light gathered again and again on a way that ends too soon has no finite variance: a bounce that keeps w of it needs a
         // chance above w². Where there is no choice of where to go, nothing is gathered.
         let kept = drawn.weight[0].max(drawn.weight[1]).max(drawn.weight[2]);
@@ -467,9 +480,8 @@ impl<N: Width> Work<'_, N> {
             let (f, pdf) = vertex.met.eval_pdf(active, wi, vertex.wo);
             let share = match self.tactics.meeting {
                 Meeting::Both => {
-                    let by_light = caustics.map_or(zero, |caustics| {
-                        caustics.rival_of_arrival(vertex.start, number, &arrival, paths.cast)
-                    });
+                    let by_light = caustics
+                        .map_or(zero, |caustics| caustics.rival_of_arrival(vertex.start, number, &arrival, paths.cast));
                     one / (one + pdf / arrival.pdf * (one + by_light))
                 }
                 _ => one,

@@ -56,6 +56,11 @@ impl<N: Number> Lens<N> {
         self.is_pinhole && self.filter == Filter::Box
     }
 
+    /// The picture's right, of length 1.
+    pub fn right(&self) -> Vector<N> {
+        length_and_way(self.pixel[0]).1
+    }
+
     /// Where the pinhole is.
     pub fn origin(&self) -> Vector<N> {
         self.origin

@@ -23,6 +23,12 @@ pub struct Needs {
     pub clear: bool,
     /// Matter that absorbs on the way.
     pub absorption: bool,
+    /// Glass whose index depends on the wavelength.
+    pub wavelength: bool,
+    /// A filter before the camera.
+    pub polariser: bool,
+    /// Surfaces of which it is not known what they do to polarised light.
+    pub scalar: bool,
     /// A lens with an opening.
     pub lens: bool,
     /// A hierarchy of boxes; a [`super::Stage`] knows.
@@ -61,6 +67,8 @@ pub struct Needless {
     pub absorption: bool,
     /// Places on a lens, whose opening may have no size.
     pub lens: bool,
+    /// Wavelengths, although every index is one number.
+    pub wavelengths: bool,
 }
 
 impl Needless {
@@ -73,10 +81,19 @@ impl Needless {
         looks: false,
         absorption: false,
         lens: false,
+        wavelengths: false,
     };
     /// All of it.
-    pub const EVERYTHING: Self =
-        Self { hierarchy: true, walls: true, sky: true, models: true, looks: true, absorption: true, lens: true };
+    pub const EVERYTHING: Self = Self {
+        hierarchy: true,
+        walls: true,
+        sky: true,
+        models: true,
+        looks: true,
+        absorption: true,
+        lens: true,
+        wavelengths: true,
+    };
 }
 
 impl Needs {
@@ -97,6 +114,9 @@ impl Needs {
             casters: used(&Material::casts),
             clear: used(&Material::is_clear),
             absorption: used(&|material| material.absorption() != [0.0; 3]),
+            wavelength: used(&Material::disperses),
+            polariser: scene.camera.polariser_deg.is_some(),
+            scalar: used(&|material| !material.is_polarising()),
             lens: scene.camera.aperture > 0.0,
             hierarchy: true,
             walls: 0,
@@ -151,6 +171,18 @@ impl Needs {
                 "absorption on the way",
                 "nothing clear absorbs",
                 Some(Needless { absorption: true, ..none }),
+            ),
+            (
+                !self.wavelength,
+                "wavelengths",
+                "no glass disperses: three channels go the same ways",
+                Some(Needless { wavelengths: true, ..none }),
+            ),
+            (
+                !self.polariser,
+                "polarisation",
+                "no filter is before the camera, and light is taken for natural wherever it is reflected",
+                None,
             ),
             (!self.lens, "places on the lens", "it is a pinhole", Some(Needless { lens: true, ..none })),
         ];

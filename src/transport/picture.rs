@@ -2,9 +2,9 @@
 
 use super::film::{Halves, Splats, added, tree};
 use super::kernel::{Tactics, Work};
-use super::pilot::Pilot;
 use super::photons::Photons;
-use super::simple::{INTEGRATORS, Integrator, Numbers};
+use super::pilot::Pilot;
+use super::simple::{INTEGRATORS, Integrator, Numbers, RARE};
 use super::{Needless, Needs, Stage, caustics, looks};
 use crate::bsdf::{Rgb, rgb};
 use crate::geometry::Structure;
@@ -49,8 +49,14 @@ impl Default for Method {
 impl Method {
     /// All of them, the fast one first.
     pub fn all() -> impl Iterator<Item = Self> {
-        let simple = INTEGRATORS.iter().map(Self::Simple);
+        let simple = INTEGRATORS.iter().chain(RARE).map(Self::Simple);
         std::iter::once(Self::default()).chain(simple).chain([Self::Photons])
+    }
+
+    /// The one for scenes that need this, if nothing is asked: the fast one, and behind a polariser the only one that looks at it.
+    pub fn usual(needs: &Needs) -> Self {
+        let polarised = RARE.iter().find(|one| needs.polariser && one.name == "polarised");
+        polarised.map_or_else(Self::default, Self::Simple)
     }
 
     /// Command-line word.
@@ -74,9 +80,9 @@ impl Method {
     /// Whether it can do scenes that need this.
     pub fn fits(&self, needs: &Needs) -> bool {
         match self {
-            Self::Fast(_) => true,
+            Self::Fast(_) => !needs.polariser,
             Self::Simple(integrator) => (integrator.fits)(needs),
-            Self::Photons => !needs.environment && !needs.bare_lights,
+            Self::Photons => !needs.environment && !needs.bare_lights && !needs.wavelength && !needs.polariser,
         }
     }
 }

@@ -76,8 +76,7 @@ fn tried<N: Width>(stage: &Stage<N>, tactics: &Tactics, points: &Points, pixels:
                 let streams: Vec<Stream<'_>> = pixels.iter().map(|pixel| points.of_pixel(*pixel)).collect();
                 let edges = vec![Cell::new(0); pixels.len()];
                 let several = vec![1; pixels.len()];
-                let work =
-                    Work { stage, tactics, pixels, several: &several, streams: &streams, edges: Some(&edges) };
+                let work = Work { stage, tactics, pixels, several: &several, streams: &streams, edges: Some(&edges) };
                 let halves = work.branch(0..1);
                 halves.iter().zip(&edges).map(|(halves, edges)| Found::of(halves, edges.get())).collect::<Vec<_>>()
             },
@@ -96,9 +95,8 @@ struct Found {
 
 impl Found {
     fn of(halves: &Halves, edges: u32) -> Self {
-        let by = |of: fn(f64, f64) -> f64| {
-            std::array::from_fn(|c| of(f64::from(halves[0][c]), f64::from(halves[1][c])))
-        };
+        let by =
+            |of: fn(f64, f64) -> f64| std::array::from_fn(|c| of(f64::from(halves[0][c]), f64::from(halves[1][c])));
         Self { mean: by(|a, b| 0.5 * (a + b)), variance: by(|a, b| 0.5 * (a - b).powi(2)), edges: f64::from(edges) }
     }
 

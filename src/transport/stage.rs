@@ -6,9 +6,11 @@ use super::caustics::Caustics;
 use super::lamp::{Arrival, Lamp, Piece};
 use super::surfaces::{Met, Surfaces};
 use super::{Lens, Needless, Needs};
+use crate::bsdf::dispersive::Hue;
 use crate::bsdf::{Rgb, Sample, grey, rgb};
 use crate::geometry::{Bounds, Ends, Hit, Owners, Primitive, Ray, Settings, Structure, Surface, World, flatten};
 use crate::number::{Frame, Mask, Vector, Width, exp, length_and_way, vectorised_lanes};
+use crate::sampling::Row;
 use crate::scene::triple::{minus, times};
 use crate::scene::{Emission, Flaw, Light, Material, Scene};
 
@@ -26,6 +28,8 @@ pub struct Stage<N: Width> {
     environment: Option<Rgb<N>>,
     max_depth: Option<u32>,
     size: [u32; 2],
+    /// The angle [rad] of a filter before the camera.
+    polariser: Option<f64>,
     scale: f64,
     needless: Needless,
     needs: Needs,
@@ -156,6 +160,7 @@ impl<N: Width> Stage<N> {
             environment: scene.environment.or(black).map(|radiance| radiance.map(N::of)),
             max_depth: scene.max_depth,
             size: [scene.camera.width, scene.camera.height],
+            polariser: scene.camera.polariser_deg.map(f64::to_radians),
             scale,
             needless: *needless,
             needs,
@@ -184,6 +189,12 @@ impl<N: Width> Stage<N> {
         self.needs.absorption || self.needless.absorption
     }
 
+    /// Whether paths may need a wavelength.
+    #[inline(always)]
+    pub fn disperses(&self) -> bool {
+        self.needs.wavelength || self.needless.wavelengths
+    }
+
     /// Whether pixels are looked at before there is any light ([`super::looks`]).
     pub fn is_looked_at(&self) -> bool {
         self.needs.specular || self.needs.rims || self.needless.looks
@@ -208,6 +219,11 @@ impl<N: Width> Stage<N> {
     /// Width and height of the picture [pixels].
     pub fn size(&self) -> [u32; 2] {
         self.size
+    }
+
+    /// The angle [rad] of an ideal polariser before the camera, from the picture's right to its up.
+    pub fn polariser(&self) -> Option<f64> {
+        self.polariser
     }
 
     /// The lamps.
@@ -398,6 +414,12 @@ impl Vertex<'_, f64> {
     /// A direction for light to come from.
     pub fn scatter(&self, u: [f64; 3]) -> Sample<f64> {
         self.met.sample(true, self.wo, u)
+    }
+
+    /// The same, where glass disperses by what the path knows of its wavelength.
+    pub fn scatter_hued(&self, row: &Row<f64>, hue: &mut Hue<f64>) -> Sample<f64> {
+        let drawn = self.scatter(row.surface);
+        self.met.dispersed(true, self.wo, (row.surface, row.wavelength), hue, drawn)
     }
 }
 

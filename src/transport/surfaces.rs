@@ -1,8 +1,11 @@
 //! What a scene's surfaces are made of, as models of [`crate::bsdf`], for lanes that meet different ones.
 
 use crate::bsdf::coated::Film;
+use crate::bsdf::dispersive::{Dispersive, Hue};
+use crate::bsdf::fresnel::dielectric;
 use crate::bsdf::lambert::Lambert;
 use crate::bsdf::{self, Bsdf, Rgb, Sample, rgb, zoo};
+use crate::colour::response::BAND;
 use crate::media;
 use crate::number::{Mask, Vector, Width};
 use crate::scene::{Coating, Energy, Facets, Flaw, Material, Metal};
@@ -24,6 +27,29 @@ struct Model<N: Width> {
     /// Absorption inside [1 over the unit of length]; 0 for what nothing gets into.
     absorption: [f64; 3],
     is_specular: bool,
+    dispersion: Option<Dispersive>,
+    polished: Option<Polished>,
+}
+
+/// What is polished, as far as its polarisation is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Polished {
+    /// The same share [1] at every angle, phases as of a perfect conductor.
+    Mirror(Rgb<f64>),
+    /// n + iκ [1] over that outside, by channel.
+    Metal([Complex64; 3]),
+    /// n [1] inside over that outside.
+    Clear(f64),
+}
+
+impl Polished {
+    /// The chance [1] with which [`Met::sample`] lets light that goes to a direction of that z come through, or be reflected.
+    pub fn chance(&self, z: f64, is_transmitted: bool) -> f64 {
+        let Self::Clear(index) = self else { return 1.0 };
+        let eta = if z < 0.0 { 1.0 / index } else { *index };
+        let reflected = dielectric(z.abs().min(1.0), eta).reflectance;
+        if is_transmitted { 1.0 - reflected } else { reflected }
+    }
 }
 
 /// What a surface is to paths, besides its model.
@@ -67,6 +93,11 @@ impl Material {
                 let film = coating.as_ref().map(|coating| coating.film(*outside)).transpose()?;
                 ("dielectric", bsdf::Setting { index: ior / outside, film, ..plain })
             }
+            Self::Dispersive { .. } => {
+                // What looks at no wavelength takes it for glass of one index.
+                let index = self.dispersion()?.map_or(plain.index, |glass| glass.middle());
+                ("dielectric", bsdf::Setting { index, ..plain })
+            }
             Self::RoughDielectric { ior, outside, facets, energy, .. } => {
                 let name = match energy {
                     Energy::Compensated => "dielectric-compensated",
@@ -86,20 +117,60 @@ impl Material {
     /// Absorption [m⁻¹] inside what it encloses.
     pub fn absorption(&self) -> [f64; 3] {
         match self {
-            Self::Dielectric { absorption, .. } | Self::RoughDielectric { absorption, .. } => *absorption,
+            Self::Dielectric { absorption, .. }
+            | Self::Dispersive { absorption, .. }
+            | Self::RoughDielectric { absorption, .. } => *absorption,
             _ => [0.0; 3],
         }
     }
 
     /// Whether light gets into it.
     pub fn is_clear(&self) -> bool {
-        matches!(self, Self::Dielectric { .. } | Self::RoughDielectric { .. })
+        matches!(self, Self::Dielectric { .. } | Self::Dispersive { .. } | Self::RoughDielectric { .. })
+    }
+
+    /// Whether its index depends on the wavelength.
+    pub fn disperses(&self) -> bool {
+        matches!(self, Self::Dispersive { .. })
+    }
+
+    /// What it does to wavelengths, if it disperses.
+    ///
+    /// # Errors
+    /// If there is no medium of that name, or it is not known at all wavelengths that are seen.
+    pub fn dispersion(&self) -> Result<Option<Dispersive>, Flaw> {
+        let Self::Dispersive { glass, outside, .. } = self else { return Ok(None) };
+        let medium = media::named(glass).ok_or_else(|| Flaw::of("glass", format!("`{glass}` is no known medium")))?;
+        for end in BAND {
+            medium.index(end).map_err(|error| Flaw::of("glass", error.to_string()))?;
+        }
+        // Between the ends of the band it is known as well.
+        Ok(Some(Dispersive::new(|wavelength| medium.index(wavelength).map_or(1.0, |index| index.re) / outside)))
+    }
+
+    /// What it is if it is polished and bare.
+    ///
+    /// # Errors
+    /// If there is no such metal.
+    pub fn polished(&self) -> Result<Option<Polished>, Flaw> {
+        Ok(match self {
+            Self::Mirror { reflectance } => Some(Polished::Mirror(*reflectance)),
+            Self::Conductor { metal, coating: None } => Some(Polished::Metal(metal.indices()?)),
+            Self::Dielectric { ior, outside, coating: None, .. } => Some(Polished::Clear(ior / outside)),
+            _ => None,
+        })
+    }
+
+    /// Whether it is known what it does to polarised light: what is matt forgets it.
+    pub fn is_polarising(&self) -> bool {
+        let is_matt = matches!(self, Self::Diffuse { .. } | Self::RoughDiffuse { .. });
+        is_matt || self.polished().is_ok_and(|polished| polished.is_some())
     }
 
     /// Whether any of its light has no choice of where to go.
     pub fn is_specular(&self) -> bool {
         match self {
-            Self::Mirror { .. } | Self::Conductor { .. } | Self::Dielectric { .. } => true,
+            Self::Mirror { .. } | Self::Conductor { .. } | Self::Dielectric { .. } | Self::Dispersive { .. } => true,
             Self::Plastic { alpha, .. } => alpha.is_none(),
             _ => false,
         }
@@ -171,6 +242,8 @@ impl<N: Width> Surfaces<N> {
                 turns: !material.is_clear() && !matches!(material, Material::Plastic { .. }),
                 absorption: material.absorption().map(|a| a / scale),
                 is_specular: material.is_specular(),
+                dispersion: material.dispersion()?,
+                polished: material.polished()?,
             });
             let role = match material {
                 Material::Diffuse { .. } => LAMBERT,
@@ -245,6 +318,11 @@ impl<N: Width> Met<'_, N> {
         self.models[self.material.place(lane)].is_specular
     }
 
+    /// What the first lane has met, if it is polished and bare.
+    pub fn polished(&self) -> Option<&Polished> {
+        self.models[self.material.place(0)].polished.as_ref()
+    }
+
     /// f [sr⁻¹] and the density [sr⁻¹], 0 where the mask is false.
     #[inline(always)]
     pub fn eval_pdf(&self, active: N::Mask, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
@@ -263,6 +341,31 @@ impl<N: Width> Met<'_, N> {
     pub fn sample(&self, active: N::Mask, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
         let mut found = Sample::select(active & self.is_plain, self.paint.sample(wo, u), Sample::none(wo));
         self.others(active, |mask, model| found = Sample::select(mask, model.sample(wo, u), found));
+        found
+    }
+
+    /// What [`Met::sample`] has drawn, but where glass disperses, by what the path knows of its wavelength, and by a number for
+    /// one where it needs it.
+    #[inline(never)]
+    pub fn dispersed(
+        &self,
+        active: N::Mask,
+        wo: Vector<N>,
+        (u, number): ([N; 3], N),
+        hue: &mut Hue<N>,
+        drawn: Sample<N>,
+    ) -> Sample<N> {
+        let mut found = drawn;
+        let mut left = active & !self.is_plain;
+        while let Some(lane) = left.lanes().next() {
+            let same = left & (self.material - N::all(self.material.get(lane))).abs().lt(N::of(0.5));
+            if let Some(glass) = &self.models[self.material.place(lane)].dispersion {
+                let (sample, known) = glass.sample(same, wo, u, number, *hue);
+                found = Sample::select(same, sample, found);
+                *hue = Hue::select(same, known, *hue);
+            }
+            left = left & !same;
+        }
         found
     }
 

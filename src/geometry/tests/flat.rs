@@ -19,6 +19,7 @@ fn scene(shapes: Vec<Shape>) -> Scene {
         height: 1,
         aperture: 0.0,
         focus: None,
+        polariser_deg: None,
     };
     Scene {
         name: String::new(),

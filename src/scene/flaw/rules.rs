@@ -5,8 +5,9 @@ use super::domain::{
     METAL, RADIANCE, SCALE, SHARE, Shown, TURN,
 };
 use super::{Flaw, Part};
+use crate::bsdf::dispersive::D_LINE;
 use crate::media::named;
-use crate::scene::material::{films, metals};
+use crate::scene::material::{films, glasses, metals};
 use crate::scene::triple::{cross, largest, length, minus, plus, widened};
 use crate::scene::{
     Camera, Coating, Emission, Facets, Geometry, Light, Material, Mesh, Metal, Normals, Scene, Shape, Transform, Triple,
@@ -55,7 +56,7 @@ fn every<T>(key: &str, list: &[T], rule: impl Fn(&T) -> Checked) -> Checked {
 }
 
 fn camera(camera: &Camera) -> Checked {
-    let Camera { origin, target, up, fov_y_deg, width, height, aperture, focus } = camera;
+    let Camera { origin, target, up, fov_y_deg, width, height, aperture, focus, polariser_deg } = camera;
     COORDINATE.holds_all("origin", *origin)?;
     COORDINATE.holds_all("target", *target)?;
     if origin == target {
@@ -84,7 +85,8 @@ fn camera(camera: &Camera) -> Checked {
         return Err(Flaw::of(if width >= height { "width" } else { "height" }, why));
     }
     APERTURE.holds("aperture", *aperture)?;
-    focus.map_or(Ok(()), |focus| LENGTH.holds("focus", focus))
+    focus.map_or(Ok(()), |focus| LENGTH.holds("focus", focus))?;
+    polariser_deg.map_or(Ok(()), |angle| TURN.holds("polariser_deg", angle))
 }
 
 /// A direction has a length that can be told from 0 and from infinity.
@@ -118,6 +120,17 @@ fn material(material: &Material) -> Checked {
         Material::Dielectric { ior, outside, absorption, coating: film } => {
             clear(*ior, *outside, *absorption)?;
             coating(film.as_ref())
+        }
+        Material::Dispersive { glass, outside, absorption } => {
+            let names = || glasses().map(|glass| glass.name.to_owned());
+            let unknown = || Flaw::unknown("glass", "no clear medium known at all that is seen", glass, names());
+            let medium = named(glass).filter(|known| glasses().any(|glass| glass == *known)).ok_or_else(unknown)?;
+            // Within the band no medium of the list is far from what it is at the d line.
+            let index = medium.index(D_LINE).map_err(|error| Flaw::of("glass", error.to_string()))?;
+            IOR.holds("outside", *outside)?;
+            IOR.holds("glass", index.re / outside)
+                .map_err(|flaw| Flaw { why: format!("its index over the one outside, {}", flaw.why), ..flaw })?;
+            ABSORPTION.holds_all("absorption", *absorption)
         }
         Material::RoughDielectric { ior, outside, absorption, facets: rough, energy: _ } => {
             clear(*ior, *outside, *absorption)?;

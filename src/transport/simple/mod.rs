@@ -6,10 +6,14 @@
 //! | directions by their cosine and by the surface | [`surface`] |
 //! | rays to lamps | [`lamps`] |
 //! | both, weighed; and an end by chance | [`both`] |
+//! | the same of one wavelength | [`spectral`] |
+//! | the same with polarisation | [`polarised`] |
 
 pub mod both;
 pub mod hemisphere;
 pub mod lamps;
+pub mod polarised;
+pub mod spectral;
 pub mod surface;
 
 use super::{Needs, Stage};
@@ -30,33 +34,54 @@ pub struct Integrator {
     pub radiance: fn(&Stage<f64>, Ray<f64>, &mut Numbers<'_>, u32) -> Rgb<f64>,
 }
 
-/// All of them.
+/// Those of the lecture's way to the fast one.
 pub const INTEGRATORS: &[Integrator] = &[
     Integrator {
         name: "hemisphere",
         about: "directions all alike over the hemisphere, to a fixed depth",
-        fits: |needs| !needs.specular && !needs.clear && !needs.bare_lights,
+        fits: |needs| !needs.specular && !needs.clear && !needs.bare_lights && is_plain(needs),
         radiance: hemisphere::radiance,
     },
     Integrator {
         name: "surface",
         about: "directions as the surface scatters, to a fixed depth",
-        fits: |needs| !needs.bare_lights,
+        fits: |needs| !needs.bare_lights && is_plain(needs),
         radiance: surface::radiance,
     },
     Integrator {
         name: "lamps",
         about: "rays to lamps; lamps met by chance count where rays cannot be sent",
-        fits: |_| true,
+        fits: is_plain,
         radiance: lamps::radiance,
     },
     Integrator {
         name: "both",
         about: "rays to lamps and lamps met by chance, weighed by their densities; roulette",
-        fits: |_| true,
+        fits: is_plain,
         radiance: both::radiance,
     },
 ];
+
+/// Those of what most scenes do without.
+pub const RARE: &[Integrator] = &[
+    Integrator {
+        name: "spectral",
+        about: "as both, of one wavelength a path, drawn at the eye; where glass disperses",
+        fits: |needs| needs.wavelength && !needs.polariser,
+        radiance: spectral::radiance,
+    },
+    Integrator {
+        name: "polarised",
+        about: "as both, with what mirrors, metal and glass do to polarised light; not of rough or coated ones",
+        fits: |needs| !needs.wavelength && !needs.scalar,
+        radiance: polarised::radiance,
+    },
+];
+
+/// Whether three channels of natural light are enough.
+fn is_plain(needs: &Needs) -> bool {
+    !needs.wavelength && !needs.polariser
+}
 
 /// The numbers of one path, vertex after vertex.
 pub struct Numbers<'a> {
@@ -69,6 +94,11 @@ impl<'a> Numbers<'a> {
     /// Of a sample of a pixel.
     pub fn new(stream: &'a Stream<'a>, sample: u32) -> Self {
         Self { stream, sample, vertex: 0 }
+    }
+
+    /// Those of the camera.
+    pub fn of_camera(&self) -> Row<f64> {
+        self.stream.at(|_| self.sample, |_| 0)
     }
 
     /// Those of the next vertex.

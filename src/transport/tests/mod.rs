@@ -20,6 +20,8 @@ mod features;
 mod looks;
 mod photons;
 mod pilot;
+mod polarised;
+mod prism;
 
 /// The chance that any one of these tests fails though nothing is wrong.
 const SIGNIFICANCE: f64 = 1e-4;
@@ -41,7 +43,17 @@ fn diffuse(name: &str, reflectance: [f64; 3]) -> (String, Material) {
 }
 
 fn looking(origin: [f64; 3], target: [f64; 3], fov_y_deg: f64, pixels: u32) -> Camera {
-    Camera { origin, target, up: [0.0, 0.6, 0.8], fov_y_deg, width: pixels, height: pixels, aperture: 0.0, focus: None }
+    Camera {
+        origin,
+        target,
+        up: [0.0, 0.6, 0.8],
+        fov_y_deg,
+        width: pixels,
+        height: pixels,
+        aperture: 0.0,
+        focus: None,
+        polariser_deg: None,
+    }
 }
 
 fn scene(camera: Camera, max_depth: u32, materials: Vec<(String, Material)>, shapes: Vec<Shape>) -> Scene {
