@@ -64,7 +64,7 @@ pub(super) const STEP: Step = step(
 .stress(&[stress("many", "more and more lanes that wait", crowds)
     .textbook("⟨d⟩/⟨d_{max}⟩ with ⟨d_{max}⟩ = Σ(−1)^{j+1} n!/(j!(n − j)!)/(1 − q^j) as textbooks have it, in f64")
     .against("the same sum in arbitrary precision")])
-.races(&[ABLATIONS, PLATES, GLASS]);
+.races(&[ABLATIONS, PLATES, GLASS, METALS]);
 
 /// What can be done otherwise.
 fn otherwise() -> Vec<(&'static str, Tactics)> {
@@ -212,6 +212,10 @@ const ABLATIONS: Race = TRIED.named("ablations", "the box, with one thing done o
 
 const PLATES: Race = TRIED.named("plates", "plates of metal under lamps of all sizes: here it is the weights that pay").lanes(&[
     tried("own", "as it is", |bench, work| with(bench, "veach", Tactics::default(), work)).order(0.6, 0.2),
+    tried("alike", "as many samples everywhere", |bench, work| {
+        with(bench, "veach", Tactics { pilot: false, extra: 1, ..Tactics::default() }, work)
+    })
+    .order(0.6, 0.2),
     tried("blind", "a lamp chosen blindly", |bench, work| {
         with(bench, "veach", Tactics { blind_choice: true, ..Tactics::default() }, work)
     })
@@ -238,6 +242,20 @@ const GLASS: Race = TRIED
             with(bench, "glass", Tactics { caustics: false, ..Tactics::default() }, work)
         })
         .breaks(0.2, "paths from the eye meet the lamp through the glass by chance alone: sparks"),
+    ]);
+
+const METALS: Race = TRIED
+    .named("metals", "balls of rough metal: what a polished one gathers on the floor is found from the lamp as well")
+    .lanes(&[
+        tried("own", "as it is", |bench, work| with(bench, "metals", Tactics::default(), work)).order(0.55, 0.2),
+        tried("caustics", "nothing followed from the lamp", |bench, work| {
+            with(bench, "metals", Tactics { caustics: false, ..Tactics::default() }, work)
+        })
+        .order(0.5, 0.2),
+        tried("alike", "as many samples everywhere", |bench, work| {
+            with(bench, "metals", Tactics { pilot: false, ..Tactics::default() }, work)
+        })
+        .order(0.55, 0.2),
     ]);
 
 fn time(setting: &Setting) -> Plot {
