@@ -122,7 +122,7 @@ fn what_a_scene_needs_is_explained_with_what_was_measured() {
     assert_eq!(run.code, 0, "{run:?}");
     for words in [
         "glass needs",
-        "paths from lamps by way of mirrors and glass",
+        "paths from lamps by way of mirrors, glass and polished metal",
         "the same picture, bit for bit",
         "nothing to do",
         "everything of it together",
