@@ -1,7 +1,8 @@
-//! Path tracing: rows E53, C21–C24 and C26. One module a step, in teaching order.
+//! Path tracing: rows E53 and C21–C26. One module a step, in teaching order.
 
 mod depth;
 mod extremes;
+mod irradiance_cache;
 mod lanes;
 mod listing;
 pub(crate) mod one_ray;
@@ -32,6 +33,7 @@ pub const CHAPTER: Chapter = Chapter {
         roulette::STEP,
         rate::STEP,
         lanes::STEP,
+        irradiance_cache::STEP,
         photons::STEP,
         extremes::STEP,
         picture::STEP,
@@ -52,6 +54,7 @@ pub const FIGURES: Gallery = gallery(
         roulette::EXHIBIT,
         rate::EXHIBIT,
         lanes::EXHIBIT,
+        irradiance_cache::EXHIBIT,
         photons::EXHIBIT,
         extremes::EXHIBIT,
         picture::EXHIBIT,

@@ -16,6 +16,7 @@ use yardstick::statistics::{Moments, normal_two_sided, sidak, t_test, z_test};
 mod balance;
 mod extremes;
 mod features;
+mod irradiance_cache;
 mod looks;
 mod photons;
 
