@@ -167,7 +167,9 @@ fn missed(place: [f64; 3], normal: [f64; 3], gathers: Gathers) -> Vec<(f64, Stri
     found
 }
 
-const DOUBT: Check<fn(&Record, Vector<f64>, Vector<f64>) -> f64> = check(
+type Doubts = fn(&Record, Vector<f64>, Vector<f64>) -> f64;
+
+const DOUBT: Check<Doubts> = check(
     "doubt",
     "within a sphere of which one half is bright, light changes by no more than its record's doubt",
 )
@@ -176,7 +178,7 @@ const DOUBT: Check<fn(&Record, Vector<f64>, Vector<f64>) -> f64> = check(
 )
 .within(1.02, "1", "all of the doubt, and two per cent for cells at the edge")
 .of(
-    |_: &mut Bench, doubt: fn(&Record, Vector<f64>, Vector<f64>) -> f64| {
+    |_: &mut Bench, doubt: Doubts| {
         let fallen = Fallen {
             irradiance: [FRAC_PI_2; 3],
             turned: [Vector::of([0.0; 3]); 3],
@@ -197,7 +199,7 @@ const DOUBT: Check<fn(&Record, Vector<f64>, Vector<f64>) -> f64> = check(
         });
         Measured::worst(cases)
     },
-    Record::doubt,
+    Record::doubt as Doubts,
 )
 .slip("as if nothing changed where a surface turns", |record, place, _| record.doubt(place, record.normal));
 
