@@ -45,7 +45,7 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
         ),
         figure(
             "records",
-            "The box by sixteen samples a pixel, and the records of its last batch: how far each is believed. They crowd where something is near.",
+            "The box by sixteen samples a pixel, and the records of its last batch, in circles half as wide as each is believed. They crowd where something is near.",
             records,
         ),
         figure(
@@ -408,17 +408,20 @@ fn records(_: &Setting) -> Plot {
         [x, -y]
     };
     let circle = |record: &Record| {
-        let (axes, reach) = (Frame::about(record.normal), cache.reach(record));
-        let rim = (0..=16).map(|k| (TAU * f64::from(k) / 16.0).sin_cos());
-        let rim = rim.map(|(sin, cos)| seen(record.place + axes.outward(Vector::new(reach * cos, reach * sin, 0.0))));
-        Part::curve(rim.collect()).hue(Hue::Ours)
+        let (axes, half) = (Frame::about(record.normal), 0.5 * cache.reach(record));
+        let at = |k: u32| {
+            let (sin, cos) = (TAU * f64::from(k) / 12.0).sin_cos();
+            seen(record.place + axes.outward(Vector::new(half * cos, half * sin, 0.0)))
+        };
+        (0..12).map(|k| Part::line(at(k), at(k + 1)).hue(Hue::Ours)).collect::<Vec<_>>()
     };
     let size = f64::from(PIXELS);
     let corners = [[0.0, 0.0], [size, 0.0], [size, -size], [0.0, -size]];
     let frame = (0..4).map(|k| Part::line(corners[k], corners[(k + 1) % 4]).hue(Hue::Reference));
     let title = format!("{} records", cache.records().len());
-    let diagram =
-        Diagram::new(title, [0.0, -size], [size, 0.0]).with_all(frame).with_all(cache.records().iter().map(circle));
+    let diagram = Diagram::new(title, [0.0, -size], [size, 0.0])
+        .with_all(frame)
+        .with_all(cache.records().iter().flat_map(circle));
     Plot::grid("The box, and what it knows of its light", 2, vec![picture.into(), diagram.into()])
 }
 
