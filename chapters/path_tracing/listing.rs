@@ -6,6 +6,7 @@ const SHOWN: &[(&str, &str)] = &[
     ("surface", include_str!("../../src/transport/simple/surface.rs")),
     ("lamps", include_str!("../../src/transport/simple/lamps.rs")),
     ("both", include_str!("../../src/transport/simple/both.rs")),
+    ("interpolation", include_str!("../../src/transport/irradiance_cache/record.rs")),
     ("photons", include_str!("../../src/transport/photons.rs")),
     ("polarised", include_str!("../../src/transport/simple/polarised.rs")),
     ("spectral", include_str!("../../src/transport/simple/spectral.rs")),

@@ -1,9 +1,10 @@
-//! Path tracing: rows E53, C21–C24, C26 and C27. One module a step, in teaching order.
+//! Path tracing: rows E53 and C21–C27. One module a step, in teaching order.
 
 mod depth;
 mod dispersion;
 mod extremes;
 mod functions;
+mod irradiance_cache;
 mod lanes;
 mod listing;
 pub(crate) mod one_ray;
@@ -35,6 +36,7 @@ pub const CHAPTER: Chapter = Chapter {
         roulette::STEP,
         rate::STEP,
         lanes::STEP,
+        irradiance_cache::STEP,
         photons::STEP,
         dispersion::STEP,
         polarised::STEP,
@@ -57,6 +59,7 @@ pub const FIGURES: Gallery = gallery(
         roulette::EXHIBIT,
         rate::EXHIBIT,
         lanes::EXHIBIT,
+        irradiance_cache::EXHIBIT,
         photons::EXHIBIT,
         dispersion::EXHIBIT,
         polarised::EXHIBIT,

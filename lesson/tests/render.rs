@@ -143,7 +143,7 @@ fn a_race_tells_of_every_integrator_that_fits_and_draws_them() {
     let scene = small(&folder, "cornell");
     let run = render(&folder, &scene, "--time 100ms --spp 64 --race --plot --format svg --out @figures");
     assert_eq!(run.code, 0, "{run:?}");
-    for name in ["fast", "hemisphere", "surface", "lamps", "both"] {
+    for name in ["fast", "hemisphere", "surface", "lamps", "both", "photon-map", "irradiance-cache"] {
         assert!(run.out.contains(&format!("  {name}: ")), "{name}: {}", run.out);
     }
     assert!(run.out.contains("reference: fast, seed 2, ") && run.out.contains("efficiency"), "{}", run.out);

@@ -13,6 +13,7 @@
 //! | and by a few samples | [`pilot`] |
 //! | light by way of mirrors and glass, from the lamp on | [`caustics`] |
 //! | light left where it falls | [`photons`] |
+//! | light that a few places know for all | [`irradiance_cache`] |
 //! | all pixels | [`picture`] |
 //! | sums of samples that no order of rendering can change | [`film`] |
 //! | the room whose light is known | [`enclosure`] |
@@ -23,6 +24,7 @@ pub mod caustics;
 pub mod enclosure;
 pub mod estimate;
 pub mod film;
+pub mod irradiance_cache;
 pub mod kernel;
 pub mod lamp;
 pub mod lens;

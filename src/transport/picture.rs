@@ -1,6 +1,8 @@
 //! Pictures: every pixel's samples, each pixel on one thread.
 
 use super::film::{Halves, Splats, added, tree};
+use super::irradiance_cache::Caches;
+use super::irradiance_cache::record::Cache;
 use super::kernel::{Tactics, Work};
 use super::photons::Photons;
 use super::pilot::Pilot;
@@ -38,6 +40,8 @@ pub enum Method {
     Simple(&'static Integrator),
     /// By light that was left where it fell ([`super::photons`]); not of skies and lights without a surface.
     Photons,
+    /// By what a few places know of the light on all ([`super::irradiance_cache`]).
+    Cached,
 }
 
 impl Default for Method {
@@ -50,7 +54,7 @@ impl Method {
     /// All of them, the fast one first.
     pub fn all() -> impl Iterator<Item = Self> {
         let simple = INTEGRATORS.iter().chain(RARE).map(Self::Simple);
-        std::iter::once(Self::default()).chain(simple).chain([Self::Photons])
+        std::iter::once(Self::default()).chain(simple).chain([Self::Photons, Self::Cached])
     }
 
     /// The one for scenes that need this, if nothing is asked: the fast one, and behind a polariser the only one that looks at it.
@@ -65,6 +69,7 @@ impl Method {
             Self::Fast(_) => "fast",
             Self::Simple(integrator) => integrator.name,
             Self::Photons => "photon-map",
+            Self::Cached => "irradiance-cache",
         }
     }
 
@@ -74,6 +79,7 @@ impl Method {
             Self::Fast(_) => "eight paths at once, and only what the scene needs",
             Self::Simple(integrator) => integrator.about,
             Self::Photons => "light sent from lamps and left where it falls: blurred, less with every sample",
+            Self::Cached => "light by way of matt places, known at a few: interpolated, closer with every sample",
         }
     }
 
@@ -83,6 +89,7 @@ impl Method {
             Self::Fast(_) => !needs.polariser,
             Self::Simple(integrator) => (integrator.fits)(needs),
             Self::Photons => !needs.environment && !needs.bare_lights && !needs.wavelength && !needs.polariser,
+            Self::Cached => !needs.wavelength && !needs.polariser,
         }
     }
 }
@@ -136,6 +143,7 @@ enum Engine {
     Single(Box<Stage<f32>>, Tactics),
     Simple(Box<Stage<f64>>, &'static Integrator),
     Photons(Box<Stage<f64>>, Box<Photons>),
+    Cached(Box<Stage<f64>>, Box<Caches>),
 }
 
 impl Engine {
@@ -144,7 +152,7 @@ impl Engine {
         match self {
             Self::Fast(stage, tactics) => pairs.saturating_mul(tactics.most_samples(stage.is_looked_at())),
             Self::Single(stage, tactics) => pairs.saturating_mul(tactics.most_samples(stage.is_looked_at())),
-            Self::Simple(..) | Self::Photons(..) => pairs,
+            Self::Simple(..) | Self::Photons(..) | Self::Cached(..) => pairs,
         }
     }
 }
@@ -175,6 +183,11 @@ impl Renderer {
                 let photons = Box::new(Photons::new(&stage, manner.choice, manner.seed));
                 Engine::Photons(stage, photons)
             }
+            Method::Cached => {
+                let stage = Box::new(Stage::with(scene, *structure, needless)?);
+                let caches = Box::new(Caches::new(&stage, manner.choice, manner.seed));
+                Engine::Cached(stage, caches)
+            }
         };
         let vertices = scene.max_depth.unwrap_or(VERTICES).min(VERTICES) as usize;
         let light = match &engine {
@@ -187,7 +200,7 @@ impl Renderer {
         let several = match &engine {
             Engine::Fast(stage, tactics) => Several::new(stage, tactics, numbers),
             Engine::Single(stage, tactics) => Several::new(stage, tactics, numbers),
-            Engine::Simple(..) | Engine::Photons(..) => Several::alike(),
+            Engine::Simple(..) | Engine::Photons(..) | Engine::Cached(..) => Several::alike(),
         };
         Ok(Self { engine, points, light, numbers, pairs, several })
     }
@@ -206,7 +219,7 @@ impl Renderer {
         match &self.engine {
             Engine::Fast(stage, _) => stage.bytes(),
             Engine::Single(stage, _) => stage.bytes(),
-            Engine::Simple(stage, _) | Engine::Photons(stage, _) => stage.bytes(),
+            Engine::Simple(stage, _) | Engine::Photons(stage, _) | Engine::Cached(stage, _) => stage.bytes(),
         }
     }
 
@@ -215,7 +228,7 @@ impl Renderer {
         match &self.engine {
             Engine::Fast(stage, _) => stage.needs(),
             Engine::Single(stage, _) => stage.needs(),
-            Engine::Simple(stage, _) | Engine::Photons(stage, _) => stage.needs(),
+            Engine::Simple(stage, _) | Engine::Photons(stage, _) | Engine::Cached(stage, _) => stage.needs(),
         }
     }
 
@@ -225,7 +238,7 @@ impl Renderer {
         match &self.engine {
             Engine::Fast(stage, tactics) if tactics.follows() => caustics::splats(stage, &self.light, pairs),
             Engine::Single(stage, tactics) if tactics.follows() => caustics::splats(stage, &self.light, pairs),
-            Engine::Fast(..) | Engine::Single(..) | Engine::Simple(..) | Engine::Photons(..) => None,
+            _ => None,
         }
     }
 
@@ -244,6 +257,7 @@ impl Renderer {
                 simple(stage, integrator, depth, &self.points, rows, pairs)
             }
             Engine::Photons(stage, photons) => by_photons(stage, photons, &self.points, rows, pairs),
+            Engine::Cached(stage, caches) => by_caches(stage, caches, &self.points, rows, pairs),
         }
     }
 }
@@ -254,7 +268,9 @@ impl Renderer {
         match &self.engine {
             Engine::Fast(stage, _) => features(stage, &self.points, rows),
             Engine::Single(stage, _) => features(stage, &self.points, rows),
-            Engine::Simple(stage, _) | Engine::Photons(stage, _) => features(stage, &self.points, rows),
+            Engine::Simple(stage, _) | Engine::Photons(stage, _) | Engine::Cached(stage, _) => {
+                features(stage, &self.points, rows)
+            }
         }
     }
 }
@@ -390,6 +406,25 @@ fn by_photons(
         })
     };
     of_half(0).into_iter().zip(of_half(1)).map(|(first, second)| [first, second]).collect()
+}
+
+/// The same by records of light, each batch of samples its own.
+fn by_caches(stage: &Stage<f64>, caches: &Caches, points: &Points, rows: Range<u32>, pairs: Range<u32>) -> Vec<Halves> {
+    let depth = stage.max_depth().unwrap_or(DEEP);
+    // Made here, on all threads, before any of them asks.
+    let all: Vec<&Cache> = (2 * pairs.start..2 * pairs.end).map(|sample| caches.of_sample(stage, sample)).collect();
+    by_pixel(stage.size()[0], rows, |pixel| {
+        let stream = points.of_pixel(pixel);
+        let one = |sample: u32| {
+            let [a, b, c, d, ..] = stream.row::<f64>(|_| sample, |_| 0);
+            let ray = stage.camera(pixel.map(f64::from), [a, b, c, d]);
+            let cache = all[(sample - 2 * pairs.start) as usize];
+            let light = Caches::radiance(stage, cache, ray, &mut Numbers::new(&stream, sample), depth);
+            rgb(|c| light[c] as f32)
+        };
+        let pairs: Vec<Halves> = pairs.clone().map(|pair| [one(2 * pair), one(2 * pair + 1)]).collect();
+        tree(&pairs)
+    })
 }
 
 fn by_pixel<T: Send>(width: u32, rows: Range<u32>, of: impl Fn([u32; 2]) -> T + Sync + Send) -> Vec<T> {

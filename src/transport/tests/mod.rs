@@ -17,6 +17,7 @@ mod balance;
 mod casters;
 mod extremes;
 mod features;
+mod irradiance_cache;
 mod looks;
 mod photons;
 mod pilot;
