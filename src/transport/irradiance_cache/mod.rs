@@ -31,9 +31,9 @@ const BATCH: f64 = 65_536.0;
 /// The doubt [1] that is allowed in such a batch, and the most in any.
 const ALLOWED: [f64; 2] = [0.4, 0.7];
 /// Rays of a record in such a batch, and the least and the most in any.
-const RAYS: [f64; 3] = [80.0, 24.0, 1_048_576.0];
+const RAYS: [f64; 3] = [160.0, 16.0, 1_048_576.0];
 /// The least radius of a record [pixels, seen from the camera].
-const LEAST: f64 = 4.0;
+const LEAST: f64 = 8.0;
 /// The largest, as a share of the way from the camera [1].
 const MOST: f64 = 0.25;
 /// Places that are looked at together, before their records are known to each other.

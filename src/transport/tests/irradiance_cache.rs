@@ -127,7 +127,8 @@ fn interpolation_is_off_by_the_square_of_what_is_allowed() {
         });
         errors.sum::<f64>().sqrt()
     };
-    for (is_graded, least, most) in [(true, 1.75, 2.25), (false, 0.75, 1.25)] {
+    // Without gradients of the first order along x, where records are not even; across it neighbours make up for each other.
+    for (is_graded, least, most) in [(true, 1.75, 2.25), (false, 0.75, 1.6)] {
         let order = (error(0.4, is_graded) / error(0.1, is_graded)).log2() / 2.0;
         assert!((least..most).contains(&order), "gradients {is_graded}: {order}");
     }
