@@ -212,8 +212,8 @@ const ABLATIONS: Race = TRIED.named("ablations", "the box, with one thing done o
 
 const PLATES: Race = TRIED.named("plates", "plates of metal under lamps of all sizes: here it is the weights that pay").lanes(&[
     tried("own", "as it is", |bench, work| with(bench, "veach", Tactics::default(), work)).order(0.6, 0.2),
-    tried("alike", "as many samples everywhere", |bench, work| {
-        with(bench, "veach", Tactics { pilot: false, extra: 1, ..Tactics::default() }, work)
+    tried("alike", "nobody asked where noise is", |bench, work| {
+        with(bench, "veach", Tactics { pilot: false, ..Tactics::default() }, work)
     })
     .order(0.6, 0.2),
     tried("blind", "a lamp chosen blindly", |bench, work| {
@@ -252,7 +252,7 @@ const METALS: Race = TRIED
             with(bench, "metals", Tactics { caustics: false, ..Tactics::default() }, work)
         })
         .order(0.5, 0.2),
-        tried("alike", "as many samples everywhere", |bench, work| {
+        tried("alike", "nobody asked where noise is", |bench, work| {
             with(bench, "metals", Tactics { pilot: false, ..Tactics::default() }, work)
         })
         .order(0.55, 0.2),
