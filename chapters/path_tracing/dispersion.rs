@@ -5,7 +5,7 @@ use super::scenes::{needle, rendered, small};
 use super::symbols::{N, S_HALF};
 use super::ways::{shown, smallest};
 use crate::figure::{Axis, Chart, Hue, Plot};
-use crate::parameter::{Kind, Parameter, Setting};
+use crate::parameter::{BY_FREQUENCY, Kind, Parameter, Setting};
 use crate::vocabulary::{
     Answer, Bench, Check, Exhibit, Extreme, Measured, Misled, Quantity, Step, check, choice, derivation, exhibit,
     figure, question, step, stress,
@@ -36,7 +36,9 @@ const GLASS: Parameter = Parameter::new(
 )
 .default("sf11");
 const WAVELENGTH: Parameter =
-    Parameter::new("wavelength", "λ", "of the light, in vacuum", Kind::number(BAND[0], BAND[1], "m")).default("550nm");
+    Parameter::new("wavelength", "λ", "of the light, in vacuum", Kind::number(BAND[0], BAND[1], "m"))
+        .default("550nm")
+        .aliases(&[BY_FREQUENCY]);
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "dispersion",

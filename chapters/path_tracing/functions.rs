@@ -1,7 +1,7 @@
 //! What `lesson eval` offers from this chapter.
 
 use super::dispersion::glow;
-use crate::parameter::{Function, Kind, Output, Parameter};
+use crate::parameter::{Alias, BY_FREQUENCY, Function, Kind, Output, Parameter};
 use light::colour::response::{BAND, response};
 use light::colour::{daylight, matching};
 
@@ -36,7 +36,7 @@ const OBSERVER: Function = Function {
     says: "what eye and picture see of a wavelength: the colour matching functions of the CIE 1931 2° observer, the relative power of \
            D65, and the responses of a picture's channels, which integrate to 1",
     inputs: &[Parameter::new("wavelength", "λ", "in vacuum", Kind::number(BAND[0], BAND[1], "m"))
-        .aliases(&[crate::parameter::Alias::counted_in("lambda_nm", "nm")])],
+        .aliases(&[Alias::counted_in("lambda_nm", "nm"), BY_FREQUENCY])],
     outputs: &[
         one("x_bar", "x̄"),
         one("y_bar", "ȳ"),
