@@ -59,7 +59,7 @@ const LAMBERT: f64 = 1.0;
 /// Rough, and still so polished that it gathers a lamp's light somewhere.
 const CASTER: f64 = 2.0;
 
-/// The largest roughness [1] that does: measured, paths from lamps by way of rougher ones are no better than those by chance.
+/// The largest roughness [1] that does: what rougher ones send on is spread so wide that chance finds it.
 const GATHERS: f64 = 0.25;
 
 impl Material {
