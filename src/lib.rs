@@ -26,7 +26,7 @@
 //! | stacks of films | [`optics::film`] | `fresnel/films` |
 //! | where a prism sends light | [`optics::prism`] | `path-tracing/dispersion` |
 //! | surfaces that scatter | [`bsdf`] | `brdf` |
-//! | one formula for `f64`, `f32` and eight `f32` | [`number`] | `brdf` |
+//! | one formula for `f64`, `f32` and eight or sixteen `f32` | [`number`] | `brdf` |
 //! | media by name: indices, (ε, μ, σ) | [`media`] | every step, by name |
 //! | plane waves in lossy media | [`waves::plane`] | `plane-wave` |
 //! | pulses by their spectra | [`waves::harmonics`] | `plane-wave` |

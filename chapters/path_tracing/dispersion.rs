@@ -176,7 +176,7 @@ fn passed(name: &str, last: f64, seen: fn(f64) -> [f64; 3]) -> [f64; 3] {
 
 const SNELL: Check<fn(f64) -> [f64; 3]> =
     check("snell", "through a prism a channel sees of a strip what wavelengths go there by Snell's law")
-        .against("∫ r_c T dλ over the wavelengths that least deviation sends there, against 64 runs by eight lanes for three strips and three channels (t-tests)")
+        .against("∫ r_c T dλ over the wavelengths that least deviation sends there, against 64 runs by many lanes for three strips and three channels (t-tests)")
         .significant(1e-3)
         .of(
             |_: &mut Bench, seen: fn(f64) -> [f64; 3]| {

@@ -367,7 +367,7 @@ const INDIRECT: Race =
             raced("cache", "records", |bench, work| by(bench, Method::Cached, work)).order(0.33, 0.15),
             raced("both", "paths from the eye, to read", |bench, work| by(bench, Method::Simple(&INTEGRATORS[3]), work))
                 .order(0.5, 0.15),
-            raced("fast", "eight lanes", |bench, work| by(bench, Method::default(), work)).order(0.5, 0.15),
+            raced("fast", "many lanes", |bench, work| by(bench, Method::default(), work)).order(0.5, 0.15),
         ]);
 
 fn told(setting: &Setting) -> Plot {

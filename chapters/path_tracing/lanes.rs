@@ -32,8 +32,8 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
 
 pub(super) const STEP: Step = step(
     EXHIBIT,
-    "Eight paths at once",
-    "The fast integrator does the same sums in eight lanes that never wait, and all that it does otherwise can be switched off.",
+    "Many paths at once",
+    "The fast integrator does the same sums in eight lanes or sixteen that never wait, and all that it does otherwise can be switched off.",
 )
 .rows(&["C23"])
 .questions(&[question(
@@ -74,7 +74,7 @@ fn otherwise() -> Vec<(&'static str, Tactics)> {
         ("rays to lamps alone", Tactics { meeting: Meeting::Lamps, ..own }),
         ("by the surface alone", Tactics { meeting: Meeting::Chance, ..own }),
         ("a lamp chosen blindly", Tactics { blind_choice: true, ..own }),
-        ("one lane", Tactics { one_lane: true, ..own }),
+        ("one lane", Tactics { lanes: 1, ..own }),
     ]
 }
 
@@ -200,10 +200,8 @@ const ABLATIONS: Race = TRIED.named("ablations", "the box, with one thing done o
         with(bench, "cornell", Tactics { meeting: Meeting::Chance, ..Tactics::default() }, work)
     })
     .order(0.5, 0.15),
-    tried("single", "one lane", |bench, work| {
-        with(bench, "cornell", Tactics { one_lane: true, ..Tactics::default() }, work)
-    })
-    .order(0.6, 0.12),
+    tried("single", "one lane", |bench, work| with(bench, "cornell", Tactics { lanes: 1, ..Tactics::default() }, work))
+        .order(0.6, 0.12),
     tried("simple", "one path at a time in f64, to read", |bench, work| {
         heat(bench, "cornell", Manner { method: Method::Simple(&INTEGRATORS[3]), ..Manner::default() }, work)
     })

@@ -195,7 +195,7 @@ const GLASS: Race = race("glass", "a ball of glass: what paths from the eye find
         raced("photons", "maps of photons", |bench, work| by(bench, Method::Photons, work)).order(0.4, 0.2),
         raced("both", "paths from the eye, to read", |bench, work| by(bench, Method::Simple(&INTEGRATORS[3]), work))
             .breaks(0.3, "sparks: the lamp is met through the glass by chance alone"),
-        raced("fast", "eight lanes, and paths from the lamp", |bench, work| by(bench, Method::default(), work))
+        raced("fast", "many lanes, and paths from the lamp", |bench, work| by(bench, Method::default(), work))
             .order(0.5, 0.2),
     ]);
 

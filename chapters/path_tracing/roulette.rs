@@ -260,7 +260,7 @@ const ENDS: Race =
             lane("chance", "going on with 80 %", WORKS, |bench, work| heat(bench, Method::Simple(&FAIR), DEEP, work))
                 .repeated(24)
                 .order(0.5, 0.15),
-            lane("late", "late and gently, both ways of meeting lamps, eight lanes", WORKS, |bench, work| {
+            lane("late", "late and gently, both ways of meeting lamps, many lanes", WORKS, |bench, work| {
                 heat(bench, Method::default(), None, work)
             })
             .repeated(24)

@@ -70,7 +70,7 @@ pub(super) const STEP: Step = step(
 
 const SAME: Check<&'static [Integrator]> =
     check("same", "all ways of looking find on average what the lamp sends")
-        .against("ρE/π by Lambert's closed form, against 64 pictures of one pixel by each of the four, and by eight lanes (t-tests)")
+        .against("ρE/π by Lambert's closed form, against 64 pictures of one pixel by each of the four, and by many lanes (t-tests)")
         .significant(1e-3)
         .of(
             |_: &mut Bench, ways: &'static [Integrator]| {
@@ -178,7 +178,7 @@ const fn way(id: &'static str, label: &'static str, prepare: fn(&mut Bench, u64)
     lane(id, label, &[4, 16, 64], prepare).repeated(4)
 }
 
-const WAYS: Race = race("ways", "the box by four ways and by eight lanes: all fall as 1/√N, from where they start")
+const WAYS: Race = race("ways", "the box by four ways and by many lanes: all fall as 1/√N, from where they start")
     .work("paths a pixel, independent")
     .error(ERROR.0, ERROR.1)
     .lanes(&[
@@ -191,7 +191,7 @@ const WAYS: Race = race("ways", "the box by four ways and by eight lanes: all fa
             .order(0.5, 0.1),
         way("both", "both, weighed", |bench, work| looked(bench, Method::Simple(&INTEGRATORS[3]), work))
             .order(0.5, 0.1),
-        way("fast", "both, eight lanes", |bench, work| looked(bench, Method::default(), work)).order(0.5, 0.1),
+        way("fast", "both, many lanes", |bench, work| looked(bench, Method::default(), work)).order(0.5, 0.1),
     ]);
 
 fn rays(setting: &Setting) -> Plot {

@@ -9,7 +9,7 @@ use super::rough_conductor::RoughConductor;
 use super::rough_dielectric::RoughDielectric;
 use super::walk::{Glass, Walk};
 use super::{Bsdf, Character, Guarded, Rgb, Sample, eon, lambert, oren_nayar, smooth};
-use crate::number::{Number, Vector, vectorised};
+use crate::number::{Number, Vector, vectorised_lanes};
 use num_complex::Complex64;
 
 /// What models are made from; each takes what it needs and holds it within what it can do.
@@ -122,21 +122,21 @@ impl<N: Number, M: Bsdf<N>> Bsdf<N> for Dispatched<M> {
     }
 
     fn eval_pdf(&self, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
-        vectorised(
+        vectorised_lanes::<N, _>(
             #[inline(always)]
             || self.0.eval_pdf(wi, wo),
         )
     }
 
     fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
-        vectorised(
+        vectorised_lanes::<N, _>(
             #[inline(always)]
             || self.0.sample(wo, u),
         )
     }
 
     fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
-        vectorised(
+        vectorised_lanes::<N, _>(
             #[inline(always)]
             || self.0.albedo(wo),
         )

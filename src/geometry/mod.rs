@@ -2,7 +2,7 @@
 //!
 //! A [`World`] is made once, from [`Primitive`]s in `f64`, and asked of any width: what is the closest hit of a ray, is
 //! anything between two points, what does the surface look like there. Everything is written over
-//! [`Number`], so that eight lanes answer as eight single rays do, bit for bit.
+//! [`Number`], so that lanes answer as so many single rays do, bit for bit.
 //!
 //! Lengths are the caller's, who chooses where the origin lies and what is 1: digits are best for coordinates of order 1.
 //! A ray's parameter t counts in lengths of its direction, which need not be 1.

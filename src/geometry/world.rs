@@ -12,7 +12,7 @@ use fearless_simd::{Level, dispatch};
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use {
     crate::number::avx2,
-    fearless_simd::{Fallback, Simd},
+    fearless_simd::{Level, Simd},
 };
 
 /// What a ray met.
@@ -212,7 +212,7 @@ macro_rules! searched {
                 || $search,
             ),
             None => {
-                let $machine = Fallback::new();
+                let $machine = Level::new().as_sse2().expect("every x86 that Rust compiles for has SSE2");
                 $search
             }
         }

@@ -1,8 +1,8 @@
-//! One formula, three widths: what a formula needs of a number, so that it can be written once for `f64`, for `f32` and
-//! for eight `f32` at a time.
+//! One formula, many widths: what a formula needs of a number, so that it can be written once for `f64`, for `f32` and
+//! for eight or sixteen `f32` at a time.
 //!
 //! A formula over [`Number`] has no branch on data: it computes both ways and [`Number::select`]s. No lane ever sees
-//! another, and nothing here is fused or left to a system's library, so that eight lanes give what eight `f32` give, bit
+//! another, and nothing here is fused or left to a system's library, so that lanes give what as many `f32` give, bit
 //! for bit and on every machine.
 
 mod dice;
@@ -18,12 +18,15 @@ mod width;
 pub use dice::Dice;
 pub use elementary::{Erfcx, atan2, beta, erfcx, exp, ln, ln_1p, polynomial, sin_cos_turns};
 pub use frame::{Frame, length_and_way};
-pub use lanes::{Eight, F32x8};
+pub use lanes::{Eight, F32x8, F32x16, Sixteen};
 pub use vector::Vector;
 pub use width::Width;
 
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-use fearless_simd::{Avx2, Level, Simd};
+use fearless_simd::{
+    Level, Simd,
+    x86::{Avx2, Avx512},
+};
 use std::fmt::Debug;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use std::sync::Arc;
@@ -32,6 +35,9 @@ use std::sync::LazyLock;
 
 /// A truth value for every lane.
 pub trait Mask: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+    /// How many there are.
+    const LANES: usize;
+
     /// The same in every lane.
     fn of(value: bool) -> Self;
     /// Whether it is true in any lane.
@@ -50,14 +56,16 @@ pub trait Mask: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + No
             move || {
                 let lane = left.trailing_zeros() as usize;
                 left &= left.wrapping_sub(1);
-                // That it is below 8 is for the compiler, which need not look then.
-                (lane < MOST_LANES).then_some(lane)
+                // That it is one of them is for the compiler, which need not look then.
+                (lane < Self::LANES).then_some(lane)
             },
         )
     }
 }
 
 impl Mask for bool {
+    const LANES: usize = 1;
+
     #[inline(always)]
     fn of(value: bool) -> Self {
         value
@@ -169,7 +177,7 @@ pub trait Number:
 }
 
 /// The most lanes of any width.
-pub const MOST_LANES: usize = 8;
+pub const MOST_LANES: usize = 16;
 
 /// Numbers to be looked up, as each width would have them.
 #[derive(Clone, Debug)]
@@ -223,16 +231,51 @@ pub fn vectorised<R>(work: impl FnOnce() -> R) -> R {
     work()
 }
 
+/// What the machine has.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+static WIDEST: LazyLock<Level> = LazyLock::new(Level::new);
+
 /// The instructions of machines since 2013, if this is one.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[inline(always)]
 pub(crate) fn avx2() -> Option<Avx2> {
-    static WIDEST: LazyLock<Level> = LazyLock::new(Level::new);
     WIDEST.as_avx2()
 }
 
-/// The same where `N` has lanes.
+/// Those of machines with vectors of sixteen `f32`, if this is one.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+#[inline(always)]
+fn avx512() -> Option<Avx512> {
+    WIDEST.as_avx512()
+}
+
+/// How many lanes are worth it on this machine: 1, 8 or 16.
+pub fn best_lanes() -> usize {
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    return if avx512().is_some() {
+        16
+    } else if avx2().is_some() {
+        8
+    } else {
+        1
+    };
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+    8
+}
+
+/// Runs `work` with the instructions that are as wide as `N`, and once for each width, not for each width and machine: the
+/// code is large.
+///
+/// # Panics
+/// If the machine has none as wide: `N` has more than [`best_lanes`].
 #[inline(always)]
 pub fn vectorised_lanes<N: Number, R>(work: impl FnOnce() -> R) -> R {
-    if N::LANES == 1 { work() } else { vectorised(work) }
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    match N::LANES {
+        1 => work(),
+        16 => avx512().expect("sixteen lanes are asked of machines that have them").vectorize(work),
+        _ => avx2().expect("eight lanes are asked of machines that have them").vectorize(work),
+    }
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+    work()
 }

@@ -111,36 +111,57 @@ fn dice_are_even_and_unrelated() {
     assert!(yardstick::statistics::kolmogorov(&firsts, |u| u) > 1e-3);
 }
 
-proptest! {
-    #[test]
-    fn eight_lanes_are_eight_numbers(bits in prop::array::uniform8(any::<u32>()), more in prop::array::uniform8(any::<u32>())) {
-        let (a, b) = (Eight(bits.map(f32::from_bits)), Eight(more.map(f32::from_bits)));
-        let unit = |x: f32| if x.is_finite() { x % 1.0 } else { 0.0 };
-        type Pair = (fn(F32x8, F32x8) -> F32x8, fn(f32, f32) -> f32);
-        let pairs: [Pair; 18] = [
-            (|a, b| a + b, |a, b| a + b), (|a, b| a * b, |a, b| a * b), (|a, b| a / b, |a, b| a / b),
-            (|a, b| a - b, |a, b| a - b), (Number::min, Number::min), (Number::max, Number::max),
-            (|a, _| Number::sqrt(a), |a, _| Number::sqrt(a)), (|a, _| Number::abs(a), |a, _| Number::abs(a)),
-            (|a, _| a.round(), |a, _| Number::round(a)), (|a, _| exp(a), |a, _| exp(a)),
-            (|a, _| ln(a.abs()), |a, _| ln(Number::abs(a))), (|a, _| ln_1p(a.abs()), |a, _| ln_1p(Number::abs(a))),
-            (|a, b| atan2(a.abs(), b.abs()), |a, b| atan2(Number::abs(a), Number::abs(b))),
-            (|a, b| erfcx(a.abs(), b.abs()).rest, |a, b| erfcx(Number::abs(a), Number::abs(b)).rest),
-            (|a, b| erfcx(a.abs(), b.abs()).scaled, |a, b| erfcx(Number::abs(a), Number::abs(b)).scaled),
-            (|a, b| beta(a.abs(), b.abs()), |a, b| beta(Number::abs(a), Number::abs(b))),
-            (|a, b| Dice::new(a, b).throw(), |a, b| Dice::new(a, b).throw()),
-            (|a, b| F32x8::select(a.lt(b), a, b), |a, b| f32::select(a.lt(b), a, b)),
-        ];
-        for (index, (wide, narrow)) in pairs.into_iter().enumerate() {
-            let once = vectorised(|| wide(a, b));
-            for lane in 0..8 {
-                let alone = narrow(a.0[lane], b.0[lane]);
-                prop_assert!(once.0[lane].to_bits() == alone.to_bits() || once.0[lane].is_nan() && alone.is_nan(), "{index}: {once:?} {alone}");
+/// That lanes are as many numbers.
+macro_rules! lanes_are_numbers {
+    ($test:ident, $pack:ident, $count:literal, $uniform:ident) => {
+        proptest! {
+            #[test]
+            fn $test(bits in prop::array::$uniform(any::<u32>()), more in prop::array::$uniform(any::<u32>())) {
+                type Wide = $pack<f32>;
+                let (a, b) = ($pack(bits.map(f32::from_bits)), $pack(more.map(f32::from_bits)));
+                let unit = |x: f32| if x.is_finite() { x % 1.0 } else { 0.0 };
+                type Pair = (fn(Wide, Wide) -> Wide, fn(f32, f32) -> f32);
+                let pairs: [Pair; 19] = [
+                    (|a, b| a + b, |a, b| a + b), (|a, b| a * b, |a, b| a * b), (|a, b| a / b, |a, b| a / b),
+                    (|a, b| a - b, |a, b| a - b), (Number::min, Number::min), (Number::max, Number::max),
+                    (|a, _| Number::sqrt(a), |a, _| Number::sqrt(a)), (|a, _| Number::abs(a), |a, _| Number::abs(a)),
+                    (|a, _| a.round(), |a, _| Number::round(a)), (|a, _| exp(a), |a, _| exp(a)), (|a, _| -a, |a, _| -a),
+                    (|a, _| ln(a.abs()), |a, _| ln(Number::abs(a))), (|a, _| ln_1p(a.abs()), |a, _| ln_1p(Number::abs(a))),
+                    (|a, b| atan2(a.abs(), b.abs()), |a, b| atan2(Number::abs(a), Number::abs(b))),
+                    (|a, b| erfcx(a.abs(), b.abs()).rest, |a, b| erfcx(Number::abs(a), Number::abs(b)).rest),
+                    (|a, b| erfcx(a.abs(), b.abs()).scaled, |a, b| erfcx(Number::abs(a), Number::abs(b)).scaled),
+                    (|a, b| beta(a.abs(), b.abs()), |a, b| beta(Number::abs(a), Number::abs(b))),
+                    (|a, b| Dice::new(a, b).throw(), |a, b| Dice::new(a, b).throw()),
+                    (|a, b| Wide::select(a.lt(b), a, b), |a, b| f32::select(a.lt(b), a, b)),
+                ];
+                for (index, (wide, narrow)) in pairs.into_iter().enumerate() {
+                    let once = if best_lanes() < $count { wide(a, b) } else { vectorised_lanes::<Wide, _>(|| wide(a, b)) };
+                    for lane in 0..$count {
+                        let alone = narrow(a.0[lane], b.0[lane]);
+                        prop_assert!(
+                            once.0[lane].to_bits() == alone.to_bits() || once.0[lane].is_nan() && alone.is_nan(),
+                            "{index}: {once:?} {alone}"
+                        );
+                    }
+                }
+                let turns = a.0.map(unit);
+                let (sin, cos) = sin_cos_turns($pack(turns));
+                for (lane, turns) in turns.into_iter().enumerate() {
+                    prop_assert_eq!((sin.0[lane], cos.0[lane]), sin_cos_turns(turns));
+                }
+                // What sorts lanes: masks as bits and as places, and rows turned into columns.
+                let mask = a.lt(b);
+                let held: Vec<usize> = (0..$count).filter(|lane| a.0[*lane] < b.0[*lane]).collect();
+                prop_assert_eq!(mask.lanes().collect::<Vec<_>>(), held.clone());
+                prop_assert_eq!(mask.bits(), held.iter().map(|lane| 1 << lane).sum::<u32>());
+                let row = |lane: usize| std::array::from_fn::<_, 7, _>(|column| (8 * lane + column) as f32);
+                for (column, found) in Wide::columns(row).into_iter().enumerate() {
+                    prop_assert_eq!(found.0, std::array::from_fn(|lane| (8 * lane + column) as f32));
+                }
             }
         }
-        let turns = a.0.map(unit);
-        let (sin, cos) = sin_cos_turns(Eight(turns));
-        for (lane, turns) in turns.into_iter().enumerate() {
-            prop_assert_eq!((sin.0[lane], cos.0[lane]), sin_cos_turns(turns));
-        }
-    }
+    };
 }
+
+lanes_are_numbers!(eight_lanes_are_eight_numbers, Eight, 8, uniform8);
+lanes_are_numbers!(sixteen_lanes_are_sixteen_numbers, Sixteen, 16, uniform16);

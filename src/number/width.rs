@@ -1,9 +1,8 @@
 //! What a width needs besides arithmetic: its lanes one by one.
 
-use super::lanes::transposed;
-use super::{Eight, F32x8, Number};
+use super::{F32x8, Number};
 
-/// A width that rays can be traced in: `f32`, `f64` and [`F32x8`].
+/// A width that rays can be traced in: `f32`, `f64`, [`F32x8`] and [`super::F32x16`].
 pub trait Width: Number {
     /// What a lane holds.
     type Scalar: Width<Scalar = Self::Scalar, Pack = Self::Pack> + PartialOrd + Default + From<f32>;
@@ -53,36 +52,3 @@ macro_rules! single {
 
 single!(f32, F32x8);
 single!(f64, f64);
-
-impl Width for F32x8 {
-    type Scalar = f32;
-    type Pack = F32x8;
-    #[inline(always)]
-    fn all(x: f32) -> Self {
-        Eight([x; 8])
-    }
-    #[inline(always)]
-    fn each(mut of: impl FnMut(usize) -> f32) -> Self {
-        let mut all = Eight([0.0; 8]);
-        for lane in 0..8 {
-            all.0[lane] = of(lane);
-        }
-        all
-    }
-    #[inline(always)]
-    fn get(self, lane: usize) -> f32 {
-        self.0[lane]
-    }
-    #[inline(always)]
-    fn place(self, lane: usize) -> usize {
-        self.0[lane] as usize
-    }
-    #[inline(always)]
-    fn columns<const K: usize>(mut rows: impl FnMut(usize) -> [f32; K]) -> [Self; K] {
-        let mut all = [[0.0; K]; 8];
-        for (lane, row) in all.iter_mut().enumerate() {
-            *row = rows(lane);
-        }
-        transposed(&all)
-    }
-}

@@ -45,8 +45,8 @@ pub struct Tactics {
     pub extra: u32,
     /// Whether two samples of each pixel tell first how many it is worth ([`super::pilot`]).
     pub pilot: bool,
-    /// Whether one path is followed at a time, as if there were no lanes.
-    pub one_lane: bool,
+    /// The most paths that are followed at a time, if the machine can do so many: the same picture, bit for bit.
+    pub lanes: usize,
 }
 
 /// How paths meet lamps.
@@ -72,7 +72,7 @@ impl Default for Tactics {
             caustics: true,
             extra: 8,
             pilot: true,
-            one_lane: false,
+            lanes: MOST_LANES,
         }
     }
 }

@@ -8,7 +8,7 @@
 //! | lamps as a point sees them | [`lamp`] |
 //! | what surfaces are made of, lane by lane | [`surfaces`] |
 //! | integrators to read, one idea more in each | [`simple`] |
-//! | the fast one, eight paths at once | [`kernel`] |
+//! | the fast one, as many paths at once as a number has lanes | [`kernel`] |
 //! | which pixels are worth more samples, by what is seen | [`looks`] |
 //! | and by a few samples | [`pilot`] |
 //! | light by way of mirrors and glass, from the lamp on | [`caustics`] |

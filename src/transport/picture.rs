@@ -10,7 +10,7 @@ use super::simple::{INTEGRATORS, Integrator, Numbers, RARE};
 use super::{Needless, Needs, Stage, caustics, looks};
 use crate::bsdf::{Rgb, rgb};
 use crate::geometry::Structure;
-use crate::number::{F32x8, Mask, Vector, Width, vectorised_lanes};
+use crate::number::{F32x8, F32x16, Mask, Vector, Width, best_lanes, vectorised_lanes};
 use crate::sampling::{Choice, Points, Stream};
 use crate::scene::{Flaw, Scene};
 use std::ops::Range;
@@ -34,7 +34,7 @@ pub struct Manner {
 /// An integrator.
 #[derive(Clone, Copy)]
 pub enum Method {
-    /// Eight paths at once.
+    /// As many paths at once as the machine has lanes.
     Fast(Tactics),
     /// One to read.
     Simple(&'static Integrator),
@@ -76,7 +76,7 @@ impl Method {
     /// What it does, in a few words.
     pub fn about(&self) -> &'static str {
         match self {
-            Self::Fast(_) => "eight paths at once, and only what the scene needs",
+            Self::Fast(_) => "as many paths at once as the machine has lanes, and only what the scene needs",
             Self::Simple(integrator) => integrator.about,
             Self::Photons => "light sent from lamps and left where it falls: blurred, less with every sample",
             Self::Cached => "light by way of matt places, known at a few: interpolated, closer with every sample",
@@ -139,19 +139,38 @@ impl Several {
 }
 
 enum Engine {
-    Fast(Box<Stage<F32x8>>, Tactics),
-    Single(Box<Stage<f32>>, Tactics),
+    Fast(Wide, Tactics),
     Simple(Box<Stage<f64>>, &'static Integrator),
     Photons(Box<Stage<f64>>, Box<Photons>),
     Cached(Box<Stage<f64>>, Box<Caches>),
+}
+
+/// A stage of so many lanes.
+enum Wide {
+    Sixteen(Box<Stage<F32x16>>),
+    Eight(Box<Stage<F32x8>>),
+    One(Box<Stage<f32>>),
+}
+
+/// The same of a stage, whatever its lanes.
+macro_rules! in_width {
+    ($wide:expr, $stage:ident => $same:expr) => {
+        match $wide {
+            Wide::Sixteen($stage) => $same,
+            Wide::Eight($stage) => $same,
+            Wide::One($stage) => $same,
+        }
+    };
 }
 
 impl Engine {
     /// How many pairs of numbers so many pairs of samples ask for.
     fn numbered(&self, pairs: u32) -> u32 {
         match self {
-            Self::Fast(stage, tactics) => pairs.saturating_mul(tactics.most_samples(stage.is_looked_at())),
-            Self::Single(stage, tactics) => pairs.saturating_mul(tactics.most_samples(stage.is_looked_at())),
+            Self::Fast(wide, tactics) => {
+                let is_looked_at = in_width!(wide, stage => stage.is_looked_at());
+                pairs.saturating_mul(tactics.most_samples(is_looked_at))
+            }
             Self::Simple(..) | Self::Photons(..) | Self::Cached(..) => pairs,
         }
     }
@@ -171,10 +190,14 @@ impl Renderer {
     pub fn new(scene: &Scene, manner: &Manner, pairs: u32) -> Result<Self, Flaw> {
         let Manner { structure, needless, .. } = manner;
         let engine = match manner.method {
-            Method::Fast(tactics) if tactics.one_lane => {
-                Engine::Single(Box::new(Stage::with(scene, *structure, needless)?), tactics)
+            Method::Fast(tactics) => {
+                let wide = match tactics.lanes.min(best_lanes()) {
+                    0..8 => Wide::One(Box::new(Stage::with(scene, *structure, needless)?)),
+                    8..16 => Wide::Eight(Box::new(Stage::with(scene, *structure, needless)?)),
+                    _ => Wide::Sixteen(Box::new(Stage::with(scene, *structure, needless)?)),
+                };
+                Engine::Fast(wide, tactics)
             }
-            Method::Fast(tactics) => Engine::Fast(Box::new(Stage::with(scene, *structure, needless)?), tactics),
             Method::Simple(integrator) => {
                 Engine::Simple(Box::new(Stage::with(scene, *structure, needless)?), integrator)
             }
@@ -191,15 +214,15 @@ impl Renderer {
         };
         let vertices = scene.max_depth.unwrap_or(VERTICES).min(VERTICES) as usize;
         let light = match &engine {
-            Engine::Fast(stage, _) if stage.caustics().is_some() => caustics::points(manner.choice, manner.seed),
-            Engine::Single(stage, _) if stage.caustics().is_some() => caustics::points(manner.choice, manner.seed),
+            Engine::Fast(wide, _) if in_width!(wide, stage => stage.caustics().is_some()) => {
+                caustics::points(manner.choice, manner.seed)
+            }
             _ => Points::new(Choice::Independent, 1, 0, manner.seed),
         };
         let points = Points::new(manner.choice, engine.numbered(pairs), vertices, manner.seed);
         let numbers = (manner.choice, vertices, manner.seed);
         let several = match &engine {
-            Engine::Fast(stage, tactics) => Several::new(stage, tactics, numbers),
-            Engine::Single(stage, tactics) => Several::new(stage, tactics, numbers),
+            Engine::Fast(wide, tactics) => in_width!(wide, stage => Several::new(stage, tactics, numbers)),
             Engine::Simple(..) | Engine::Photons(..) | Engine::Cached(..) => Several::alike(),
         };
         Ok(Self { engine, points, light, numbers, pairs, several })
@@ -217,8 +240,7 @@ impl Renderer {
     /// What the scene ready for rays occupies in memory [B].
     pub fn bytes(&self) -> usize {
         match &self.engine {
-            Engine::Fast(stage, _) => stage.bytes(),
-            Engine::Single(stage, _) => stage.bytes(),
+            Engine::Fast(wide, _) => in_width!(wide, stage => stage.bytes()),
             Engine::Simple(stage, _) | Engine::Photons(stage, _) | Engine::Cached(stage, _) => stage.bytes(),
         }
     }
@@ -226,8 +248,7 @@ impl Renderer {
     /// What the scene needs.
     pub fn needs(&self) -> &Needs {
         match &self.engine {
-            Engine::Fast(stage, _) => stage.needs(),
-            Engine::Single(stage, _) => stage.needs(),
+            Engine::Fast(wide, _) => in_width!(wide, stage => stage.needs()),
             Engine::Simple(stage, _) | Engine::Photons(stage, _) | Engine::Cached(stage, _) => stage.needs(),
         }
     }
@@ -236,8 +257,9 @@ impl Renderer {
     /// [`Renderer::sums`]; None where none are sent, which does not depend on the pairs.
     pub fn splats(&self, pairs: Range<u32>) -> Option<Splats> {
         match &self.engine {
-            Engine::Fast(stage, tactics) if tactics.follows() => caustics::splats(stage, &self.light, pairs),
-            Engine::Single(stage, tactics) if tactics.follows() => caustics::splats(stage, &self.light, pairs),
+            Engine::Fast(wide, tactics) if tactics.follows() => {
+                in_width!(wide, stage => caustics::splats(stage, &self.light, pairs))
+            }
             _ => None,
         }
     }
@@ -250,8 +272,9 @@ impl Renderer {
     /// Sums over a branch of pairs of samples ([`super::film`]) of some rows of the picture, row by row.
     pub fn sums(&self, rows: Range<u32>, pairs: Range<u32>) -> Vec<Halves> {
         match &self.engine {
-            Engine::Fast(stage, tactics) => fast(stage, tactics, &self.several, &self.points, rows, pairs),
-            Engine::Single(stage, tactics) => fast(stage, tactics, &self.several, &self.points, rows, pairs),
+            Engine::Fast(wide, tactics) => {
+                in_width!(wide, stage => fast(stage, tactics, &self.several, &self.points, rows, pairs))
+            }
             Engine::Simple(stage, integrator) => {
                 let depth = stage.max_depth().unwrap_or(DEEP);
                 simple(stage, integrator, depth, &self.points, rows, pairs)
@@ -266,8 +289,7 @@ impl Renderer {
     /// What the camera sees of the scene's surfaces, pixel by pixel of some rows, without any light.
     pub fn features(&self, rows: Range<u32>) -> Vec<Feature> {
         match &self.engine {
-            Engine::Fast(stage, _) => features(stage, &self.points, rows),
-            Engine::Single(stage, _) => features(stage, &self.points, rows),
+            Engine::Fast(wide, _) => in_width!(wide, stage => features(stage, &self.points, rows)),
             Engine::Simple(stage, _) | Engine::Photons(stage, _) | Engine::Cached(stage, _) => {
                 features(stage, &self.points, rows)
             }

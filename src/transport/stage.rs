@@ -1,6 +1,6 @@
 //! A scene made ready for rays: its shapes, lamps, surfaces and camera about the camera, in one unit of length.
 //!
-//! What is asked of it are calls, each vector code of its own: one long function of eight lanes would take a compiler minutes.
+//! What is asked of it are calls, each vector code of its own: one long function of many lanes would take a compiler minutes.
 
 use super::caustics::Caustics;
 use super::lamp::{Arrival, Lamp, Piece};

@@ -67,10 +67,12 @@ fn light_cast_by_polished_balls_is_what_other_ways_find_and_quieter() {
 }
 
 #[test]
-fn eight_lanes_cast_as_single_paths_do() {
+fn lanes_cast_as_single_paths_do() {
     let gleam = gleam(silver(0.1, Energy::Compensated), 6);
-    let single = with(Tactics { one_lane: true, ..Tactics::default() }, 1);
-    assert_eq!(filmed(&gleam, &with(Tactics::default(), 1), &[0..8]), filmed(&gleam, &single, &[0..8]));
+    let [single, eight, most] =
+        [1, 8, 16].map(|lanes| filmed(&gleam, &with(Tactics { lanes, ..Tactics::default() }, 1), &[0..8]));
+    assert_eq!(eight, single);
+    assert_eq!(most, single);
 }
 
 #[test]

@@ -273,8 +273,10 @@ fn no_order_and_no_threads_can_be_told_from_caustics() {
     // Made by who expects no more.
     parts.merge(filmed(&hall, &manner, &[2..4, 0..1, 1..2])).expect("no overlap");
     assert_eq!(whole, parts);
-    let single = with(Tactics { one_lane: true, ..Tactics::default() }, 1);
-    assert_eq!(whole.halves(), filmed(&hall, &single, &[0..8]).halves());
+    for lanes in [1, 8] {
+        let fewer = with(Tactics { lanes, ..Tactics::default() }, 1);
+        assert_eq!(whole.halves(), filmed(&hall, &fewer, &[0..8]).halves(), "{lanes}");
+    }
     let dark = filmed(&hall, &with(Tactics { caustics: false, ..Tactics::default() }, 1), &[8..16]);
     assert_eq!(parts.merge(dark), Err(Clash::Light));
 }
