@@ -37,7 +37,8 @@ pub fn needed(needs: &Needs) -> Vec<String> {
     };
     let all = [
         (needs.hierarchy, "a hierarchy of boxes"),
-        (needs.environment, "light from the sky"),
+        (needs.environment && !needs.panorama, "light from the sky"),
+        (needs.panorama, "light from the sky's image, and rays to where it is bright"),
         (needs.light_paths, "paths from lamps by way of mirrors, glass and polished metal"),
         (needs.glossy, "models of surfaces"),
         (needs.specular || needs.rims, MORE),

@@ -130,12 +130,18 @@ pub const CAMERA: Object = Object {
 
 pub const ENVIRONMENT: Object = Object {
     what: "an environment",
-    keys: &[&[must("radiance", Kind::Three(domain::RADIANCE), "from everywhere alike")]],
-    later: &[
-        ("image", "an image as environment"),
-        ("scale", "an image as environment"),
-        ("rotate_deg", "an image as environment"),
-    ],
+    keys: &[&[
+        key(
+            "image",
+            Kind::Text,
+            Need::Unless("radiance"),
+            "a .exr or .hdr, from the scene's folder: radiance by latitude and longitude, +y on top, +z in the middle, +x left of it",
+        ),
+        key("radiance", Kind::Three(domain::RADIANCE), Need::Unless("image"), "from everywhere alike"),
+        may("scale", Kind::Number(domain::FACTOR), "1", "times the image's radiance; only with image"),
+        may("rotate_deg", Kind::Number(domain::TURN), "0", "turned about y, from z towards x; only with image"),
+    ]],
+    later: &[],
 };
 
 pub const COATING: Object = Object {

@@ -1,6 +1,7 @@
 //! Scenes: the lecture's own by name, others from files; and back into files.
 
 mod fields;
+mod images;
 mod json;
 mod keys;
 mod meshes;
@@ -9,6 +10,7 @@ mod ply;
 mod print;
 mod read;
 mod reference;
+mod rgbe;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -23,6 +25,7 @@ use crate::stop::{Stop, plain};
 use chapters::parameter::{Fault, excerpt};
 use chapters::text::Phrase;
 use light::scene::Scene;
+use images::Images;
 use light::scene::builtin::{self, BUILTIN};
 use meshes::{Files, Meshes};
 use source::{Snag, Source, bounded};
@@ -83,15 +86,15 @@ fn read(source: &Source, parse: Parse, files: Files) -> Result<(Scene, Vec<Strin
     })?;
     let name = source.path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
     let name: String = name.chars().filter(|c| !c.is_control()).collect();
-    let mut meshes = Meshes::new(files);
-    let scene = read::scene(&root, &name, &mut meshes).map_err(|snag| source.refuse(snag))?;
+    let (mut meshes, mut images) = (Meshes::new(files), Images::new(files));
+    let scene = read::scene(&root, &name, &mut meshes, &mut images).map_err(|snag| source.refuse(snag))?;
     Ok((scene, meshes.notes))
 }
 
-/// A scene as TOML, and the PLY of each mesh that it has: all there is of it, wherever it was read from.
+/// A scene as TOML, and the files that it names: all there is of it, wherever it was read from.
 pub fn written(scene: &Scene) -> (String, Vec<Vec<u8>>) {
     let printed = print::print(scene, true);
-    (printed.text, printed.meshes.iter().map(|(_, mesh)| ply::write(mesh)).collect())
+    (printed.text, printed.files.iter().map(|(_, file)| file.bytes()).collect())
 }
 
 /// The lecture's scenes.
@@ -104,13 +107,13 @@ pub fn list() -> Vec<Block> {
     vec![Block::section(vec![Block::Terms(Terms { width: Some(12), items: BUILTIN.iter().map(item).collect() })])]
 }
 
-/// Writes a scene as TOML to standard output; or as a file `to`, or into a folder of that name, with its meshes.
+/// Writes a scene as TOML to standard output; or as a file `to`, or into a folder of that name, with its meshes and images.
 pub fn serve_print(name: &str, to: Option<&Path>) -> Result<(), Stop> {
     let scene = load(name)?;
     let printed = print::print(&scene, to.is_some());
     let Some(to) = to else {
         out::print(printed.text.as_bytes())?;
-        for (file, _) in &printed.meshes {
+        for (file, _) in &printed.files {
             out::say(&format!("note: {file} is made by the program; --out DIR writes it beside the scene"));
         }
         return Ok(());
@@ -123,8 +126,8 @@ pub fn serve_print(name: &str, to: Option<&Path>) -> Result<(), Stop> {
             return Err(Stop::at(format!("--out {}", to.display()), why));
         }
     };
-    let meshes = printed.meshes.iter().map(|(file, mesh)| (file.clone(), ply::write(mesh)));
-    let files = std::iter::once((own, printed.text.into_bytes())).chain(meshes);
+    let besides = printed.files.iter().map(|(name, file)| (name.clone(), file.bytes()));
+    let files = std::iter::once((own, printed.text.into_bytes())).chain(besides);
     let draft = |(file, bytes): (String, Vec<u8>)| {
         folder.unlike(&file, &bytes)?;
         folder.draft(&file, &bytes)

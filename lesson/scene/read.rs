@@ -5,6 +5,7 @@ use super::keys::{
     CAMERA, CLEAR, COATED, COATING, ENERGY, ENVIRONMENT, FACETS, GLASS, GLASSES, IOR, Kind, MASKING as MASKED, METAL,
     PATTERNS, REFLECTANCE, ROUGH_GLASSES, SCENE, SHAPE, TRANSFORM, TYPE, Type, may, must,
 };
+use super::images::Images;
 use super::meshes::Meshes;
 use super::source::Snag;
 use super::tree::Node;
@@ -12,8 +13,8 @@ use chapters::parameter::Fault;
 use light::bsdf::microfacet::{Joint, Slopes};
 use light::scene::flaw::domain;
 use light::scene::{
-    Camera, Coating, Emission, Energy, Facets, Filter, Flaw, Geometry, Light, Material, Metal, Normals, Scene, Shape,
-    Transform, Triple,
+    Camera, Coating, Emission, Energy, Environment, Facets, Filter, Flaw, Geometry, Light, Material, Metal, Normals, Scene, Shape,
+    Sky, Transform, Triple,
 };
 use std::path::PathBuf;
 
@@ -23,9 +24,11 @@ pub const SLOPES: Slopes = Slopes::Ggx;
 pub const MASKING: Joint = Joint::Correlated;
 /// The index outside unless it is said: empty space.
 pub const OUTSIDE: f64 = 1.0;
+/// How bright an image is unless it is said: as it says itself.
+pub const SKY_SCALE: f64 = 1.0;
 
 /// Reads a scene called `name` unless it says otherwise. It has no flaw.
-pub fn scene(root: &Node, name: &str, meshes: &mut Meshes) -> Result<Scene, Snag> {
+pub fn scene(root: &Node, name: &str, meshes: &mut Meshes, images: &mut Images) -> Result<Scene, Snag> {
     let fields = Item::root(root).fields(&SCENE)?;
     let list = |key: &str| fields.get(key).map_or(Ok(Vec::new()), |item| item.list());
     let scene = Scene {
@@ -35,7 +38,11 @@ pub fn scene(root: &Node, name: &str, meshes: &mut Meshes) -> Result<Scene, Snag
             .may("filter", |item| item.word("pixel filter", &words(Filter::ALL, Filter::name)))?
             .unwrap_or_default(),
         camera: camera(fields.must("camera")?)?,
-        environment: fields.get("environment").filter(|item| !item.is_null()).map(environment).transpose()?,
+        environment: fields
+            .get("environment")
+            .filter(|item| !item.is_null())
+            .map(|item| environment(item, images))
+            .transpose()?,
         materials: fields.get("materials").map_or(Ok(Vec::new()), materials)?,
         shapes: list("shapes")?.into_iter().map(|item| shape(item, meshes)).collect::<Result<_, _>>()?,
         lights: list("lights")?.into_iter().map(light).collect::<Result<_, _>>()?,
@@ -76,8 +83,24 @@ fn camera(item: Item) -> Result<Camera, Snag> {
     })
 }
 
-fn environment(item: Item) -> Result<Triple, Snag> {
-    item.fields(&ENVIRONMENT)?.triple("radiance")
+fn environment(item: Item, images: &mut Images) -> Result<Environment, Snag> {
+    let fields = item.fields(&ENVIRONMENT)?;
+    let scale = fields.may("scale", Item::number)?;
+    let rotate_deg = fields.may("rotate_deg", Item::number)?;
+    let Some(item) = fields.get("image") else {
+        let radiance = fields.triple("radiance")?;
+        ["scale", "rotate_deg"].iter().try_for_each(|key| fields.idle(key, "says nothing without image"))?;
+        return Ok(Environment::Constant(radiance));
+    };
+    fields.idle("radiance", "given beside image, which has its own")?;
+    let file = PathBuf::from(item.text()?);
+    let image = images.read(&file).map_err(|why| item.wrong(why))?;
+    Ok(Environment::Image(Sky {
+        file: Some(file),
+        image,
+        scale: scale.unwrap_or(SKY_SCALE),
+        rotate_deg: rotate_deg.unwrap_or_default(),
+    }))
 }
 
 fn materials(item: Item) -> Result<Vec<(String, Material)>, Snag> {

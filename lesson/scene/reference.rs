@@ -108,6 +108,7 @@ mod tests {
             ("target" | "min", _) => "[0, 0, 0]",
             ("material", _) => "\"m\"",
             ("file", _) => "\"x.obj\"",
+            ("image", _) => "\"sky.hdr\"",
             (_, Kind::Number(_) | Kind::Count) => "1",
             (_, Kind::Three(_) | Kind::Size(_)) => "[1, 1, 1]",
             (_, Kind::Corners(_)) => "[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]",
@@ -157,8 +158,13 @@ mod tests {
             before,
             &if told.header.is_empty() { String::new() } else { format!("{}\n{own}", told.header) },
         ];
-        let mesh = |_: &Path| Ok(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec());
-        from_toml(&text.concat(), &mesh)
+        let files = |file: &Path| match file.extension() {
+            Some(extension) if extension == "hdr" => {
+                Ok(b"#?RADIANCE\n\n-Y 1 +X 1\n\x80\x80\x80\x81".to_vec())
+            }
+            _ => Ok(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec()),
+        };
+        from_toml(&text.concat(), &files)
     }
 
     /// Every key that can be tried alone, with the table that has it.

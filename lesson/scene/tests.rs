@@ -24,15 +24,18 @@ fn from_json(text: &str) -> Result<Scene, Stop> {
 /// A scene printed, with all its meshes, and read again.
 fn again(scene: &Scene) -> Scene {
     let printed = print::print(scene, true);
-    let files = |file: &Path| match printed.meshes.iter().find(|(name, _)| Path::new(name) == file) {
-        Some((_, mesh)) => Ok(ply::write(mesh)),
+    let files = |file: &Path| match printed.files.iter().find(|(name, _)| Path::new(name) == file) {
+        Some((_, part)) => Ok(part.bytes()),
         None => none(file),
     };
     from_toml(&printed.text, &files).unwrap_or_else(|stop| panic!("{stop}\n{}", printed.text))
 }
 
-/// The same scene, its meshes from the files that they are printed to.
+/// The same scene, its meshes and its sky from the files that they are printed to.
 fn filed(mut scene: Scene) -> Scene {
+    if let Some(Environment::Image(sky)) = &mut scene.environment {
+        sky.file = Some(PathBuf::from(format!("{}.exr", print::stem(&scene.name))));
+    }
     let mut known: Vec<Arc<Mesh>> = Vec::new();
     for shape in &mut scene.shapes {
         if let Geometry::Mesh { file, mesh, .. } = &mut shape.geometry {
@@ -187,7 +190,7 @@ fn whole() -> Scene {
             focus: Some(7.0),
             polariser_deg: Some(90.0),
         },
-        environment: Some([0.4, 0.5, 0.6]),
+        environment: Some(Environment::Constant([0.4, 0.5, 0.6])),
         materials: vec![
             named("white", Material::Diffuse { reflectance: [0.73; 3] }),
             named("clay", Material::RoughDiffuse { reflectance: [0.5, 0.4, 0.3], roughness: 0.8 }),
@@ -373,11 +376,11 @@ fn a_scene_keeps_the_files_that_it_names() {
     let files = |_: &Path| Ok(TRIANGLE.as_bytes().to_vec());
     let scene = from_toml(&format!("{CAMERA}{}", ball("sub/a.obj", "")), &files).unwrap();
     let kept = print::print(&scene, false);
-    assert!(kept.meshes.is_empty() && kept.text.contains("file = \"sub/a.obj\""), "{}", kept.text);
+    assert!(kept.files.is_empty() && kept.text.contains("file = \"sub/a.obj\""), "{}", kept.text);
     assert_eq!(from_toml(&kept.text, &files).unwrap(), scene);
     let written = print::print(&scene, true);
     assert!(written.text.contains("file = \"test.ply\""), "{}", written.text);
-    assert_eq!(written.meshes.len(), 1);
+    assert_eq!(written.files.len(), 1);
 }
 
 #[test]
@@ -505,6 +508,17 @@ fn light() -> BoxedStrategy<Light> {
     .boxed()
 }
 
+fn environment() -> BoxedStrategy<Environment> {
+    let image = (1..5u32, 1..5u32).prop_flat_map(|(width, height)| {
+        let texels = prop::collection::vec(prop::array::uniform3(0f32..1e12), (width * height) as usize);
+        texels.prop_map(move |texels| Arc::new(Image::new([width, height], texels).expect("as many")))
+    });
+    let scale = prop_oneof![Just(1.0), 0.0..1e3];
+    let rotate_deg = prop_oneof![Just(0.0), signed(360.0)];
+    let sky = (image, scale, rotate_deg).prop_map(|(image, scale, rotate_deg)| Sky { file: None, image, scale, rotate_deg });
+    prop_oneof![triple_of(size(1e12)).prop_map(Environment::Constant), sky.prop_map(Environment::Image)].boxed()
+}
+
 fn camera() -> BoxedStrategy<Camera> {
     let point = || triple_of(signed(1e3));
     let pixels = || 1..4000u32;
@@ -537,7 +551,7 @@ fn scenes() -> impl Strategy<Value = Scene> {
         prop::option::of(1..=u32::MAX),
         prop::sample::select(&Filter::ALL[..]),
         camera(),
-        prop::option::of(triple_of(size(1e12))),
+        prop::option::of(environment()),
         prop::collection::btree_map(any::<String>(), material(), 1..6),
         prop::collection::vec(shape, 0..6),
         prop::collection::vec(light(), 0..3),

@@ -1,11 +1,11 @@
 //! What a scene needs: by it integrators say whether they fit, and work is left out.
 
-use crate::scene::{Material, Scene};
+use crate::scene::{Environment, Material, Scene};
 
 /// What a scene needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Needs {
-    /// Lamps to send rays to.
+    /// Lamps to send rays to; a sky that is an image is one.
     pub lamps: u32,
     /// Lights without a surface, which no path meets by chance.
     pub bare_lights: bool,
@@ -13,6 +13,8 @@ pub struct Needs {
     pub rims: bool,
     /// Light from behind all shapes.
     pub environment: bool,
+    /// That of an image, to which rays are sent as to a lamp.
+    pub panorama: bool,
     /// Surfaces other than Lambert's.
     pub glossy: bool,
     /// Surfaces whose light has no choice of where to go.
@@ -104,11 +106,14 @@ impl Needs {
         };
         let shining =
             scene.shapes.iter().filter(|shape| shape.emission.is_some_and(|e| e.radiance != [0.0; 3])).count();
+        let sky = scene.environment.as_ref().filter(|sky| !sky.is_black());
+        let panorama = matches!(sky, Some(Environment::Image(_)));
         Self {
-            lamps: (shining + scene.lights.len()) as u32,
+            lamps: (shining + scene.lights.len() + usize::from(panorama)) as u32,
             bare_lights: !scene.lights.is_empty(),
             rims: shining > 0,
-            environment: scene.environment.is_some_and(|radiance| radiance != [0.0; 3]),
+            environment: sky.is_some(),
+            panorama,
             glossy: used(&|material| !matches!(material, Material::Diffuse { .. })),
             specular: used(&Material::is_specular),
             casters: used(&Material::casts),
@@ -149,7 +154,7 @@ impl Needs {
             (self.lamps < 2, "choice among lamps", "there are not two of them", None),
             (!self.environment, "light from the sky", "it is black", Some(Needless { sky: true, ..none })),
             (
-                self.environment,
+                self.environment && !self.panorama,
                 "rays to the sky",
                 "it is the same all around: directions by the surface do better",
                 None,

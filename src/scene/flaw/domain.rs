@@ -80,6 +80,8 @@ pub const APERTURE: Domain = Domain::new(0.0, FAR, "m");
 pub const FIELD_OF_VIEW: Domain = Domain::between(0.0, 180.0, "deg");
 /// A channel of radiance [W m⁻² sr⁻¹].
 pub const RADIANCE: Domain = Domain::new(0.0, BRIGHT, "W m⁻² sr⁻¹");
+/// A factor [1] of light.
+pub const FACTOR: Domain = Domain::new(0.0, BRIGHT, "");
 /// A channel of intensity [W sr⁻¹].
 pub const INTENSITY: Domain = Domain::new(0.0, BRIGHT, "W sr⁻¹");
 /// A channel of irradiance [W m⁻²].

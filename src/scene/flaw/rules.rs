@@ -1,8 +1,8 @@
 //! The rules.
 
 use super::domain::{
-    ABSORPTION, ALPHA, APERTURE, COORDINATE, DIRECTION, FAR, FIELD_OF_VIEW, FILM, INTENSITY, IOR, IRRADIANCE, LENGTH,
-    METAL, RADIANCE, SCALE, SHARE, Shown, TURN,
+    ABSORPTION, ALPHA, APERTURE, COORDINATE, DIRECTION, Domain, FACTOR, FAR, FIELD_OF_VIEW, FILM, INTENSITY, IOR, IRRADIANCE,
+    LENGTH, METAL, RADIANCE, SCALE, SHARE, Shown, TURN,
 };
 use super::{Flaw, Part};
 use crate::bsdf::dispersive::D_LINE;
@@ -10,7 +10,7 @@ use crate::media::named;
 use crate::scene::material::{films, glasses, metals};
 use crate::scene::triple::{cross, largest, length, minus, plus, widened};
 use crate::scene::{
-    Camera, Coating, Emission, Facets, Geometry, Light, Material, Mesh, Metal, Normals, Scene, Shape, Transform, Triple,
+    Camera, Coating, Emission, Environment, Facets, Geometry, Image, Light, Material, Mesh, Metal, Normals, Scene, Shape, Transform, Triple,
 };
 
 type Checked = Result<(), Flaw>;
@@ -35,9 +35,7 @@ pub(super) fn scene(scene: &Scene) -> Checked {
         return Err(Flaw::of("max_depth", "0 is out of range; valid: at least 1, which shows emitters alone"));
     }
     camera(&scene.camera).map_err(|flaw| flaw.within("camera"))?;
-    if let Some(radiance) = scene.environment {
-        RADIANCE.holds_all("radiance", radiance).map_err(|flaw| flaw.within("environment"))?;
-    }
+    scene.environment.as_ref().map_or(Ok(()), environment).map_err(|flaw| flaw.within("environment"))?;
     for (at, (name, of)) in scene.materials.iter().enumerate() {
         let within = |flaw: Flaw| flaw.within(name.as_str()).within("materials");
         if scene.materials[..at].iter().any(|(earlier, _)| earlier == name) {
@@ -53,6 +51,30 @@ pub(super) fn scene(scene: &Scene) -> Checked {
 fn every<T>(key: &str, list: &[T], rule: impl Fn(&T) -> Checked) -> Checked {
     let mut each = list.iter().enumerate();
     each.try_for_each(|(at, one)| rule(one).map_err(|flaw| flaw.within(at).within(key)))
+}
+
+fn environment(environment: &Environment) -> Checked {
+    let sky = match environment {
+        Environment::Constant(radiance) => return RADIANCE.holds_all("radiance", *radiance),
+        Environment::Image(sky) => sky,
+    };
+    FACTOR.holds("scale", sky.scale)?;
+    TURN.holds("rotate_deg", sky.rotate_deg)?;
+    texels(&sky.image, sky.scale, &RADIANCE).map_err(|why| Flaw::of("image", why))
+}
+
+/// Holds an image's texels, times a factor, to a domain.
+fn texels(image: &Image, factor: f64, domain: &Domain) -> Result<(), String> {
+    let [width, height] = image.size();
+    if image.texels().len() as u64 > Image::MOST {
+        let most = Image::MOST;
+        return Err(format!("has {width} × {height} texels; valid: width × height up to {most}"));
+    }
+    let wrong = |texel: &[f32; 3]| texel.iter().any(|part| domain.holds("", f64::from(*part) * factor).is_err());
+    let Some(at) = image.texels().iter().position(wrong) else { return Ok(()) };
+    let [red, green, blue] = image.texels()[at].map(|part| Shown(f64::from(part) * factor));
+    let (column, row) = (at % width as usize, at / width as usize);
+    Err(format!("its texel in column {column} of row {row}, from 0, is [{red}, {green}, {blue}]; valid: {domain}"))
 }
 
 fn camera(camera: &Camera) -> Checked {
