@@ -4,8 +4,8 @@ use light::bsdf::Rgb;
 use light::bsdf::microfacet::{Joint, Slopes};
 use light::radiometry::polygon;
 use light::scene::{
-    Camera, Emission, Energy, Environment, Facets, Filter, Geometry, Material, Mesh, Metal, Normals, Scene, Shape, Transform,
-    Triple, builtin,
+    Camera, Emission, Energy, Environment, Facets, Filter, Geometry, Material, Mesh, Metal, Normals, Scene, Shape,
+    Transform, Triple, builtin,
 };
 use light::transport::estimate::colour;
 use light::transport::film::{Film, Halves, branches};

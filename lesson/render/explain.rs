@@ -45,6 +45,7 @@ pub fn needed(needs: &Needs) -> Vec<String> {
         (needs.clear, "ways into what is clear"),
         (needs.absorption, "absorption on the way"),
         (needs.polariser, "polarisation, which a filter sees"),
+        (needs.patterns, "places on images, for reflectances that change from place to place"),
         (needs.wavelength, "a wavelength for paths that glass disperses"),
         (needs.lens, "places on the lens"),
     ];

@@ -1,6 +1,7 @@
 //! Scenes: the lecture's own by name, others from files; and back into files.
 
 mod fields;
+mod gltf;
 mod images;
 mod json;
 mod keys;
@@ -24,8 +25,8 @@ use crate::out::{self, Folder};
 use crate::stop::{Stop, plain};
 use chapters::parameter::{Fault, excerpt};
 use chapters::text::Phrase;
-use light::scene::Scene;
 use images::Images;
+use light::scene::Scene;
 use light::scene::builtin::{self, BUILTIN};
 use meshes::{Files, Meshes};
 use source::{Snag, Source, bounded};
@@ -37,24 +38,33 @@ use views::block::{Block, Span, Term, Terms, Tone};
 /// standard error.
 pub fn load(name: &str) -> Result<Scene, Stop> {
     let path = Path::new(name);
-    match format(path)? {
-        None => Ok((known(name)?.make)()),
-        Some(parse) => {
-            let folder = path.parent().unwrap_or(Path::new(""));
-            let files = |file: &Path| bounded(&folder.join(file), meshes::LARGEST);
-            let (scene, notes) = read(&Source::open(path)?, parse, &files)?;
-            notes.iter().for_each(|note| out::say(&format!("note: {note}")));
-            Ok(scene)
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let files = |file: &Path| bounded(&folder.join(file), meshes::LARGEST);
+    let (scene, notes) = match format(path)? {
+        None => return Ok((known(name)?.make)()),
+        Some(Format::Text(parse)) => read(&Source::open(path)?, parse, &files)?,
+        Some(Format::Gltf) => {
+            let bytes = bounded(path, meshes::LARGEST).map_err(|why| Stop::at(path.display(), why))?;
+            read_gltf(path, &bytes, &files)?
         }
-    }
+    };
+    notes.iter().for_each(|note| out::say(&format!("note: {note}")));
+    Ok(scene)
+}
+
+/// How a scene's file is written.
+#[derive(Clone, Copy)]
+enum Format {
+    Text(Parse),
+    Gltf,
 }
 
 /// Makes a tree of a text.
 type Parse = fn(&str) -> Result<Node, Malformed>;
 
 /// The format of a file by its name; None if that is no file's.
-fn format(path: &Path) -> Result<Option<Parse>, Stop> {
-    const FILES: &str = "valid: .toml, .json, or the name of a scene of the lecture";
+fn format(path: &Path) -> Result<Option<Format>, Stop> {
+    const FILES: &str = "valid: .toml, .json, .gltf, .glb, or the name of a scene of the lecture";
     let extension = match path.extension() {
         Some(extension) => plain(&extension.to_string_lossy()),
         None if path.components().count() > 1 => {
@@ -63,9 +73,9 @@ fn format(path: &Path) -> Result<Option<Parse>, Stop> {
         None => return Ok(None),
     };
     match extension.as_str() {
-        "toml" => Ok(Some(toml::parse)),
-        "json" => Ok(Some(json::parse)),
-        "gltf" | "glb" => Err(Stop::at(path.display(), format!("not yet: glTF cannot be read so far; {FILES}"))),
+        "toml" => Ok(Some(Format::Text(toml::parse))),
+        "json" => Ok(Some(Format::Text(json::parse))),
+        "gltf" | "glb" => Ok(Some(Format::Gltf)),
         _ => Err(Stop::at(path.display(), format!("scenes are not read from files of that kind; {FILES}"))),
     }
 }
@@ -75,8 +85,28 @@ fn known(name: &str) -> Result<&'static builtin::Builtin, Stop> {
     let wanted = plain(name);
     BUILTIN.iter().find(|builtin| plain(builtin.name) == wanted).ok_or_else(|| {
         let names = BUILTIN.iter().map(|builtin| builtin.name);
-        Fault::unknown(excerpt(name), name, "no such scene, and no file, which ends in .toml or .json", names).into()
+        Fault::unknown(
+            excerpt(name),
+            name,
+            "no such scene, and no file, which ends in .toml, .json, .gltf or .glb",
+            names,
+        )
+        .into()
     })
+}
+
+/// Reads glTF, and what was left out of it. The scene has no flaw.
+fn read_gltf(path: &Path, bytes: &[u8], files: Files) -> Result<(Scene, Vec<String>), Stop> {
+    let refused = |why: String| Stop::at(path.display(), why);
+    let name = path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
+    let name: String = name.chars().filter(|c| !c.is_control()).collect();
+    // The files that it names lie beside it.
+    let own = Path::new(path.file_name().unwrap_or_default());
+    let (scene, notes) = gltf::scene(&name, own, bytes, files).map_err(refused)?;
+    match scene.flaw() {
+        None => Ok((scene, notes)),
+        Some(flaw) => Err(refused(flaw.to_string())),
+    }
 }
 
 /// Reads a text, and what was left out of the files it names.

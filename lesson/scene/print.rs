@@ -1,10 +1,10 @@
 //! A scene as a TOML file, its meshes as PLY files and its images as OpenEXR.
 
-use super::read::{MASKING, OUTSIDE, SKY_SCALE};
+use super::read::{MASKING, OUTSIDE, SKY_SCALE, SQUARES};
 use super::{images, ply};
 use light::scene::{
-    Camera, Coating, Emission, Energy, Environment, Facets, Filter, Geometry, Image, Light, Material, Mesh, Metal, Normals,
-    Scene, Shape, Sky, Transform, Triple,
+    Camera, Coating, Emission, Energy, Environment, Facets, Filter, Geometry, Image, Light, Material, Mesh, Metal,
+    Normals, Pattern, Scene, Shape, Sky, Transform, Triple,
 };
 use std::fmt::Write;
 use std::path::Path;
@@ -144,15 +144,34 @@ impl Printer {
         }
     }
 
+    /// A reflectance, from place to place if there is a pattern.
+    fn reflectance(&mut self, reflectance: Triple, pattern: Option<&Pattern>) {
+        let text = match pattern {
+            None => triple(reflectance),
+            Some(Pattern::Checker { colours, scale }) => {
+                let scale = if *scale == SQUARES { String::new() } else { format!(", scale = {}", number(*scale)) };
+                format!("{{ checker = [{}]{scale} }}", colours.map(triple).join(", "))
+            }
+            Some(Pattern::Image { file, image }) => {
+                let file = self.file(file.as_deref(), Part::Image(Arc::clone(image)));
+                format!("{{ image = {} }}", quoted(&file))
+            }
+        };
+        self.put("reflectance", text, "");
+    }
+
     fn material(&mut self, material: &Material) {
-        match material {
+        let pattern = material.pattern();
+        match material.base() {
+            // Its base has none.
+            Material::Patterned { .. } => {}
             Material::Diffuse { reflectance } => {
                 self.put("type", quoted("diffuse"), "");
-                self.put("reflectance", triple(*reflectance), "");
+                self.reflectance(*reflectance, pattern);
             }
             Material::RoughDiffuse { reflectance, roughness } => {
                 self.put("type", quoted("rough_diffuse"), "");
-                self.put("reflectance", triple(*reflectance), "");
+                self.reflectance(*reflectance, pattern);
                 self.put("roughness", number(*roughness), "");
             }
             Material::Mirror { reflectance } => {
@@ -193,7 +212,7 @@ impl Printer {
             Material::Plastic { ior, reflectance, alpha } => {
                 self.put("type", quoted("plastic"), "");
                 self.put("ior", number(*ior), "");
-                self.put("reflectance", triple(*reflectance), "");
+                self.reflectance(*reflectance, pattern);
                 if let Some(alpha) = alpha {
                     self.put("alpha", number(*alpha), "");
                 }

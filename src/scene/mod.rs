@@ -6,6 +6,7 @@
 //! | idea | where |
 //! |---|---|
 //! | what surfaces are made of | [`material`] |
+//! | reflectances that change from place to place | [`Pattern`] |
 //! | what there is to see | [`shape`] |
 //! | images, and what is behind everything | [`image`] |
 //! | what is wrong with a scene, and where | [`flaw`] |
@@ -15,12 +16,14 @@ pub mod builtin;
 pub mod flaw;
 pub mod image;
 pub mod material;
+mod pattern;
 pub mod shape;
 pub(crate) mod triple;
 
 pub use flaw::{Flaw, Part, Place, Unknown};
 pub use image::{Environment, Image, Sky};
 pub use material::{Coating, Energy, Facets, Material, Metal};
+pub use pattern::Pattern;
 pub use shape::{Emission, Geometry, Map, Mesh, Normals, Shape, Transform};
 
 /// A point [m], a direction, or a size along each axis.

@@ -32,6 +32,7 @@ pub mod lens;
 pub mod looks;
 pub mod needs;
 pub mod panorama;
+mod patterns;
 pub mod photons;
 pub mod picture;
 pub mod pilot;

@@ -27,6 +27,8 @@ pub struct Needs {
     pub absorption: bool,
     /// Glass whose index depends on the wavelength.
     pub wavelength: bool,
+    /// Reflectances that change from place to place.
+    pub patterns: bool,
     /// A filter before the camera.
     pub polariser: bool,
     /// Surfaces of which it is not known what they do to polarised light.
@@ -114,12 +116,13 @@ impl Needs {
             rims: shining > 0,
             environment: sky.is_some(),
             panorama,
-            glossy: used(&|material| !matches!(material, Material::Diffuse { .. })),
+            glossy: used(&|material| !matches!(material.base(), Material::Diffuse { .. })),
             specular: used(&Material::is_specular),
             casters: used(&Material::casts),
             clear: used(&Material::is_clear),
             absorption: used(&|material| material.absorption() != [0.0; 3]),
             wavelength: used(&Material::disperses),
+            patterns: used(&|material| material.pattern().is_some()),
             polariser: scene.camera.polariser_deg.is_some(),
             scalar: used(&|material| !material.is_polarising()),
             lens: scene.camera.aperture > 0.0,
@@ -183,6 +186,7 @@ impl Needs {
                 "no glass disperses: three channels go the same ways",
                 Some(Needless { wavelengths: true, ..none }),
             ),
+            (!self.patterns, "places on images", "every reflectance is the same all over its shape", None),
             (
                 !self.polariser,
                 "polarisation",

@@ -227,8 +227,8 @@ mod tests {
         // The faintest and the brightest that a scene may have, side by side.
         let far = Sky { scale: 1.0, ..sky([2, 1], 0.0, |[column, _]| [if column == 0 { 1e15 } else { 1e-38 }; 3]) };
         let panorama = Panorama::new(&far).expect("some light");
-        for u in [0.0, 0.5, 1.0_f64.next_down()] {
-            let (way, share, pdf) = panorama.drawn::<f32>([0.3, u as f32]);
+        for u in [0.0, 0.5, 1.0_f32.next_down()] {
+            let (way, share, pdf) = panorama.drawn::<f32>([0.3, u]);
             assert!(way.iter().chain(&share).all(|x| x.is_finite()) && pdf > 0.0, "{u}: {share:?}, {pdf}");
         }
     }

@@ -5,6 +5,7 @@
 use super::caustics::Caustics;
 use super::lamp::{Arrival, Lamp, Piece};
 use super::panorama::Panorama;
+use super::patterns::Patterns;
 use super::surfaces::{Met, Surfaces};
 use super::{Lens, Needless, Needs};
 use crate::bsdf::dispersive::Hue;
@@ -29,6 +30,7 @@ pub struct Stage<N: Width> {
     emission: Vec<[N::Scalar; 8]>,
     environment: Option<Rgb<N>>,
     panorama: Option<Arc<Panorama>>,
+    patterns: Option<Patterns>,
     max_depth: Option<u32>,
     size: [u32; 2],
     /// The angle [rad] of a filter before the camera.
@@ -86,6 +88,7 @@ impl<N: Width> Stage<N> {
         // A power of two changes no digit.
         let scale = if extent > 0.0 { 2f64.powi(-(extent.log2().ceil() as i32)) } else { 1.0 };
         let flat = flat.seen_from(middle, scale);
+        let patterns = Patterns::new(scene, &flat);
 
         let number = |name: &str| scene.materials.iter().position(|(known, _)| known == name).unwrap_or(0);
         let surfaces = Surfaces::new(scene.materials.iter().map(|(_, material)| material), scale, needless.models)?;
@@ -174,6 +177,7 @@ impl<N: Width> Stage<N> {
             emission: shining_out,
             environment: sky.map(|radiance| radiance.map(N::of)),
             panorama,
+            patterns,
             max_depth: scene.max_depth,
             size: [scene.camera.width, scene.camera.height],
             polariser: scene.camera.polariser_deg.map(f64::to_radians),
@@ -319,6 +323,10 @@ impl<N: Width> Stage<N> {
         let frame =
             Frame::about(Vector::select(agrees, surface.shading, surface.normal)).turned(is_back & turns.gt(half));
         let wo = frame.inward(back);
+        let rho = match &self.patterns {
+            None => [rho_red, rho_green, rho_blue],
+            Some(patterns) => self.painted(patterns, hit, &surface, met, [rho_red, rho_green, rho_blue]),
+        };
         let shines = met & lamp.ge(zero) & (!is_back | two_sided.gt(half));
         let emitted = if shines.any() { self.emitted(hit) } else { grey(zero) };
         let clarity = if self.absorbs() { self.clarity(material, wo.z.lt(zero), hit.t) } else { grey(N::of(1.0)) };
@@ -328,12 +336,19 @@ impl<N: Width> Stage<N> {
             start: surface.leave(back),
             frame,
             wo,
-            met: self.surfaces.met(material, [rho_red, rho_green, rho_blue, role]),
+            met: self.surfaces.met(material, [rho[0], rho[1], rho[2], role]),
             lamp: N::select(shines, lamp, N::of(-1.0)),
             cos: cos.abs(),
             emitted,
             clarity,
         }
+    }
+
+    /// ρ [1] of the places that were met.
+    #[inline(never)]
+    fn painted(&self, patterns: &Patterns, hit: &Hit<N>, surface: &Surface<N>, met: N::Mask, plain: Rgb<N>) -> Rgb<N> {
+        let shape = N::from_lanes(|lane| self.owners.shape(hit.primitive.place(lane)) as f64);
+        patterns.painted(met, [shape, hit.primitive, surface.uv[0], surface.uv[1]], surface.normal, plain)
     }
 
     /// What the shapes that were met send out [W m⁻² sr⁻¹] if they are seen from where they shine.
@@ -417,7 +432,11 @@ impl Stage<f64> {
 
     /// Radiance [W m⁻² sr⁻¹] from behind all shapes along a ray.
     pub fn sky(&self, ray: &Ray<f64>) -> Rgb<f64> {
-        if self.has_panorama() { self.panorama_along(ray.direction, true).0 } else { self.environment.unwrap_or_default() }
+        if self.has_panorama() {
+            self.panorama_along(ray.direction, true).0
+        } else {
+            self.environment.unwrap_or_default()
+        }
     }
 
     /// The density [sr⁻¹] with which a ray to the sky would have been sent along this one: 0 of one that is the same all around,

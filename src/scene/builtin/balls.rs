@@ -81,5 +81,5 @@ fn bumpy() -> Mesh {
         }
         triangles.push([at(PARALLELS - 1, meridian), at(PARALLELS - 1, meridian + 1), last]);
     }
-    Mesh { positions, normals: Vec::new(), triangles }.smoothed()
+    Mesh { positions, triangles, ..Mesh::default() }.smoothed()
 }

@@ -109,7 +109,7 @@ fn the_furnace_has_every_kind_of_material_and_none_absorbs() {
     let mut kinds = std::collections::HashSet::new();
     for (name, material) in &scene.materials {
         kinds.insert(std::mem::discriminant(material));
-        let absorbs = match material {
+        let absorbs = match material.base() {
             Material::Diffuse { reflectance }
             | Material::RoughDiffuse { reflectance, .. }
             | Material::Mirror { reflectance }
@@ -121,6 +121,7 @@ fn the_furnace_has_every_kind_of_material_and_none_absorbs() {
             Material::Dielectric { absorption, .. }
             | Material::Dispersive { absorption, .. }
             | Material::RoughDielectric { absorption, .. } => *absorption != [0.0; 3],
+            Material::Patterned { .. } => panic!("{name} has two patterns"),
         };
         assert!(!absorbs, "{name}");
     }

@@ -1,8 +1,8 @@
 //! The rules.
 
 use super::domain::{
-    ABSORPTION, ALPHA, APERTURE, COORDINATE, DIRECTION, Domain, FACTOR, FAR, FIELD_OF_VIEW, FILM, INTENSITY, IOR, IRRADIANCE,
-    LENGTH, METAL, RADIANCE, SCALE, SHARE, Shown, TURN,
+    ABSORPTION, ALPHA, APERTURE, COORDINATE, DIRECTION, Domain, FACTOR, FAR, FIELD_OF_VIEW, FILM, INTENSITY, IOR,
+    IRRADIANCE, LENGTH, METAL, PLACE, RADIANCE, SCALE, SHARE, SQUARES, Shown, TURN,
 };
 use super::{Flaw, Part};
 use crate::bsdf::dispersive::D_LINE;
@@ -10,7 +10,8 @@ use crate::media::named;
 use crate::scene::material::{films, glasses, metals};
 use crate::scene::triple::{cross, largest, length, minus, plus, widened};
 use crate::scene::{
-    Camera, Coating, Emission, Environment, Facets, Geometry, Image, Light, Material, Mesh, Metal, Normals, Scene, Shape, Transform, Triple,
+    Camera, Coating, Emission, Environment, Facets, Geometry, Image, Light, Material, Mesh, Metal, Normals, Pattern,
+    Scene, Shape, Transform, Triple,
 };
 
 type Checked = Result<(), Flaw>;
@@ -163,6 +164,26 @@ fn material(material: &Material) -> Checked {
             SHARE.holds_all("reflectance", *reflectance)?;
             alpha.map_or(Ok(()), |alpha| ALPHA.holds("alpha", alpha))
         }
+        Material::Patterned { of, pattern: drawn } => {
+            if !matches!(**of, Material::Diffuse { .. } | Material::RoughDiffuse { .. } | Material::Plastic { .. }) {
+                return Err(Flaw::of(
+                    "reflectance",
+                    "a pattern is drawn on what is diffuse, rough and diffuse, or plastic",
+                ));
+            }
+            pattern(drawn).map_err(|flaw| flaw.within("reflectance"))?;
+            self::material(of)
+        }
+    }
+}
+
+fn pattern(pattern: &Pattern) -> Checked {
+    match pattern {
+        Pattern::Image { file: _, image } => texels(image, 1.0, &SHARE).map_err(|why| Flaw::of("image", why)),
+        Pattern::Checker { colours, scale } => {
+            (0..2).try_for_each(|at| SHARE.holds_all(at, colours[at])).map_err(|flaw| flaw.within("checker"))?;
+            SQUARES.holds("scale", *scale)
+        }
     }
 }
 
@@ -217,6 +238,14 @@ fn shape(shape: &Shape, scene: &Scene) -> Checked {
     if scene.material(material).is_none() {
         let names = scene.materials.iter().map(|(name, _)| name.clone());
         return Err(Flaw::unknown("material", "no such material in the scene", material, names));
+    }
+    if let Geometry::Mesh { mesh, .. } = form
+        && mesh.texture.is_empty()
+        && scene.material(material).is_some_and(|material| material.pattern().is_some())
+    {
+        let why =
+            format!("`{material}` has a pattern, and no corner of the mesh a place on it; valid: texture coordinates");
+        return Err(Flaw::of("material", why));
     }
     match emission {
         Some(Emission { radiance, two_sided: _ }) => RADIANCE.holds_all("emission", *radiance),
@@ -294,7 +323,7 @@ fn round(center: Triple, radius: f64) -> Checked {
 }
 
 fn mesh(mesh: &Mesh, normals: Normals) -> Checked {
-    let Mesh { positions, normals: directions, triangles } = mesh;
+    let Mesh { positions, normals: directions, texture, triangles } = mesh;
     every("positions", positions, |position| {
         (0..3).try_for_each(|axis| COORDINATE.holds(axis, f64::from(position[axis])))
     })?;
@@ -302,6 +331,11 @@ fn mesh(mesh: &Mesh, normals: Normals) -> Checked {
         let why = format!("{} for {} corners; valid: one each, or none", directions.len(), positions.len());
         return Err(Flaw::of("normals", why));
     }
+    if !texture.is_empty() && texture.len() != positions.len() {
+        let why = format!("{} for {} corners; valid: one each, or none", texture.len(), positions.len());
+        return Err(Flaw::of("texture", why));
+    }
+    every("texture", texture, |place| (0..2).try_for_each(|axis| PLACE.holds(axis, f64::from(place[axis]))))?;
     let is_smooth = normals == Normals::Smooth;
     if is_smooth && directions.is_empty() {
         return Err(Flaw::of("normals", "none, and yet smooth; valid: one a corner"));

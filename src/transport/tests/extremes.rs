@@ -38,7 +38,7 @@ fn needles() -> Geometry {
         }
     }
     let triangles = (0..count).map(|k| [0, 2 * k + 1, 2 * k + 2]).collect();
-    let mesh = Mesh { positions, normals: Vec::new(), triangles };
+    let mesh = Mesh { positions, triangles, ..Mesh::default() };
     Geometry::Mesh { file: None, normals: Normals::Flat, mesh: Arc::new(mesh) }
 }
 

@@ -10,7 +10,9 @@ use crate::geometry::Structure;
 use crate::number::{F32x8, Width};
 use crate::radiometry::{self, disc::Disc, polygon, sphere::Sphere};
 use crate::sampling::{Choice, Points};
-use crate::scene::{Camera, Coating, Emission, Environment, Filter, Geometry, Light, Material, Scene, Shape, Transform};
+use crate::scene::{
+    Camera, Coating, Emission, Environment, Filter, Geometry, Light, Material, Scene, Shape, Transform,
+};
 use yardstick::statistics::{Moments, normal_two_sided, sidak, t_test, z_test};
 
 mod balance;
@@ -20,6 +22,7 @@ mod features;
 mod irradiance_cache;
 mod looks;
 mod panorama;
+mod patterns;
 mod photons;
 mod pilot;
 mod polarised;

@@ -43,7 +43,7 @@ fn one_bright_texel_lights_a_floor_as_it_must_and_at_once() {
     let p = t_test(&found, exact).p;
     assert!(p > SIGNIFICANCE && relative < most, "p = {p:.1e}, {relative} of at most {most}");
     let alone = Tactics { meeting: Meeting::Chance, pilot: false, ..Tactics::default() };
-    let (relative, _) = scatter(&alone, 8192);
+    let (relative, _) = scatter(&alone, 4096);
     assert!(relative > 5.0 * most, "by chance alone: {relative}");
     // The integrators to read, too; the slip of counting both ways of meeting it fails by far.
     for integrator in INTEGRATORS.iter().filter(|one| ["lamps", "both"].contains(&one.name)) {
@@ -93,7 +93,7 @@ fn all_integrators_make_the_same_picture_of_a_sky() {
         let pairs = if integrator.name == "surface" { 256 } else { 64 };
         pictures.push((integrator.name, simple(&yard, integrator, pairs, 2)));
     }
-    let cached = filmed(&yard, &Manner { method: Method::Cached, ..Manner::default() }, &[0..16]).halves();
+    let cached = filmed(&yard, &Manner { method: Method::Cached, ..Manner::default() }, &[0..64]).halves();
     let least = sidak(SIGNIFICANCE, pictures.len() * (pictures.len() - 1) / 2);
     for (k, (name, one)) in pictures.iter().enumerate() {
         for (other_name, other) in &pictures[..k] {
@@ -103,7 +103,7 @@ fn all_integrators_make_the_same_picture_of_a_sky() {
     }
     // By records it is interpolated: as near as elsewhere.
     let of = |picture: &[Halves]| green(picture).mean();
-    assert!((of(&cached) / of(&pictures[0].1) - 1.0).abs() < 0.03, "{} {}", of(&cached), of(&pictures[0].1));
+    assert!((of(&cached) / of(&pictures[0].1) - 1.0).abs() < 0.04, "{} {}", of(&cached), of(&pictures[0].1));
 }
 
 #[test]
@@ -112,10 +112,8 @@ fn what_is_known_of_polarisation_changes_no_light_of_a_sky() {
     yard.shapes.retain(|shape| shape.material != "gold");
     yard.materials.retain(|(name, _)| name != "gold");
     let polarised = RARE.iter().find(|one| one.name == "polarised").expect("one of them");
-    let p = normal_two_sided(apart(
-        &simple(&yard, polarised, 64, 1),
-        &fast::<F32x8>(&yard, &Tactics::default(), 64, 2),
-    ));
+    let p =
+        normal_two_sided(apart(&simple(&yard, polarised, 64, 1), &fast::<F32x8>(&yard, &Tactics::default(), 64, 2)));
     assert!(p > SIGNIFICANCE, "p = {p:.1e}");
 }
 
