@@ -130,7 +130,7 @@ const FLAT: Integrator = Integrator {
     radiance: |stage: &Stage<f64>, mut ray: Ray<f64>, numbers: &mut Numbers<'_>, depth: u32| -> Rgb<f64> {
         let (mut light, mut carries) = ([0.0; 3], [1.0; 3]);
         for _ in 0..depth {
-            let Some(vertex) = stage.meet(&ray) else { return gathered(light, carries, stage.sky()) };
+            let Some(vertex) = stage.meet(&ray) else { return gathered(light, carries, stage.sky(&ray)) };
             light = gathered(light, carries, vertex.emitted());
             let [u, v, _] = numbers.of_next_vertex().surface;
             let (wi, pdf) = warp::uniform_hemisphere([u, v]);

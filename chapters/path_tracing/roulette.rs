@@ -118,7 +118,7 @@ fn chanced<const PERCENT: u32, const COUNTS_FOR_OTHERS: bool>(
     let chance = f64::from(PERCENT) / 100.0;
     let (mut light, mut carries) = ([0.0; 3], [1.0; 3]);
     for _ in 0..depth {
-        let Some(vertex) = stage.meet(&ray) else { return gathered(light, carries, stage.sky()) };
+        let Some(vertex) = stage.meet(&ray) else { return gathered(light, carries, stage.sky(&ray)) };
         light = gathered(light, carries, vertex.emitted());
         let row = numbers.of_next_vertex();
         if row.survival >= chance {

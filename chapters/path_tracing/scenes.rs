@@ -4,8 +4,8 @@ use light::bsdf::Rgb;
 use light::bsdf::microfacet::{Joint, Slopes};
 use light::radiometry::polygon;
 use light::scene::{
-    Camera, Emission, Energy, Facets, Filter, Geometry, Material, Mesh, Metal, Normals, Scene, Shape, Transform,
-    Triple, builtin,
+    Camera, Emission, Energy, Environment, Facets, Filter, Geometry, Material, Mesh, Metal, Normals, Scene, Shape,
+    Transform, Triple, builtin,
 };
 use light::transport::estimate::colour;
 use light::transport::film::{Film, Halves, branches};
@@ -117,7 +117,7 @@ pub(super) fn under_the_sky(reflectance: f64, pixels: u32) -> Scene {
     let camera = looking([0.0, 0.0, 1.0], [0.0, 0.0, 0.0], 40.0, pixels);
     let camera = Camera { up: Camera::UP, ..camera };
     let dark = scene(camera, 2, vec![diffuse("floor", reflectance)], vec![shape(floor(), "floor", None)]);
-    Scene { environment: Some([1.0; 3]), ..dark }
+    Scene { environment: Some(Environment::Constant([1.0; 3])), ..dark }
 }
 
 fn floor() -> Geometry {

@@ -53,7 +53,7 @@ const DEEPEST: u32 = 1_000_000;
 
 #[derive(Debug, Args)]
 pub struct RenderArgs {
-    /// A scene of the lecture, or a file that ends in .toml or .json.
+    /// A scene of the lecture, or a file that ends in .toml, .json, .gltf or .glb.
     #[arg(value_hint = ValueHint::FilePath)]
     scene: Option<String>,
     /// The scenes of the lecture, one line each.
@@ -66,7 +66,7 @@ pub struct RenderArgs {
     #[arg(long, conflicts_with_all = ["tone", "exposure"])]
     print: bool,
     /// A file for the picture, .png, .exr or .pfm; may be repeated. With --print: a .toml for the scene, or a folder for it,
-    /// and its meshes beside. With --race --plot: a .png or .svg for the figure, or a folder for it.
+    /// and its meshes and images beside. With --race --plot: a .png or .svg for the figure, or a folder for it.
     #[arg(long, value_name = "FILE", value_hint = ValueHint::AnyPath)]
     out: Vec<PathBuf>,
     /// Samples a pixel; an odd number is taken as the next even one.
@@ -136,7 +136,8 @@ impl RenderArgs {
                 (_, true) => Ok(Request::Keys),
                 _ => {
                     let names: Vec<&str> = BUILTIN.iter().map(|builtin| builtin.name).collect();
-                    let valid = format!("valid: a file that ends in .toml or .json, or {}", names.join(", "));
+                    let valid =
+                        format!("valid: a file that ends in .toml, .json, .gltf or .glb, or {}", names.join(", "));
                     Err(Stop::at("scene", format!("missing; {valid}; `lesson render --list` tells of those")))
                 }
             };

@@ -37,13 +37,15 @@ pub fn needed(needs: &Needs) -> Vec<String> {
     };
     let all = [
         (needs.hierarchy, "a hierarchy of boxes"),
-        (needs.environment, "light from the sky"),
+        (needs.environment && !needs.panorama, "light from the sky"),
+        (needs.panorama, "light from the sky's image, and rays to where it is bright"),
         (needs.light_paths, "paths from lamps by way of mirrors, glass and polished metal"),
         (needs.glossy, "models of surfaces"),
         (needs.specular || needs.rims, MORE),
         (needs.clear, "ways into what is clear"),
         (needs.absorption, "absorption on the way"),
         (needs.polariser, "polarisation, which a filter sees"),
+        (needs.patterns, "places on images, for reflectances that change from place to place"),
         (needs.wavelength, "a wavelength for paths that glass disperses"),
         (needs.lens, "places on the lens"),
     ];

@@ -23,7 +23,7 @@ use crate::out::{self, Draft, Folder};
 use crate::scene;
 use crate::stop::{Stop, plain};
 use chapters::parameter::Fault;
-use light::scene::{Light, Scene};
+use light::scene::{Environment, Light, Scene};
 use light::transport::estimate::Estimate;
 use light::transport::{Manner, Method, Needs};
 use stats::Facts;
@@ -143,7 +143,8 @@ fn is_dark(scene: &Scene) -> bool {
         Light::Point { intensity, .. } => intensity,
         Light::Directional { irradiance, .. } => irradiance,
     });
-    scene.environment.iter().chain(shapes.map(|emission| &emission.radiance)).chain(lights).all(is_black)
+    let is_sky_black = scene.environment.as_ref().is_none_or(Environment::is_black);
+    is_sky_black && shapes.map(|emission| &emission.radiance).chain(lights).all(is_black)
 }
 
 /// Files that are no pictures.

@@ -117,6 +117,11 @@ impl<'t> Item<'t> {
         })
     }
 
+    /// Whether it is a table.
+    pub fn is_table(&self) -> bool {
+        matches!(self.node.value, Value::Table(_))
+    }
+
     /// Whether there is nothing, on purpose.
     pub fn is_null(&self) -> bool {
         self.node.value == Value::Null

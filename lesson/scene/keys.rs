@@ -25,6 +25,10 @@ pub enum Kind {
     Size(Domain),
     /// A list of four lists of three.
     Corners(Domain),
+    /// A list of two lists of three.
+    Pair(Domain),
+    /// A list of three, or a table.
+    ThreeOr(Domain, &'static str),
     /// A whole number from 1.
     Count,
     Flag,
@@ -130,12 +134,18 @@ pub const CAMERA: Object = Object {
 
 pub const ENVIRONMENT: Object = Object {
     what: "an environment",
-    keys: &[&[must("radiance", Kind::Three(domain::RADIANCE), "from everywhere alike")]],
-    later: &[
-        ("image", "an image as environment"),
-        ("scale", "an image as environment"),
-        ("rotate_deg", "an image as environment"),
-    ],
+    keys: &[&[
+        key(
+            "image",
+            Kind::Text,
+            Need::Unless("radiance"),
+            "a .exr or .hdr, from the scene's folder: radiance by latitude and longitude, +y on top, +z in the middle, +x left of it",
+        ),
+        key("radiance", Kind::Three(domain::RADIANCE), Need::Unless("image"), "from everywhere alike"),
+        may("scale", Kind::Number(domain::FACTOR), "1", "times the image's radiance; only with image"),
+        may("rotate_deg", Kind::Number(domain::TURN), "0", "turned about y, from z towards x; only with image"),
+    ]],
+    later: &[],
 };
 
 pub const COATING: Object = Object {
@@ -160,6 +170,32 @@ pub const TRANSFORM: Object = Object {
 /// What kind a table with a key `type` is of.
 pub const TYPE: Key = must("type", Kind::Text, "of which kind it is");
 pub const REFLECTANCE: Key = must("reflectance", Kind::Three(domain::SHARE), "how much goes back, by channel");
+/// The same where it may change from place to place.
+pub const PATTERNED: Key = must(
+    "reflectance",
+    Kind::ThreeOr(domain::SHARE, "a pattern"),
+    "how much goes back, by channel, from place to place",
+);
+
+pub const PATTERN: Object = Object {
+    what: "a pattern",
+    keys: &[&[
+        key(
+            "checker",
+            Kind::Pair(domain::SHARE),
+            Need::Unless("image"),
+            "how much two kinds of squares send back, the first in the lower left corner",
+        ),
+        key(
+            "image",
+            Kind::Text,
+            Need::Unless("checker"),
+            "a .png (sRGB) or .exr (linear), from the scene's folder; its lower left corner lies at a quad's first, the right one at the second",
+        ),
+        may("scale", Kind::Number(domain::SQUARES), "8", "squares along each side of the shape; only with checker"),
+    ]],
+    later: &[],
+};
 pub const IOR: Key = must("ior", Kind::Number(domain::IOR), "the index inside");
 pub const COATED: Key = may("coating", Kind::Table("a coating"), "none", "a film upon it");
 pub const ENERGY: Key = may(
@@ -225,5 +261,6 @@ pub const SHAPE: &[Key] = &[
     may("transform", Kind::Table("a transform"), "none", "scaled, turned, moved"),
 ];
 
-/// What a reflectance cannot be yet.
-pub const PATTERNS: &[Later] = &[("image", "an image as reflectance"), ("checker", "a checkerboard as reflectance")];
+/// What the reflectance of a mirror cannot be yet.
+pub const PATTERNS: &[Later] =
+    &[("image", "an image as a mirror's reflectance"), ("checker", "a checkerboard as a mirror's reflectance")];

@@ -1,6 +1,6 @@
 //! The meshes that a scene names by file.
 
-use super::{obj, ply};
+use super::{gltf, obj, ply};
 use crate::stop::plain;
 use light::scene::{Mesh, Normals};
 use std::collections::HashMap;
@@ -16,8 +16,8 @@ pub type Files<'f> = &'f dyn Fn(&Path) -> Result<Vec<u8>, String>;
 /// Reads meshes, each file once.
 pub struct Meshes<'f> {
     files: Files<'f>,
-    read: HashMap<PathBuf, Arc<Mesh>>,
-    smoothed: HashMap<PathBuf, Arc<Mesh>>,
+    read: HashMap<(PathBuf, bool), Arc<Mesh>>,
+    smoothed: HashMap<(PathBuf, bool), Arc<Mesh>>,
     /// What the reader should know: what was left out of a file.
     pub notes: Vec<String>,
 }
@@ -27,14 +27,16 @@ impl<'f> Meshes<'f> {
         Self { files, read: HashMap::new(), smoothed: HashMap::new(), notes: Vec::new() }
     }
 
-    /// The mesh of a file. Smooth it has normals: the file's, or those of its triangles.
-    pub fn read(&mut self, file: &Path, normals: Normals) -> Result<Arc<Mesh>, String> {
+    /// The mesh of a file. Smooth it has normals: the file's, or those of its triangles. Places on an image are kept only where
+    /// they are wanted: corners that differ in nothing else are one without them.
+    pub fn read(&mut self, file: &Path, normals: Normals, is_patterned: bool) -> Result<Arc<Mesh>, String> {
         // `./a.ply` is `a.ply`.
         let key: PathBuf = file.components().filter(|part| *part != Component::CurDir).collect();
+        let key = (key, is_patterned);
         let mesh = match self.read.get(&key) {
             Some(mesh) => Arc::clone(mesh),
             None => {
-                let mesh = Arc::new(self.open(file)?);
+                let mesh = Arc::new(self.open(file, is_patterned)?);
                 self.read.insert(key.clone(), Arc::clone(&mesh));
                 mesh
             }
@@ -46,16 +48,17 @@ impl<'f> Meshes<'f> {
         Ok(Arc::clone(smoothed))
     }
 
-    fn open(&mut self, file: &Path) -> Result<Mesh, String> {
+    fn open(&mut self, file: &Path, is_patterned: bool) -> Result<Mesh, String> {
         let extension = file.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-        let read = match plain(extension).as_str() {
-            "ply" => ply::read,
-            "obj" => obj::read,
-            "gltf" | "glb" => return Err("not yet: glTF cannot be read so far; valid: .ply, .obj".into()),
-            _ => return Err("must be the name of a mesh's file; valid: .ply, .obj".into()),
+        let files = self.files;
+        let read: &dyn Fn(&[u8]) -> Result<Mesh, String> = match plain(extension).as_str() {
+            "ply" => &|bytes| ply::read(bytes, is_patterned),
+            "obj" => &|bytes| obj::read(bytes, is_patterned),
+            "gltf" | "glb" => &|bytes| gltf::mesh(file, bytes, files, is_patterned),
+            _ => return Err("must be the name of a mesh's file; valid: .ply, .obj, .gltf, .glb".into()),
         };
         let name = file.display();
-        let bytes = (self.files)(file).map_err(|why| format!("{name} {why}"))?;
+        let bytes = files(file).map_err(|why| format!("{name} {why}"))?;
         let mut mesh = read(&bytes).map_err(|why| format!("{name}: {why}"))?;
         drop(bytes);
         let all = mesh.triangles.len();

@@ -1,6 +1,8 @@
 //! Scenes: the lecture's own by name, others from files; and back into files.
 
 mod fields;
+mod gltf;
+mod images;
 mod json;
 mod keys;
 mod meshes;
@@ -9,6 +11,7 @@ mod ply;
 mod print;
 mod read;
 mod reference;
+mod rgbe;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -22,6 +25,7 @@ use crate::out::{self, Folder};
 use crate::stop::{Stop, plain};
 use chapters::parameter::{Fault, excerpt};
 use chapters::text::Phrase;
+use images::Images;
 use light::scene::Scene;
 use light::scene::builtin::{self, BUILTIN};
 use meshes::{Files, Meshes};
@@ -34,24 +38,33 @@ use views::block::{Block, Span, Term, Terms, Tone};
 /// standard error.
 pub fn load(name: &str) -> Result<Scene, Stop> {
     let path = Path::new(name);
-    match format(path)? {
-        None => Ok((known(name)?.make)()),
-        Some(parse) => {
-            let folder = path.parent().unwrap_or(Path::new(""));
-            let files = |file: &Path| bounded(&folder.join(file), meshes::LARGEST);
-            let (scene, notes) = read(&Source::open(path)?, parse, &files)?;
-            notes.iter().for_each(|note| out::say(&format!("note: {note}")));
-            Ok(scene)
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let files = |file: &Path| bounded(&folder.join(file), meshes::LARGEST);
+    let (scene, notes) = match format(path)? {
+        None => return Ok((known(name)?.make)()),
+        Some(Format::Text(parse)) => read(&Source::open(path)?, parse, &files)?,
+        Some(Format::Gltf) => {
+            let bytes = bounded(path, meshes::LARGEST).map_err(|why| Stop::at(path.display(), why))?;
+            read_gltf(path, &bytes, &files)?
         }
-    }
+    };
+    notes.iter().for_each(|note| out::say(&format!("note: {note}")));
+    Ok(scene)
+}
+
+/// How a scene's file is written.
+#[derive(Clone, Copy)]
+enum Format {
+    Text(Parse),
+    Gltf,
 }
 
 /// Makes a tree of a text.
 type Parse = fn(&str) -> Result<Node, Malformed>;
 
 /// The format of a file by its name; None if that is no file's.
-fn format(path: &Path) -> Result<Option<Parse>, Stop> {
-    const FILES: &str = "valid: .toml, .json, or the name of a scene of the lecture";
+fn format(path: &Path) -> Result<Option<Format>, Stop> {
+    const FILES: &str = "valid: .toml, .json, .gltf, .glb, or the name of a scene of the lecture";
     let extension = match path.extension() {
         Some(extension) => plain(&extension.to_string_lossy()),
         None if path.components().count() > 1 => {
@@ -60,9 +73,9 @@ fn format(path: &Path) -> Result<Option<Parse>, Stop> {
         None => return Ok(None),
     };
     match extension.as_str() {
-        "toml" => Ok(Some(toml::parse)),
-        "json" => Ok(Some(json::parse)),
-        "gltf" | "glb" => Err(Stop::at(path.display(), format!("not yet: glTF cannot be read so far; {FILES}"))),
+        "toml" => Ok(Some(Format::Text(toml::parse))),
+        "json" => Ok(Some(Format::Text(json::parse))),
+        "gltf" | "glb" => Ok(Some(Format::Gltf)),
         _ => Err(Stop::at(path.display(), format!("scenes are not read from files of that kind; {FILES}"))),
     }
 }
@@ -72,8 +85,28 @@ fn known(name: &str) -> Result<&'static builtin::Builtin, Stop> {
     let wanted = plain(name);
     BUILTIN.iter().find(|builtin| plain(builtin.name) == wanted).ok_or_else(|| {
         let names = BUILTIN.iter().map(|builtin| builtin.name);
-        Fault::unknown(excerpt(name), name, "no such scene, and no file, which ends in .toml or .json", names).into()
+        Fault::unknown(
+            excerpt(name),
+            name,
+            "no such scene, and no file, which ends in .toml, .json, .gltf or .glb",
+            names,
+        )
+        .into()
     })
+}
+
+/// Reads glTF, and what was left out of it. The scene has no flaw.
+fn read_gltf(path: &Path, bytes: &[u8], files: Files) -> Result<(Scene, Vec<String>), Stop> {
+    let refused = |why: String| Stop::at(path.display(), why);
+    let name = path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
+    let name: String = name.chars().filter(|c| !c.is_control()).collect();
+    // The files that it names lie beside it.
+    let own = Path::new(path.file_name().unwrap_or_default());
+    let (scene, notes) = gltf::scene(&name, own, bytes, files).map_err(refused)?;
+    match scene.flaw() {
+        None => Ok((scene, notes)),
+        Some(flaw) => Err(refused(flaw.to_string())),
+    }
 }
 
 /// Reads a text, and what was left out of the files it names.
@@ -83,15 +116,15 @@ fn read(source: &Source, parse: Parse, files: Files) -> Result<(Scene, Vec<Strin
     })?;
     let name = source.path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
     let name: String = name.chars().filter(|c| !c.is_control()).collect();
-    let mut meshes = Meshes::new(files);
-    let scene = read::scene(&root, &name, &mut meshes).map_err(|snag| source.refuse(snag))?;
+    let (mut meshes, mut images) = (Meshes::new(files), Images::new(files));
+    let scene = read::scene(&root, &name, &mut meshes, &mut images).map_err(|snag| source.refuse(snag))?;
     Ok((scene, meshes.notes))
 }
 
-/// A scene as TOML, and the PLY of each mesh that it has: all there is of it, wherever it was read from.
+/// A scene as TOML, and the files that it names: all there is of it, wherever it was read from.
 pub fn written(scene: &Scene) -> (String, Vec<Vec<u8>>) {
     let printed = print::print(scene, true);
-    (printed.text, printed.meshes.iter().map(|(_, mesh)| ply::write(mesh)).collect())
+    (printed.text, printed.files.iter().map(|(_, file)| file.bytes()).collect())
 }
 
 /// The lecture's scenes.
@@ -104,13 +137,13 @@ pub fn list() -> Vec<Block> {
     vec![Block::section(vec![Block::Terms(Terms { width: Some(12), items: BUILTIN.iter().map(item).collect() })])]
 }
 
-/// Writes a scene as TOML to standard output; or as a file `to`, or into a folder of that name, with its meshes.
+/// Writes a scene as TOML to standard output; or as a file `to`, or into a folder of that name, with its meshes and images.
 pub fn serve_print(name: &str, to: Option<&Path>) -> Result<(), Stop> {
     let scene = load(name)?;
     let printed = print::print(&scene, to.is_some());
     let Some(to) = to else {
         out::print(printed.text.as_bytes())?;
-        for (file, _) in &printed.meshes {
+        for (file, _) in &printed.files {
             out::say(&format!("note: {file} is made by the program; --out DIR writes it beside the scene"));
         }
         return Ok(());
@@ -123,8 +156,8 @@ pub fn serve_print(name: &str, to: Option<&Path>) -> Result<(), Stop> {
             return Err(Stop::at(format!("--out {}", to.display()), why));
         }
     };
-    let meshes = printed.meshes.iter().map(|(file, mesh)| (file.clone(), ply::write(mesh)));
-    let files = std::iter::once((own, printed.text.into_bytes())).chain(meshes);
+    let besides = printed.files.iter().map(|(name, file)| (name.clone(), file.bytes()));
+    let files = std::iter::once((own, printed.text.into_bytes())).chain(besides);
     let draft = |(file, bytes): (String, Vec<u8>)| {
         folder.unlike(&file, &bytes)?;
         folder.draft(&file, &bytes)

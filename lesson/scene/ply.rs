@@ -16,8 +16,8 @@ use std::collections::HashSet;
 /// The longest line [byte].
 const LONGEST: usize = 1 << 20;
 
-/// Reads a file. It takes at most forty times its size in memory.
-pub fn read(bytes: &[u8]) -> Result<Mesh, String> {
+/// Reads a file, and its places on an image if they are wanted. It takes at most forty times its size in memory.
+pub fn read(bytes: &[u8], is_patterned: bool) -> Result<Mesh, String> {
     let parser = Parser::<Element>::new();
     let mut reader = Reader::new(bytes);
     let header = parser.read_header(&mut reader).map_err(|error| told(&error))?;
@@ -25,7 +25,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, String> {
     let payload = *reader.get_ref();
     distinct(&bytes[..bytes.len() - payload.len()])?;
     promised(&header, payload.len())?;
-    let mut reading = Reading { mesh: Mesh::default(), has_normals: false };
+    let mut reading = Reading { mesh: Mesh::default(), has_normals: false, is_patterned, places: None };
     let rest = match header.encoding {
         Encoding::Ascii => {
             let mut lines = Lines { payload, number: lines };
@@ -173,15 +173,17 @@ fn least(data: &PropertyType, encoding: Encoding) -> usize {
     }
 }
 
-/// What of an element is of use: coordinates and normal, or corners.
+/// What of an element is of use: coordinates, normal and place on an image, or corners.
 #[derive(Default)]
 struct Element {
-    numbers: [f32; 6],
+    numbers: [f32; 12],
     corners: Option<Vec<u32>>,
 }
 
 /// The names of [`Element::numbers`].
-const NUMBERS: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
+const NUMBERS: [&str; 12] = ["x", "y", "z", "nx", "ny", "nz", "s", "t", "u", "v", "texture_u", "texture_v"];
+/// Where in them places on an image may be found: programs call these by different names.
+const PLACES: [usize; 3] = [6, 8, 10];
 /// The names of [`Element::corners`].
 const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
 
@@ -208,6 +210,9 @@ impl PropertyAccess for Element {
 struct Reading {
     mesh: Mesh,
     has_normals: bool,
+    is_patterned: bool,
+    /// Where among the numbers places on an image are.
+    places: Option<usize>,
 }
 
 impl Reading {
@@ -221,7 +226,9 @@ impl Reading {
                 if let Some(missing) = NUMBERS[..3].iter().find(|name| !is_scalar(name)) {
                     return Err(format!("its vertices have no number `{missing}`"));
                 }
-                self.has_normals = NUMBERS[3..].iter().all(is_scalar);
+                self.has_normals = NUMBERS[3..6].iter().all(is_scalar);
+                let has = |first: &usize| NUMBERS[*first..*first + 2].iter().all(is_scalar);
+                self.places = PLACES.into_iter().find(has).filter(|_| self.is_patterned);
                 self.mesh.positions.reserve_exact(element.count);
                 self.mesh.normals.reserve_exact(if self.has_normals { element.count } else { 0 });
             }
@@ -243,15 +250,17 @@ impl Reading {
     fn take(&mut self, element: &ElementDef, one: Element) -> Result<(), String> {
         match element.name.as_str() {
             "vertex" => {
-                let [x, y, z, nx, ny, nz] = one.numbers;
+                let [x, y, z, nx, ny, nz, ..] = one.numbers;
                 let used = if self.has_normals { 6 } else { 3 };
-                if let Some(at) = (0..used).find(|at| coordinate(one.numbers[*at]).is_none()) {
+                let places = self.places.map_or(0..0, |first| first..first + 2);
+                if let Some(at) = (0..used).chain(places).find(|at| coordinate(one.numbers[*at]).is_none()) {
                     return Err(format!("its {} is not finite, or too large for a single number", NUMBERS[at]));
                 }
                 self.mesh.positions.push([x, y, z]);
                 if self.has_normals {
                     self.mesh.normals.push([nx, ny, nz]);
                 }
+                self.mesh.texture.extend(self.places.map(|first| [one.numbers[first], one.numbers[first + 1]]));
                 Ok(())
             }
             "face" => {
@@ -284,15 +293,18 @@ impl Reading {
 
 /// A mesh as a file, binary, little end first: the very numbers.
 pub fn write(mesh: &Mesh) -> Vec<u8> {
-    let names = if mesh.normals.is_empty() { &NUMBERS[..3] } else { &NUMBERS[..] };
+    let mut names = NUMBERS[..3].to_vec();
+    names.extend(if mesh.normals.is_empty() { &[][..] } else { &NUMBERS[3..6] });
+    names.extend(if mesh.texture.is_empty() { &[][..] } else { &NUMBERS[6..8] });
     let mut header = format!("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", mesh.positions.len());
     names.iter().for_each(|name| header += &format!("property float {name}\n"));
     header += &format!("element face {}\nproperty list uchar uint {}\nend_header\n", mesh.triangles.len(), CORNERS[0]);
     let mut bytes = header.into_bytes();
-    let mut put = |numbers: &[f32; 3]| numbers.iter().for_each(|number| bytes.extend(number.to_le_bytes()));
+    let mut put = |numbers: &[f32]| numbers.iter().for_each(|number| bytes.extend(number.to_le_bytes()));
     for (at, position) in mesh.positions.iter().enumerate() {
         put(position);
-        mesh.normals.get(at).into_iter().for_each(&mut put);
+        mesh.normals.get(at).into_iter().for_each(|normal| put(normal));
+        mesh.texture.get(at).into_iter().for_each(|place| put(place));
     }
     for triangle in &mesh.triangles {
         bytes.push(3);
@@ -316,14 +328,25 @@ mod tests {
     const CORNERS_OF_SQUARE: &str = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
     fn ascii(vertices: &str, faces: &str, body: &str) -> Result<Mesh, String> {
-        read(format!("{}{body}", header("ascii", vertices, faces)).as_bytes())
+        read(format!("{}{body}", header("ascii", vertices, faces)).as_bytes(), false)
     }
 
     fn square() -> Mesh {
         Mesh {
             positions: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
-            normals: vec![],
             triangles: vec![[0, 1, 2], [0, 2, 3]],
+            ..Mesh::default()
+        }
+    }
+
+    #[test]
+    fn places_on_an_image_are_read_by_any_of_their_names() {
+        let body = "0 0 0 0.5 1\n1 0 0 0.25 0\n1 1 0 0 0\n0 1 0 1 1\n4 0 1 2 3\n";
+        for [s, t] in [["s", "t"], ["u", "v"], ["texture_u", "texture_v"]] {
+            let text = header("ascii", &format!("{FLOATS}property float {s}\nproperty float {t}\n"), FACES) + body;
+            let texture = vec![[0.5, 1.0], [0.25, 0.0], [0.0, 0.0], [1.0, 1.0]];
+            assert_eq!(read(text.as_bytes(), true), Ok(Mesh { texture, ..square() }), "{s}");
+            assert_eq!(read(text.as_bytes(), false), Ok(square()), "{s}");
         }
     }
 
@@ -332,7 +355,7 @@ mod tests {
         assert_eq!(ascii(FLOATS, FACES, &format!("{CORNERS_OF_SQUARE}4 0 1 2 3\n")), Ok(square()));
         // Returns, blank lines, no end of the last line.
         let text = header("ascii", FLOATS, FACES) + CORNERS_OF_SQUARE + "\n4 0 1 2 3";
-        assert_eq!(read(text.replace('\n', "\r\n").as_bytes()), Ok(square()));
+        assert_eq!(read(text.replace('\n', "\r\n").as_bytes(), true), Ok(square()));
         // Colours before, an element between, properties behind; the other name, another type.
         let vertices = "element vertex 4\nproperty uchar red\nproperty double x\nproperty short y\nproperty float64 z\nelement edge 1\nproperty int vertex1\n";
         let faces = "element face 1\nproperty list uint ushort vertex_index\nproperty float quality\n";
@@ -340,7 +363,7 @@ mod tests {
         assert_eq!(ascii(vertices, faces, body), Ok(square()));
         // Faces first.
         let text = format!("{}4 0 1 2 3\n{CORNERS_OF_SQUARE}", header("ascii", FACES, FLOATS));
-        assert_eq!(read(text.as_bytes()), Ok(square()));
+        assert_eq!(read(text.as_bytes(), true), Ok(square()));
         let normals = FLOATS.to_owned() + "property float nx\nproperty float ny\nproperty float nz\n";
         let body = "0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n4 0 1 2 3\n";
         assert_eq!(ascii(&normals, FACES, body), Ok(Mesh { normals: vec![[0.0, 0.0, 1.0]; 4], ..square() }));
@@ -365,7 +388,7 @@ mod tests {
                 for number in [4_u32, 0, 1, 2, 3] {
                     bytes.extend(ordered(number.to_le_bytes()[..size].to_vec()));
                 }
-                assert_eq!(read(&bytes), Ok(square()), "{format} {index}");
+                assert_eq!(read(&bytes, true), Ok(square()), "{format} {index}");
             }
         }
     }
@@ -424,7 +447,7 @@ mod tests {
             "ply\nend_header\n",
             "ply\nformat ascii 9.9.9\nend_header\n",
         ] {
-            assert!(read(text.as_bytes()).is_err(), "{text:?}");
+            assert!(read(text.as_bytes(), false).is_err(), "{text:?}");
         }
         assert!(ascii(FLOATS, FACES, &body(&"1 ".repeat(LONGEST))).unwrap_err().contains("longer than 1 MiB"));
     }
@@ -432,9 +455,9 @@ mod tests {
     #[test]
     fn what_ends_early_is_refused_wherever_it_ends() {
         let whole = write(&square());
-        assert_eq!(read(&whole), Ok(square()));
+        assert_eq!(read(&whole, false), Ok(square()));
         for end in 0..whole.len() {
-            assert!(read(&whole[..end]).is_err(), "{end}");
+            assert!(read(&whole[..end], false).is_err(), "{end}");
         }
     }
 
@@ -444,11 +467,13 @@ mod tests {
             positions in prop::collection::vec(prop::array::uniform3(prop::num::f32::NORMAL | prop::num::f32::SUBNORMAL | prop::num::f32::ZERO), 1..30),
             picks in prop::collection::vec(prop::array::uniform3(any::<prop::sample::Index>()), 1..30),
             has_normals: bool,
+            has_places: bool,
         ) {
             let triangles = picks.iter().map(|pick| pick.map(|one| one.index(positions.len()) as u32)).collect();
             let normals = if has_normals { positions.iter().rev().copied().collect() } else { vec![] };
-            let mesh = Mesh { positions, normals, triangles };
-            prop_assert_eq!(read(&write(&mesh)), Ok(mesh));
+            let texture = if has_places { positions.iter().map(|[x, _, z]| [*z, *x]).collect() } else { vec![] };
+            let mesh = Mesh { positions, normals, texture, triangles };
+            prop_assert_eq!(read(&write(&mesh), true), Ok(mesh));
         }
 
         /// Whatever stands in the file, it is a mesh whose corners are there, or a refusal in one line.
@@ -466,10 +491,11 @@ mod tests {
             }
             // Half of them whole.
             bytes.truncate(bytes.len().min(2 * end.index(bytes.len())));
-            match read(&bytes) {
+            match read(&bytes, true) {
                 Ok(mesh) => {
                     prop_assert!(mesh.triangles.iter().flatten().all(|corner| (*corner as usize) < mesh.positions.len()));
                     prop_assert!(mesh.normals.is_empty() || mesh.normals.len() == mesh.positions.len());
+                    prop_assert!(mesh.texture.is_empty() || mesh.texture.len() == mesh.positions.len());
                 }
                 Err(why) => prop_assert_eq!(why.lines().count(), 1, "{}", why),
             }

@@ -1,25 +1,52 @@
-//! A scene as a TOML file, and its meshes as PLY files.
+//! A scene as a TOML file, its meshes as PLY files and its images as OpenEXR.
 
-use super::read::{MASKING, OUTSIDE};
+use super::read::{MASKING, OUTSIDE, SKY_SCALE, SQUARES};
+use super::{images, ply};
 use light::scene::{
-    Camera, Coating, Emission, Energy, Facets, Filter, Geometry, Light, Material, Mesh, Metal, Normals, Scene, Shape,
-    Transform, Triple,
+    Camera, Coating, Emission, Energy, Environment, Facets, Filter, Geometry, Image, Light, Material, Mesh, Metal,
+    Normals, Pattern, Scene, Shape, Sky, Transform, Triple,
 };
 use std::fmt::Write;
+use std::path::Path;
 use std::sync::Arc;
 
 /// A scene as text, and the files it names that there are not.
 #[derive(Debug)]
 pub struct Printed {
     pub text: String,
-    pub meshes: Vec<(String, Arc<Mesh>)>,
+    pub files: Vec<(String, Part)>,
 }
 
-/// Prints a scene. Meshes that were read keep the names of their files unless all are to be `written`.
+/// What is written beside a scene.
+#[derive(Clone, Debug)]
+pub enum Part {
+    Mesh(Arc<Mesh>),
+    Image(Arc<Image>),
+}
+
+impl Part {
+    /// What is in its file.
+    pub fn bytes(&self) -> Vec<u8> {
+        match self {
+            Self::Mesh(mesh) => ply::write(mesh),
+            Self::Image(image) => images::write_exr(image),
+        }
+    }
+
+    fn is(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Mesh(one), Self::Mesh(other)) => Arc::ptr_eq(one, other),
+            (Self::Image(one), Self::Image(other)) => Arc::ptr_eq(one, other),
+            _ => false,
+        }
+    }
+}
+
+/// Prints a scene. Meshes and images that were read keep the names of their files unless all are to be `written`.
 pub fn print(scene: &Scene, written: bool) -> Printed {
-    let mut printer = Printer { text: String::new(), meshes: Vec::new(), stem: stem(&scene.name), written };
+    let mut printer = Printer { text: String::new(), files: Vec::new(), stem: stem(&scene.name), written };
     printer.scene(scene);
-    Printed { text: printer.text, meshes: printer.meshes }
+    Printed { text: printer.text, files: printer.files }
 }
 
 /// A name that every file system takes.
@@ -31,7 +58,7 @@ pub fn stem(name: &str) -> String {
 
 struct Printer {
     text: String,
-    meshes: Vec<(String, Arc<Mesh>)>,
+    files: Vec<(String, Part)>,
     stem: String,
     written: bool,
 }
@@ -60,9 +87,9 @@ impl Printer {
             self.put("filter", quoted(filter.name()), "");
         }
         self.camera(camera);
-        if let Some(radiance) = environment {
+        if let Some(environment) = environment {
             self.line("\n[environment]");
-            self.put("radiance", triple(*radiance), "W m⁻² sr⁻¹");
+            self.environment(environment);
         }
         for (name, material) in materials {
             self.line(format!("\n[materials.{}]", key(name)));
@@ -100,15 +127,51 @@ impl Printer {
         }
     }
 
+    fn environment(&mut self, environment: &Environment) {
+        match environment {
+            Environment::Constant(radiance) => self.put("radiance", triple(*radiance), "W m⁻² sr⁻¹"),
+            Environment::Image(Sky { file, image, scale, rotate_deg }) => {
+                let [width, height] = image.size();
+                let file = self.file(file.as_deref(), Part::Image(Arc::clone(image)));
+                self.put("image", quoted(&file), &format!("{width} × {height} texels"));
+                if *scale != SKY_SCALE {
+                    self.put("scale", number(*scale), "");
+                }
+                if *rotate_deg != 0.0 {
+                    self.put("rotate_deg", number(*rotate_deg), "about y");
+                }
+            }
+        }
+    }
+
+    /// A reflectance, from place to place if there is a pattern.
+    fn reflectance(&mut self, reflectance: Triple, pattern: Option<&Pattern>) {
+        let text = match pattern {
+            None => triple(reflectance),
+            Some(Pattern::Checker { colours, scale }) => {
+                let scale = if *scale == SQUARES { String::new() } else { format!(", scale = {}", number(*scale)) };
+                format!("{{ checker = [{}]{scale} }}", colours.map(triple).join(", "))
+            }
+            Some(Pattern::Image { file, image }) => {
+                let file = self.file(file.as_deref(), Part::Image(Arc::clone(image)));
+                format!("{{ image = {} }}", quoted(&file))
+            }
+        };
+        self.put("reflectance", text, "");
+    }
+
     fn material(&mut self, material: &Material) {
-        match material {
+        let pattern = material.pattern();
+        match material.base() {
+            // Its base has none.
+            Material::Patterned { .. } => {}
             Material::Diffuse { reflectance } => {
                 self.put("type", quoted("diffuse"), "");
-                self.put("reflectance", triple(*reflectance), "");
+                self.reflectance(*reflectance, pattern);
             }
             Material::RoughDiffuse { reflectance, roughness } => {
                 self.put("type", quoted("rough_diffuse"), "");
-                self.put("reflectance", triple(*reflectance), "");
+                self.reflectance(*reflectance, pattern);
                 self.put("roughness", number(*roughness), "");
             }
             Material::Mirror { reflectance } => {
@@ -149,7 +212,7 @@ impl Printer {
             Material::Plastic { ior, reflectance, alpha } => {
                 self.put("type", quoted("plastic"), "");
                 self.put("ior", number(*ior), "");
-                self.put("reflectance", triple(*reflectance), "");
+                self.reflectance(*reflectance, pattern);
                 if let Some(alpha) = alpha {
                     self.put("alpha", number(*alpha), "");
                 }
@@ -230,8 +293,7 @@ impl Printer {
             }
             Geometry::Mesh { file, normals, mesh } => {
                 self.put("type", quoted("mesh"), "");
-                let named = file.as_ref().filter(|_| !self.written).and_then(|file| file.to_str());
-                let file = named.map_or_else(|| self.mesh(mesh), str::to_owned);
+                let file = self.file(file.as_deref(), Part::Mesh(Arc::clone(mesh)));
                 self.put("file", quoted(&file), &format!("{} triangles", mesh.triangles.len()));
                 if *normals != Normals::default() {
                     self.put("normals", quoted(normals.name()), "");
@@ -248,16 +310,24 @@ impl Printer {
         self.transform(transform);
     }
 
-    /// The name of the file that a mesh will have.
-    fn mesh(&mut self, mesh: &Arc<Mesh>) -> String {
-        if let Some((name, _)) = self.meshes.iter().find(|(_, known)| Arc::ptr_eq(known, mesh)) {
+    /// The name of the file that a part has, or will have.
+    fn file(&mut self, named: Option<&Path>, part: Part) -> String {
+        if let Some(named) = named.filter(|_| !self.written).and_then(Path::to_str) {
+            return named.to_owned();
+        }
+        if let Some((name, _)) = self.files.iter().find(|(_, known)| known.is(&part)) {
             return name.clone();
         }
-        let name = match self.meshes.len() {
-            0 => format!("{}.ply", self.stem),
-            others => format!("{}-{}.ply", self.stem, others + 1),
+        let kind = match part {
+            Part::Mesh(_) => "ply",
+            Part::Image(_) => "exr",
         };
-        self.meshes.push((name.clone(), Arc::clone(mesh)));
+        let others = self.files.iter().filter(|(name, _)| name.ends_with(kind)).count();
+        let name = match others {
+            0 => format!("{}.{kind}", self.stem),
+            others => format!("{}-{}.{kind}", self.stem, others + 1),
+        };
+        self.files.push((name.clone(), part));
         name
     }
 

@@ -1,9 +1,10 @@
 //! From a tree to a scene: one reader for every format.
 
 use super::fields::{Fields, Item};
+use super::images::{Images, Use};
 use super::keys::{
     CAMERA, CLEAR, COATED, COATING, ENERGY, ENVIRONMENT, FACETS, GLASS, GLASSES, IOR, Kind, MASKING as MASKED, METAL,
-    PATTERNS, REFLECTANCE, ROUGH_GLASSES, SCENE, SHAPE, TRANSFORM, TYPE, Type, may, must,
+    PATTERN, PATTERNED, PATTERNS, REFLECTANCE, ROUGH_GLASSES, SCENE, SHAPE, TRANSFORM, TYPE, Type, may, must,
 };
 use super::meshes::Meshes;
 use super::source::Snag;
@@ -12,8 +13,8 @@ use chapters::parameter::Fault;
 use light::bsdf::microfacet::{Joint, Slopes};
 use light::scene::flaw::domain;
 use light::scene::{
-    Camera, Coating, Emission, Energy, Facets, Filter, Flaw, Geometry, Light, Material, Metal, Normals, Scene, Shape,
-    Transform, Triple,
+    Camera, Coating, Emission, Energy, Environment, Facets, Filter, Flaw, Geometry, Light, Material, Metal, Normals,
+    Pattern, Scene, Shape, Sky, Transform, Triple,
 };
 use std::path::PathBuf;
 
@@ -23,11 +24,14 @@ pub const SLOPES: Slopes = Slopes::Ggx;
 pub const MASKING: Joint = Joint::Correlated;
 /// The index outside unless it is said: empty space.
 pub const OUTSIDE: f64 = 1.0;
+/// How bright an image is unless it is said: as it says itself.
+pub const SKY_SCALE: f64 = 1.0;
 
 /// Reads a scene called `name` unless it says otherwise. It has no flaw.
-pub fn scene(root: &Node, name: &str, meshes: &mut Meshes) -> Result<Scene, Snag> {
+pub fn scene(root: &Node, name: &str, meshes: &mut Meshes, images: &mut Images) -> Result<Scene, Snag> {
     let fields = Item::root(root).fields(&SCENE)?;
     let list = |key: &str| fields.get(key).map_or(Ok(Vec::new()), |item| item.list());
+    let materials = fields.get("materials").map_or(Ok(Vec::new()), |item| self::materials(item, images))?;
     let scene = Scene {
         name: fields.may("name", Item::plain_text)?.unwrap_or(name).to_owned(),
         max_depth: fields.may("max_depth", Item::count)?,
@@ -35,9 +39,13 @@ pub fn scene(root: &Node, name: &str, meshes: &mut Meshes) -> Result<Scene, Snag
             .may("filter", |item| item.word("pixel filter", &words(Filter::ALL, Filter::name)))?
             .unwrap_or_default(),
         camera: camera(fields.must("camera")?)?,
-        environment: fields.get("environment").filter(|item| !item.is_null()).map(environment).transpose()?,
-        materials: fields.get("materials").map_or(Ok(Vec::new()), materials)?,
-        shapes: list("shapes")?.into_iter().map(|item| shape(item, meshes)).collect::<Result<_, _>>()?,
+        environment: fields
+            .get("environment")
+            .filter(|item| !item.is_null())
+            .map(|item| environment(item, images))
+            .transpose()?,
+        shapes: list("shapes")?.into_iter().map(|item| shape(item, &materials, meshes)).collect::<Result<_, _>>()?,
+        materials,
         lights: list("lights")?.into_iter().map(light).collect::<Result<_, _>>()?,
     };
     match scene.flaw() {
@@ -76,13 +84,29 @@ fn camera(item: Item) -> Result<Camera, Snag> {
     })
 }
 
-fn environment(item: Item) -> Result<Triple, Snag> {
-    item.fields(&ENVIRONMENT)?.triple("radiance")
+fn environment(item: Item, images: &mut Images) -> Result<Environment, Snag> {
+    let fields = item.fields(&ENVIRONMENT)?;
+    let scale = fields.may("scale", Item::number)?;
+    let rotate_deg = fields.may("rotate_deg", Item::number)?;
+    let Some(item) = fields.get("image") else {
+        let radiance = fields.triple("radiance")?;
+        ["scale", "rotate_deg"].iter().try_for_each(|key| fields.idle(key, "says nothing without image"))?;
+        return Ok(Environment::Constant(radiance));
+    };
+    fields.idle("radiance", "given beside image, which has its own")?;
+    let file = PathBuf::from(item.text()?);
+    let image = images.read(&file, Use::Light).map_err(|why| item.wrong(why))?;
+    Ok(Environment::Image(Sky {
+        file: Some(file),
+        image,
+        scale: scale.unwrap_or(SKY_SCALE),
+        rotate_deg: rotate_deg.unwrap_or_default(),
+    }))
 }
 
-fn materials(item: Item) -> Result<Vec<(String, Material)>, Snag> {
+fn materials(item: Item, images: &mut Images) -> Result<Vec<(String, Material)>, Snag> {
     let table = item.table("the materials")?;
-    table.items().map(|(name, item)| Ok((name.to_owned(), material(item)?))).collect()
+    table.items().map(|(name, item)| Ok((name.to_owned(), material(item, images)?))).collect()
 }
 
 /// Reads the fields of a kind of material or shape.
@@ -91,16 +115,16 @@ pub type Read<T> = fn(&Fields) -> Result<T, Snag>;
 pub const MATERIALS: &[Type<Read<Material>>] = &[
     Type {
         name: "diffuse",
-        keys: &[&[TYPE, REFLECTANCE]],
+        keys: &[&[TYPE, PATTERNED]],
         later: &[],
-        read: |fields| Ok(Material::Diffuse { reflectance: reflectance(fields)? }),
+        read: |fields| Ok(Material::Diffuse { reflectance: any_reflectance(fields)? }),
     },
     Type {
         name: "rough_diffuse",
-        keys: &[&[TYPE, REFLECTANCE, must("roughness", Kind::Number(domain::SHARE), "0 is Lambert's")]],
+        keys: &[&[TYPE, PATTERNED, must("roughness", Kind::Number(domain::SHARE), "0 is Lambert's")]],
         later: &[],
         read: |fields| {
-            Ok(Material::RoughDiffuse { reflectance: reflectance(fields)?, roughness: fields.number("roughness")? })
+            Ok(Material::RoughDiffuse { reflectance: any_reflectance(fields)?, roughness: fields.number("roughness")? })
         },
     },
     Type {
@@ -161,31 +185,63 @@ pub const MATERIALS: &[Type<Read<Material>>] = &[
         keys: &[&[
             TYPE,
             IOR,
-            REFLECTANCE,
+            PATTERNED,
             may("alpha", Kind::Number(domain::ALPHA), "polished", "roughness of the coat"),
         ]],
         later: GLASSES,
         read: |fields| {
             Ok(Material::Plastic {
                 ior: fields.number("ior")?,
-                reflectance: reflectance(fields)?,
+                reflectance: any_reflectance(fields)?,
                 alpha: fields.may("alpha", Item::number)?,
             })
         },
     },
 ];
 
-fn material(item: Item) -> Result<Material, Snag> {
+fn material(item: Item, images: &mut Images) -> Result<Material, Snag> {
     let (fields, read) = item.of_type("a material", MATERIALS)?;
-    read(&fields)
+    let made = read(&fields)?;
+    match fields.get("reflectance").filter(Item::is_table) {
+        // What has no pattern has been refused by who read it.
+        Some(item) => Ok(made.clone().patterned(pattern(item, images)?).unwrap_or(made)),
+        None => Ok(made),
+    }
 }
 
+/// The reflectance of what has the same all over.
 fn reflectance(fields: &Fields) -> Result<Triple, Snag> {
     let item = fields.must("reflectance")?;
     match item.under(PATTERNS) {
         Some(later) => Err(later),
         None => item.triple(),
     }
+}
+
+/// The reflectance of what may have a pattern, which is read besides.
+fn any_reflectance(fields: &Fields) -> Result<Triple, Snag> {
+    let item = fields.must("reflectance")?;
+    if item.is_table() { Ok([0.0; 3]) } else { item.triple() }
+}
+
+/// How many squares a checkerboard has along a side unless it is said.
+pub const SQUARES: f64 = 8.0;
+
+fn pattern(item: Item, images: &mut Images) -> Result<Pattern, Snag> {
+    let fields = item.fields(&PATTERN)?;
+    let scale = fields.may("scale", Item::number)?;
+    let Some(item) = fields.get("image") else {
+        let item = fields.must("checker")?;
+        let colours = item.list()?.iter().map(Item::triple).collect::<Result<Vec<_>, _>>()?;
+        let two = <[Triple; 2]>::try_from(colours);
+        let colours = two.map_err(|found| item.wrong(format!("must be two colours, found {}", found.len())))?;
+        return Ok(Pattern::Checker { colours, scale: scale.unwrap_or(SQUARES) });
+    };
+    fields.idle("checker", "given beside image, which is another pattern")?;
+    fields.idle("scale", "says nothing without checker")?;
+    let file = PathBuf::from(item.text()?);
+    let image = images.read(&file, Use::Colour).map_err(|why| item.wrong(why))?;
+    Ok(Pattern::Image { file: Some(file), image })
 }
 
 fn metal(fields: &Fields) -> Result<Metal, Snag> {
@@ -236,8 +292,8 @@ fn coating(item: &Item) -> Result<Coating, Snag> {
     Ok(Coating { medium: fields.must("medium")?.text()?.to_owned(), thickness_nm: fields.number("thickness_nm")? })
 }
 
-/// Reads the fields of a kind of shape.
-pub type ReadShape = fn(&Fields, &mut Meshes) -> Result<Geometry, Snag>;
+/// Reads the fields of a kind of shape, which may need places on an image.
+pub type ReadShape = fn(&Fields, &mut Meshes, bool) -> Result<Geometry, Snag>;
 
 pub const SHAPES: &[Type<ReadShape>] = &[
     Type {
@@ -254,7 +310,7 @@ pub const SHAPES: &[Type<ReadShape>] = &[
             SHAPE,
         ],
         later: &[],
-        read: |fields, _| {
+        read: |fields, _, _| {
             let item = fields.must("vertices")?;
             let vertices = item.list()?.iter().map(Item::triple).collect::<Result<Vec<_>, _>>()?;
             let four = <[Triple; 4]>::try_from(vertices);
@@ -273,7 +329,9 @@ pub const SHAPES: &[Type<ReadShape>] = &[
             SHAPE,
         ],
         later: &[],
-        read: |fields, _| Ok(Geometry::Sphere { center: fields.triple("center")?, radius: fields.number("radius")? }),
+        read: |fields, _, _| {
+            Ok(Geometry::Sphere { center: fields.triple("center")?, radius: fields.number("radius")? })
+        },
     },
     Type {
         name: "disc",
@@ -287,7 +345,7 @@ pub const SHAPES: &[Type<ReadShape>] = &[
             SHAPE,
         ],
         later: &[],
-        read: |fields, _| {
+        read: |fields, _, _| {
             let (center, normal) = (fields.triple("center")?, fields.triple("normal")?);
             Ok(Geometry::Disc { center, normal, radius: fields.number("radius")? })
         },
@@ -303,14 +361,14 @@ pub const SHAPES: &[Type<ReadShape>] = &[
             SHAPE,
         ],
         later: &[],
-        read: |fields, _| Ok(Geometry::Box { min: fields.triple("min")?, max: fields.triple("max")? }),
+        read: |fields, _, _| Ok(Geometry::Box { min: fields.triple("min")?, max: fields.triple("max")? }),
     },
     Type {
         name: "mesh",
         keys: &[
             &[
                 TYPE,
-                must("file", Kind::Text, "a .ply or .obj, from the scene's folder"),
+                must("file", Kind::Text, "a .ply, .obj, .gltf or .glb, from the scene's folder"),
                 may(
                     "normals",
                     Kind::Word(|| Normals::ALL.map(Normals::name).into()),
@@ -321,21 +379,23 @@ pub const SHAPES: &[Type<ReadShape>] = &[
             SHAPE,
         ],
         later: &[],
-        read: |fields, meshes| {
+        read: |fields, meshes, is_patterned| {
             let item = fields.must("file")?;
             let file = PathBuf::from(item.text()?);
             let normals =
                 fields.may("normals", |item| item.word("kind of normals", &words(Normals::ALL, Normals::name)))?;
             let normals = normals.unwrap_or_default();
-            let mesh = meshes.read(&file, normals).map_err(|why| item.wrong(why))?;
+            let mesh = meshes.read(&file, normals, is_patterned).map_err(|why| item.wrong(why))?;
             Ok(Geometry::Mesh { file: Some(file), normals, mesh })
         },
     },
 ];
 
-fn shape(item: Item, meshes: &mut Meshes) -> Result<Shape, Snag> {
+fn shape(item: Item, materials: &[(String, Material)], meshes: &mut Meshes) -> Result<Shape, Snag> {
     let (fields, read) = item.of_type("a shape", SHAPES)?;
-    let geometry = read(&fields, meshes)?;
+    let name = fields.must("material")?.text()?;
+    let is_patterned = materials.iter().any(|(known, material)| known == name && material.pattern().is_some());
+    let geometry = read(&fields, meshes, is_patterned)?;
     let two_sided = fields.may("two_sided", Item::flag)?;
     let emission = fields.may("emission", Item::triple)?;
     if emission.is_none() {
@@ -343,7 +403,7 @@ fn shape(item: Item, meshes: &mut Meshes) -> Result<Shape, Snag> {
     }
     Ok(Shape {
         geometry,
-        material: fields.must("material")?.text()?.to_owned(),
+        material: name.to_owned(),
         emission: emission.map(|radiance| Emission { radiance, two_sided: two_sided.unwrap_or_default() }),
         transform: fields.may("transform", transform)?.unwrap_or_default(),
     })

@@ -1,6 +1,6 @@
 //! The keys of scene files, told: from the tables by which they are read.
 
-use super::keys::{CAMERA, COATING, ENVIRONMENT, Key, Kind, Later, Need, Object, SCENE, TRANSFORM, Type};
+use super::keys::{CAMERA, COATING, ENVIRONMENT, Key, Kind, Later, Need, Object, PATTERN, SCENE, TRANSFORM, Type};
 use super::read::{LIGHTS, MATERIALS, SHAPES};
 use chapters::text::Phrase;
 use views::block::{Block, Heading, Rank, Span, Term, Terms, Tone};
@@ -32,6 +32,7 @@ pub fn tables() -> Vec<Told> {
     }
     let mut all = vec![of("", &SCENE), of("[camera]", &CAMERA), of("[environment]", &ENVIRONMENT)];
     all.extend(typed("[materials.NAME]", MATERIALS));
+    all.push(of("[materials.NAME.reflectance]", &PATTERN));
     all.push(of("[materials.NAME.coating]", &COATING));
     all.extend(typed("[[shapes]]", SHAPES));
     all.push(of("[shapes.transform]", &TRANSFORM));
@@ -84,6 +85,8 @@ fn kind(kind: Kind) -> String {
         Kind::Three(domain) => format!("three numbers, {domain}"),
         Kind::Size(domain) => format!("number or three, {domain}"),
         Kind::Corners(domain) => format!("four lists of three numbers, {domain}"),
+        Kind::Pair(domain) => format!("two lists of three numbers, {domain}"),
+        Kind::ThreeOr(domain, table) => format!("three numbers, {domain}, or table: {table}"),
         Kind::Count => "whole number, at least 1".to_owned(),
         Kind::Flag => "true or false".to_owned(),
         Kind::Text => "text".to_owned(),
@@ -108,8 +111,10 @@ mod tests {
             ("target" | "min", _) => "[0, 0, 0]",
             ("material", _) => "\"m\"",
             ("file", _) => "\"x.obj\"",
+            ("image", _) => "\"sky.hdr\"",
             (_, Kind::Number(_) | Kind::Count) => "1",
-            (_, Kind::Three(_) | Kind::Size(_)) => "[1, 1, 1]",
+            (_, Kind::Three(_) | Kind::Size(_) | Kind::ThreeOr(..)) => "[1, 1, 1]",
+            (_, Kind::Pair(_)) => "[[1, 1, 1], [0, 0, 0]]",
             (_, Kind::Corners(_)) => "[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]",
             (_, Kind::Flag) => "true",
             (_, Kind::Text) => "\"a\"",
@@ -146,6 +151,7 @@ mod tests {
         let has_materials = besides.is_some_and(|(name, _)| name == "materials");
         let camera = "[camera]\norigin = [0, 0, 9]\ntarget = [0, 0, 0]\nfov_y_deg = 1\nwidth = 1\nheight = 1\n";
         let before = match told.header.as_str() {
+            "[materials.NAME.reflectance]" => "[materials.NAME]\ntype = \"diffuse\"\n",
             "[materials.NAME.coating]" => "[materials.NAME]\ntype = \"conductor\"\nmetal = \"gold\"\n",
             "[shapes.transform]" => "[[shapes]]\ntype = \"sphere\"\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"m\"\n",
             _ => "",
@@ -157,8 +163,11 @@ mod tests {
             before,
             &if told.header.is_empty() { String::new() } else { format!("{}\n{own}", told.header) },
         ];
-        let mesh = |_: &Path| Ok(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec());
-        from_toml(&text.concat(), &mesh)
+        let files = |file: &Path| match file.extension() {
+            Some(extension) if extension == "hdr" => Ok(b"#?RADIANCE\n\n-Y 1 +X 1\n\x80\x80\x80\x81".to_vec()),
+            _ => Ok(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec()),
+        };
+        from_toml(&text.concat(), &files)
     }
 
     /// Every key that can be tried alone, with the table that has it.
@@ -196,7 +205,8 @@ mod tests {
         each(|told, key, place| {
             let (wrong, said) = match key.kind {
                 Kind::Number(_) | Kind::Count => ("true", "must be a number, found true"),
-                Kind::Three(_) => ("1", "must be a list of three numbers"),
+                Kind::Three(_) | Kind::ThreeOr(..) => ("1", "must be a list of three numbers"),
+                Kind::Pair(_) => ("[[1, 1, 1]]", "must be two colours, found 1"),
                 Kind::Size(_) => ("true", "must be a number or a list of three"),
                 Kind::Corners(_) => ("[[0, 0, 0]]", "must be four corners"),
                 Kind::Flag => ("1", "must be true or false"),
@@ -214,7 +224,8 @@ mod tests {
         each(|told, key, place| {
             let (far, said) = match key.kind {
                 Kind::Number(domain) => ("1e300", format!("valid: {domain}")),
-                Kind::Three(domain) => ("[1, 1e300, 1]", format!("valid: {domain}")),
+                Kind::Three(domain) | Kind::ThreeOr(domain, _) => ("[1, 1e300, 1]", format!("valid: {domain}")),
+                Kind::Pair(domain) => ("[[1, 1, 1], [1, 1e300, 1]]", format!("valid: {domain}")),
                 Kind::Size(domain) => ("1e300", format!("valid: {domain}")),
                 Kind::Corners(domain) => {
                     ("[[1e300, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]", format!("valid: {domain}"))

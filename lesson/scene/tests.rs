@@ -24,15 +24,18 @@ fn from_json(text: &str) -> Result<Scene, Stop> {
 /// A scene printed, with all its meshes, and read again.
 fn again(scene: &Scene) -> Scene {
     let printed = print::print(scene, true);
-    let files = |file: &Path| match printed.meshes.iter().find(|(name, _)| Path::new(name) == file) {
-        Some((_, mesh)) => Ok(ply::write(mesh)),
+    let files = |file: &Path| match printed.files.iter().find(|(name, _)| Path::new(name) == file) {
+        Some((_, part)) => Ok(part.bytes()),
         None => none(file),
     };
     from_toml(&printed.text, &files).unwrap_or_else(|stop| panic!("{stop}\n{}", printed.text))
 }
 
-/// The same scene, its meshes from the files that they are printed to.
+/// The same scene, its meshes and its sky from the files that they are printed to.
 fn filed(mut scene: Scene) -> Scene {
+    if let Some(Environment::Image(sky)) = &mut scene.environment {
+        sky.file = Some(PathBuf::from(format!("{}.exr", print::stem(&scene.name))));
+    }
     let mut known: Vec<Arc<Mesh>> = Vec::new();
     for shape in &mut scene.shapes {
         if let Geometry::Mesh { file, mesh, .. } = &mut shape.geometry {
@@ -53,6 +56,48 @@ fn every_scene_of_the_lecture_survives_print_and_read() {
         let scene = filed((builtin.make)());
         assert!(again(&scene) == scene, "{}:\n{}", builtin.name, print::print(&scene, true).text);
     }
+}
+
+#[test]
+fn patterns_survive_print_and_read() {
+    let text = |reflectance: &str| {
+        format!(
+            "{CAMERA}[materials.p]\ntype = \"plastic\"\nior = 1.5\nreflectance = {reflectance}\n[[shapes]]\ntype = \"mesh\"\nfile = \"a.obj\"\nmaterial = \"p\"\n"
+        )
+    };
+    let image = Image::new([2, 1], vec![[0.25, 0.5, 1.0], [0.0; 3]]).unwrap();
+    let files = |file: &Path| match file.extension() {
+        Some(extension) if extension == "exr" => Ok(images::write_exr(&image)),
+        _ => Ok(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n".to_vec()),
+    };
+    for reflectance in ["{ checker = [[1, 0, 0.5], [0.25, 0.25, 0.25]], scale = 3 }", "{ image = \"wood.exr\" }"] {
+        let scene = from_toml(&text(reflectance), &files).unwrap();
+        let Geometry::Mesh { mesh, .. } = &scene.shapes[0].geometry else { panic!("no mesh") };
+        assert_eq!(mesh.texture, [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+        assert!(print::print(&scene, false).text.contains(reflectance), "{}", print::print(&scene, false).text);
+        // Written anew, with files of its own: the same but for their names.
+        let mut written = again(&scene);
+        let Geometry::Mesh { file, .. } = &mut written.shapes[0].geometry else { panic!("no mesh") };
+        *file = Some("a.obj".into());
+        if let Material::Patterned { pattern: Pattern::Image { file, .. }, .. } =
+            &mut written.materials.last_mut().unwrap().1
+        {
+            *file = Some("wood.exr".into());
+        }
+        assert!(written == scene, "{reflectance}");
+    }
+    // A mesh without places on an image is refused by name.
+    let plain = |_: &Path| Ok(TRIANGLE.as_bytes().to_vec());
+    let refused = from_toml(&text("{ checker = [[1, 1, 1], [0, 0, 0]] }"), &plain).unwrap_err().to_string();
+    assert!(refused.contains("shapes[0].material: `p` has a pattern, and no corner of the mesh"), "{refused}");
+    // A colour is no more than all.
+    let bright = Image::new([1, 1], vec![[1.5; 3]]).unwrap();
+    let refused = from_toml(&text("{ image = \"b.exr\" }"), &|file| match file.extension() {
+        Some(extension) if extension == "exr" => Ok(images::write_exr(&bright)),
+        _ => files(file),
+    });
+    let refused = refused.unwrap_err().to_string();
+    assert!(refused.contains("materials.p.reflectance.image: its texel in column 0 of row 0"), "{refused}");
 }
 
 /// The example of the contract, and a bit of everything else.
@@ -187,7 +232,7 @@ fn whole() -> Scene {
             focus: Some(7.0),
             polariser_deg: Some(90.0),
         },
-        environment: Some([0.4, 0.5, 0.6]),
+        environment: Some(Environment::Constant([0.4, 0.5, 0.6])),
         materials: vec![
             named("white", Material::Diffuse { reflectance: [0.73; 3] }),
             named("clay", Material::RoughDiffuse { reflectance: [0.5, 0.4, 0.3], roughness: 0.8 }),
@@ -361,8 +406,8 @@ fn what_is_wrong_with_a_mesh_is_told_where_it_is_named() {
         refused("v 0 0 0\nv 2e12 0 0\nv 0 1 0\nf 1 2 3", "x.obj")
             .starts_with("test.toml:12:8: shapes[0].mesh.positions[1][0]: ")
     );
-    assert!(refused("", "x.glb").contains("not yet: glTF"));
-    assert!(refused("", "x.stl").contains("valid: .ply, .obj"));
+    assert!(refused("", "x.glb").starts_with(&format!("{place}x.glb: cannot be read")));
+    assert!(refused("", "x.stl").contains("valid: .ply, .obj, .gltf, .glb"));
     assert!(refused("", "x").contains("valid: .ply, .obj"));
     let missing = from_toml(&format!("{CAMERA}{}", ball("there.ply", "")), &none).unwrap_err().to_string();
     assert!(missing.starts_with(&format!("{place}there.ply is not there")));
@@ -373,11 +418,11 @@ fn a_scene_keeps_the_files_that_it_names() {
     let files = |_: &Path| Ok(TRIANGLE.as_bytes().to_vec());
     let scene = from_toml(&format!("{CAMERA}{}", ball("sub/a.obj", "")), &files).unwrap();
     let kept = print::print(&scene, false);
-    assert!(kept.meshes.is_empty() && kept.text.contains("file = \"sub/a.obj\""), "{}", kept.text);
+    assert!(kept.files.is_empty() && kept.text.contains("file = \"sub/a.obj\""), "{}", kept.text);
     assert_eq!(from_toml(&kept.text, &files).unwrap(), scene);
     let written = print::print(&scene, true);
     assert!(written.text.contains("file = \"test.ply\""), "{}", written.text);
-    assert_eq!(written.meshes.len(), 1);
+    assert_eq!(written.files.len(), 1);
 }
 
 #[test]
@@ -458,7 +503,7 @@ fn mesh() -> BoxedStrategy<Arc<Mesh>> {
         .prop_map(|(positions, is_smooth)| {
             let count = positions.len() as u32;
             let triangles = (2..count).map(|at| [0, at - 1, at]).collect();
-            let mut mesh = Mesh { positions, normals: vec![], triangles };
+            let mut mesh = Mesh { positions, triangles, ..Mesh::default() };
             mesh.drop_flat();
             Arc::new(if is_smooth { mesh.smoothed() } else { mesh })
         })
@@ -505,6 +550,18 @@ fn light() -> BoxedStrategy<Light> {
     .boxed()
 }
 
+fn environment() -> BoxedStrategy<Environment> {
+    let image = (1..5u32, 1..5u32).prop_flat_map(|(width, height)| {
+        let texels = prop::collection::vec(prop::array::uniform3(0f32..1e12), (width * height) as usize);
+        texels.prop_map(move |texels| Arc::new(Image::new([width, height], texels).expect("as many")))
+    });
+    let scale = prop_oneof![Just(1.0), 0.0..1e3];
+    let rotate_deg = prop_oneof![Just(0.0), signed(360.0)];
+    let sky =
+        (image, scale, rotate_deg).prop_map(|(image, scale, rotate_deg)| Sky { file: None, image, scale, rotate_deg });
+    prop_oneof![triple_of(size(1e12)).prop_map(Environment::Constant), sky.prop_map(Environment::Image)].boxed()
+}
+
 fn camera() -> BoxedStrategy<Camera> {
     let point = || triple_of(signed(1e3));
     let pixels = || 1..4000u32;
@@ -537,7 +594,7 @@ fn scenes() -> impl Strategy<Value = Scene> {
         prop::option::of(1..=u32::MAX),
         prop::sample::select(&Filter::ALL[..]),
         camera(),
-        prop::option::of(triple_of(size(1e12))),
+        prop::option::of(environment()),
         prop::collection::btree_map(any::<String>(), material(), 1..6),
         prop::collection::vec(shape, 0..6),
         prop::collection::vec(light(), 0..3),

@@ -191,14 +191,14 @@ fn one_wrong_line_is_shown_with_what_would_be_right() {
         (
             "[0.7, 0.7, 0.7]",
             "{ image = \"wood.png\" }",
-            ":10:17: materials.white.reflectance.image: ",
-            &["not yet: an image as reflectance"],
+            ":10:25: materials.white.reflectance.image: ",
+            &["wood.png cannot be read"],
         ),
         (
             "[0.7, 0.7, 0.7]",
             "{ checker = [], scale = 8 }",
-            ":10:17: materials.white.reflectance.checker: ",
-            &["not yet"],
+            ":10:27: materials.white.reflectance.checker: ",
+            &["must be two colours, found 0"],
         ),
         ("[[-5, 0, -5], ", "[", ":25:12: shapes[1].vertices: ", &["must be four corners, found 3"]),
         (
@@ -254,10 +254,28 @@ fn one_wrong_line_is_shown_with_what_would_be_right() {
         (
             "max_depth = 16",
             "environment = { image = \"sky.exr\", scale = 1 }",
-            ":1:17: environment.image: ",
-            &["not yet: an image as environment"],
+            ":1:25: environment.image: ",
+            &["sky.exr cannot be read"],
         ),
-        ("max_depth = 16", "environment = { rotate_deg = 1 }", ":1:17: environment.rotate_deg: ", &["not yet"]),
+        (
+            "max_depth = 16",
+            "environment = { image = \"sky.png\" }",
+            ":1:25: environment.image: ",
+            &["valid: .exr, .hdr"],
+        ),
+        (
+            "max_depth = 16",
+            "environment = { image = \"sky.exr\", radiance = [1, 1, 1] }",
+            ":1:47: environment.radiance: ",
+            &["given beside image"],
+        ),
+        (
+            "max_depth = 16",
+            "environment = { radiance = [1, 1, 1], rotate_deg = 1 }",
+            ":1:52: environment.rotate_deg: ",
+            &["says nothing without image"],
+        ),
+        ("max_depth = 16", "environment = { rotate_deg = 1 }", ":1:15: environment.radiance: ", &["missing"]),
         ("max_depth = 16", "environment = { radience = [1, 1, 1] }", ":1:17: ", &["did you mean `radiance`"]),
         ("max_depth = 16", "lihgts = []", ":1:1: lihgts: ", &["no such key in a scene", "did you mean `lights`"]),
         ("max_depth = 16", "name = 1", ":1:8: name: ", &["must be a text"]),
@@ -322,8 +340,8 @@ fn what_is_no_scene_file_is_refused() {
     refused(&file("zeros.toml", &[0; 4096]), ": is no text: byte 0 is 0", &[]);
     refused(&file("deep.toml", format!("a = {}", "[".repeat(1 << 20)).as_bytes()), ":1:", &["cannot be read"]);
     refused(&file("large.toml", &vec![b'#'; (8 << 20) + 1]), ": is larger than 8 MiB, the most that is read", &[]);
-    refused(&file("scene.gltf", b"{}"), ": not yet: glTF", &["valid: .toml, .json"]);
-    refused(&file("scene.glb", b""), ": not yet: glTF", &["valid: .toml, .json"]);
+    refused(&file("scene.gltf", b"{}"), ": cannot be read: ", &["asset"]);
+    refused(&file("scene.glb", b"glTF"), ": ends within its header", &[]);
     refused(&file("scene.xml", b"<scene/>"), ": scenes are not read from files of that kind", &["valid: .toml, .json"]);
     refused(&file("scene", b""), ": is no file of a scene", &["valid: .toml, .json"]);
     refused(&folder.join("nowhere.toml"), ": cannot be read: ", &[]);

@@ -54,6 +54,16 @@ impl<N: Number> Bsdf<N> for Eon<N> {
     }
 
     #[inline(always)]
+    fn painted_eval_pdf(&self, rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
+        Self { albedo: rho, ..*self }.eval_pdf(wi, wo)
+    }
+
+    #[inline(always)]
+    fn painted_sample(&self, rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        Self { albedo: rho, ..*self }.sample(wo, u)
+    }
+
+    #[inline(always)]
     fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
         let loss = self.loss(wo);
         let direct = N::of(1.0) - loss;

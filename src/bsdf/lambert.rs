@@ -37,6 +37,16 @@ impl<N: Number> Bsdf<N> for Lambert<N> {
     }
 
     #[inline(always)]
+    fn painted_eval_pdf(&self, rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
+        Self { albedo: rho }.eval_pdf(wi, wo)
+    }
+
+    #[inline(always)]
+    fn painted_sample(&self, rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        Self { albedo: rho }.sample(wo, u)
+    }
+
+    #[inline(always)]
     fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
         Some(rgb(|c| self.albedo[c].only(wo.z.gt(N::of(0.0)))))
     }

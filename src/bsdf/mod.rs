@@ -151,6 +151,16 @@ pub trait Bsdf<N: Number>: Send + Sync {
     /// A direction for light that goes to `wo` to come from, from three numbers in 0 ≤ u < 1.
     fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N>;
 
+    /// [`Bsdf::eval_pdf`] of another ρ [1] than the model's own; the same of a model that has none.
+    fn painted_eval_pdf(&self, _rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
+        self.eval_pdf(wi, wo)
+    }
+
+    /// [`Bsdf::sample`] of another ρ [1].
+    fn painted_sample(&self, _rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        self.sample(wo, u)
+    }
+
     /// f [sr⁻¹].
     fn eval(&self, wi: Vector<N>, wo: Vector<N>) -> Rgb<N> {
         self.eval_pdf(wi, wo).0

@@ -27,6 +27,8 @@ pub struct Plastic<N, C> {
     rough: Option<Losses>,
     /// 1 − ⟨E_coat⟩ [1].
     passed: N,
+    /// 1 − R̄ [1].
+    out: N,
     /// What comes out of the light that went in [1], over π(1 − ⟨E_coat⟩).
     body: Rgb<N>,
     largest_weight: f64,
@@ -75,7 +77,7 @@ impl<N: Number, C> Plastic<N, C> {
         let out = passed / index.powi(2);
         let body = rgb(|c| N::of(FRAC_1_PI / passed * albedo[c] * out / (1.0 - albedo[c] * (1.0 - out))));
         let largest_weight = (1.0 / LEAST_SHARE).max(1.0 / ((1.0 - LEAST_SHARE) * passed));
-        Self { coat, clear: metal, rough, passed: N::of(passed), body, largest_weight }
+        Self { coat, clear: metal, rough, passed: N::of(passed), out: N::of(out), body, largest_weight }
     }
 
     #[inline(always)]
@@ -83,11 +85,18 @@ impl<N: Number, C> Plastic<N, C> {
         returned(&self.clear, self.rough.as_ref(), w)
     }
 
-    /// f of the body.
+    /// f of a body of which that comes out.
     #[inline(always)]
-    fn body(&self, wi: Vector<N>, returned_o: N) -> Rgb<N> {
+    fn body(&self, body: Rgb<N>, wi: Vector<N>, returned_o: N) -> Rgb<N> {
         let passed = (N::of(1.0) - self.returned(wi)) * (N::of(1.0) - returned_o);
-        rgb(|c| self.body[c] * passed)
+        rgb(|c| body[c] * passed)
+    }
+
+    /// What comes out of a body of another ρ [1].
+    #[inline(always)]
+    fn painted(&self, rho: Rgb<N>) -> Rgb<N> {
+        let one = N::of(1.0);
+        rgb(|c| N::of(FRAC_1_PI) / self.passed * rho[c] * self.out / (one - rho[c] * (one - self.out)))
     }
 
     /// The share of draws that go to the coat.
@@ -120,6 +129,43 @@ fn mean(clear: &Conductor<f64>, rough: Option<&Losses>) -> f64 {
     part(0.0, critical) + part(critical, 1.0)
 }
 
+/// By what comes out of the body.
+impl<N: Number, C: Bsdf<N>> Plastic<N, C> {
+    #[inline(always)]
+    fn eval_pdf_of(&self, body: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
+        let above = both_above(wi, wo);
+        let (f, pdf) = self.coat.eval_pdf(wi, wo);
+        let returned = self.returned(wo);
+        let (body, share) = (self.body(body, wi, returned), Self::share(returned));
+        let cosine = wi.z * N::of(FRAC_1_PI);
+        (rgb(|c| (f[c] + body[c]).only(above)), (share * pdf + (N::of(1.0) - share) * cosine).only(above))
+    }
+
+    #[inline(always)]
+    fn sample_of(&self, body: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        let (zero, one) = (N::of(0.0), N::of(1.0));
+        let returned = self.returned(wo);
+        let share = Self::share(returned);
+        let is_coat = u[2].lt(share);
+        let drawn = self.coat.sample(wo, u);
+        let wi = Vector::select(is_coat, drawn.wi, cosine_hemisphere([u[0], u[1]]).0);
+        let is_delta = drawn.is_delta & is_coat;
+        let cosine = wi.z * N::of(FRAC_1_PI);
+        let (f, density) = self.coat.eval_pdf(wi, wo);
+        let pdf = share * N::select(is_coat, drawn.pdf, density) + (one - share) * cosine;
+        let is_drawn = both_above(wi, wo) & (!is_coat | drawn.pdf.gt(zero));
+        let over = one / N::select(is_drawn, pdf, one);
+        let body = self.body(body, wi, returned);
+        let weight = rgb(|c| {
+            let coat = N::select(is_coat, drawn.weight[c] * drawn.pdf, f[c] * wi.z);
+            let spread = ((coat + body[c] * wi.z) * over).only(is_drawn);
+            N::select(is_delta, drawn.weight[c] / share, spread)
+        });
+        let pdf = N::select(is_delta, zero, pdf).only(is_drawn);
+        Sample { weight, is_delta, ..Sample::reflected(wi, weight, pdf) }
+    }
+}
+
 impl<N: Number, C: Bsdf<N>> Bsdf<N> for Plastic<N, C> {
     fn character(&self) -> Character {
         Character {
@@ -133,36 +179,22 @@ impl<N: Number, C: Bsdf<N>> Bsdf<N> for Plastic<N, C> {
 
     #[inline(always)]
     fn eval_pdf(&self, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
-        let above = both_above(wi, wo);
-        let (f, pdf) = self.coat.eval_pdf(wi, wo);
-        let returned = self.returned(wo);
-        let (body, share) = (self.body(wi, returned), Self::share(returned));
-        let cosine = wi.z * N::of(FRAC_1_PI);
-        (rgb(|c| (f[c] + body[c]).only(above)), (share * pdf + (N::of(1.0) - share) * cosine).only(above))
+        self.eval_pdf_of(self.body, wi, wo)
     }
 
     #[inline(always)]
     fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
-        let (zero, one) = (N::of(0.0), N::of(1.0));
-        let returned = self.returned(wo);
-        let share = Self::share(returned);
-        let is_coat = u[2].lt(share);
-        let drawn = self.coat.sample(wo, u);
-        let wi = Vector::select(is_coat, drawn.wi, cosine_hemisphere([u[0], u[1]]).0);
-        let is_delta = drawn.is_delta & is_coat;
-        let cosine = wi.z * N::of(FRAC_1_PI);
-        let (f, density) = self.coat.eval_pdf(wi, wo);
-        let pdf = share * N::select(is_coat, drawn.pdf, density) + (one - share) * cosine;
-        let is_drawn = both_above(wi, wo) & (!is_coat | drawn.pdf.gt(zero));
-        let over = one / N::select(is_drawn, pdf, one);
-        let body = self.body(wi, returned);
-        let weight = rgb(|c| {
-            let coat = N::select(is_coat, drawn.weight[c] * drawn.pdf, f[c] * wi.z);
-            let spread = ((coat + body[c] * wi.z) * over).only(is_drawn);
-            N::select(is_delta, drawn.weight[c] / share, spread)
-        });
-        let pdf = N::select(is_delta, zero, pdf).only(is_drawn);
-        Sample { weight, is_delta, ..Sample::reflected(wi, weight, pdf) }
+        self.sample_of(self.body, wo, u)
+    }
+
+    #[inline(always)]
+    fn painted_eval_pdf(&self, rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
+        self.eval_pdf_of(self.painted(rho), wi, wo)
+    }
+
+    #[inline(always)]
+    fn painted_sample(&self, rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        self.sample_of(self.painted(rho), wo, u)
     }
 
     #[inline(always)]

@@ -135,6 +135,20 @@ impl<N: Number, M: Bsdf<N>> Bsdf<N> for Dispatched<M> {
         )
     }
 
+    fn painted_eval_pdf(&self, rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
+        vectorised(
+            #[inline(always)]
+            || self.0.painted_eval_pdf(rho, wi, wo),
+        )
+    }
+
+    fn painted_sample(&self, rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        vectorised(
+            #[inline(always)]
+            || self.0.painted_sample(rho, wo, u),
+        )
+    }
+
     fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
         vectorised_lanes::<N, _>(
             #[inline(always)]

@@ -32,6 +32,11 @@ impl Owners {
         owners
     }
 
+    /// The first primitive of a shape.
+    pub fn start(&self, shape: usize) -> usize {
+        self.starts[shape] as usize
+    }
+
     /// The shape to which a primitive belongs.
     #[inline(always)]
     pub fn shape(&self, primitive: usize) -> usize {

@@ -14,11 +14,13 @@
 //! | triangles that leave no slit | [`Triangle`] |
 //! | all of them at once | [`World`] |
 //! | a scene's shapes as primitives | [`flatten`] |
+//! | where on an image a place of a shape lies | [`charts()`] |
 //! | normals, points on the surface, and how to leave it | [`Surface`] |
 
 mod bounds;
 mod brute;
 mod bvh;
+mod charts;
 mod flatten;
 mod planar;
 mod primitive;
@@ -31,6 +33,7 @@ mod walls;
 mod world;
 
 pub use bounds::Bounds;
+pub use charts::{Chart, charts};
 pub use flatten::{Flat, Owners, flatten};
 pub use planar::{Disc, Quad};
 pub use primitive::Primitive;

@@ -1,6 +1,6 @@
 //! What surfaces are made of.
 
-use super::Triple;
+use super::{Pattern, Triple};
 use crate::bsdf::microfacet::{Joint, Slopes};
 use crate::colour::response::BAND;
 use crate::media::{self, Substance};
@@ -88,6 +88,44 @@ pub enum Material {
         /// Roughness [1] of the coat; None is polished.
         alpha: Option<f64>,
     },
+    /// One of [`Material::Diffuse`], [`Material::RoughDiffuse`] and [`Material::Plastic`] whose ρ changes from place to place.
+    Patterned {
+        /// Which, with the mean of ρ.
+        of: Box<Material>,
+        /// ρ.
+        pattern: Pattern,
+    },
+}
+
+impl Material {
+    /// The same, its ρ from place to place; None if there is no ρ to be drawn.
+    pub fn patterned(mut self, pattern: Pattern) -> Option<Self> {
+        match &mut self {
+            Self::Diffuse { reflectance }
+            | Self::RoughDiffuse { reflectance, .. }
+            | Self::Plastic { reflectance, .. } => {
+                *reflectance = pattern.mean();
+            }
+            _ => return None,
+        }
+        Some(Self::Patterned { of: Box::new(self), pattern })
+    }
+
+    /// What it is without its pattern.
+    pub fn base(&self) -> &Self {
+        match self {
+            Self::Patterned { of, .. } => of,
+            _ => self,
+        }
+    }
+
+    /// Its pattern.
+    pub fn pattern(&self) -> Option<&Pattern> {
+        match self {
+            Self::Patterned { pattern, .. } => Some(pattern),
+            _ => None,
+        }
+    }
 }
 
 /// Of what a conductor is made.

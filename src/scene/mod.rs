@@ -6,18 +6,24 @@
 //! | idea | where |
 //! |---|---|
 //! | what surfaces are made of | [`material`] |
+//! | reflectances that change from place to place | [`Pattern`] |
 //! | what there is to see | [`shape`] |
+//! | images, and what is behind everything | [`image`] |
 //! | what is wrong with a scene, and where | [`flaw`] |
 //! | the scenes of the lecture | [`builtin`] |
 
 pub mod builtin;
 pub mod flaw;
+pub mod image;
 pub mod material;
+mod pattern;
 pub mod shape;
 pub(crate) mod triple;
 
 pub use flaw::{Flaw, Part, Place, Unknown};
+pub use image::{Environment, Image, Sky};
 pub use material::{Coating, Energy, Facets, Material, Metal};
+pub use pattern::Pattern;
 pub use shape::{Emission, Geometry, Map, Mesh, Normals, Shape, Transform};
 
 /// A point [m], a direction, or a size along each axis.
@@ -34,8 +40,8 @@ pub struct Scene {
     pub filter: Filter,
     /// Who looks.
     pub camera: Camera,
-    /// Radiance [W m⁻² sr⁻¹] from everywhere behind all shapes; None is black.
-    pub environment: Option<Triple>,
+    /// What is behind all shapes; None is black.
+    pub environment: Option<Environment>,
     /// What shapes are made of, by name; names differ.
     pub materials: Vec<(String, Material)>,
     /// What there is to see.

@@ -99,6 +99,8 @@ pub struct Mesh {
     pub positions: Vec<[f32; 3]>,
     /// A direction a corner, of any length but 0, or none at all.
     pub normals: Vec<[f32; 3]>,
+    /// A place on an image a corner, right and up [1] from its lower left corner, or none at all.
+    pub texture: Vec<[f32; 2]>,
     /// Three corners each; the normal's side sees them counterclockwise.
     pub triangles: Vec<[u32; 3]>,
 }
@@ -117,7 +119,7 @@ impl Mesh {
         if dot(normal, along) < 0.0 {
             triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
         }
-        Self { positions, normals: Vec::new(), triangles }
+        Self { positions, triangles, ..Self::default() }
     }
 
     /// (v₁ − v₀) × (v₂ − v₀) [m²] of a triangle, twice its area along its normal.
@@ -290,8 +292,8 @@ mod tests {
     fn square() -> Mesh {
         Mesh {
             positions: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [9.0, 9.0, 9.0]],
-            normals: vec![],
             triangles: vec![[0, 1, 2], [0, 2, 3], [0, 2, 2], [1, 1, 1]],
+            ..Mesh::default()
         }
     }
 
@@ -318,8 +320,8 @@ mod tests {
         // A roof whose halves are of the same area: up at the ridge.
         let roof = Mesh {
             positions: vec![[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]],
-            normals: vec![],
             triangles: vec![[0, 2, 1], [0, 1, 3]],
+            ..Mesh::default()
         };
         assert_eq!(roof.smoothed().normals[0], [0.0, 0.0, 1.0]);
     }

@@ -373,6 +373,18 @@ impl<N: Width> Work<'_, N> {
                 paths.gather(missed, environment);
             }
         }
+        if stage.has_panorama() {
+            let missed = paths.alive & !met;
+            if missed.any() {
+                let (light, by_lamp) = stage.panorama_along(paths.ray.direction, missed);
+                let share = match tactics.meeting {
+                    Meeting::Both => one / (one + by_lamp / paths.pdf),
+                    Meeting::Lamps => one.only(paths.pdf.ge(N::of(f64::INFINITY))),
+                    Meeting::Chance => one,
+                };
+                paths.gather(missed, rgb(|c| light[c] * share));
+            }
+        }
         paths.alive = met;
         // Idle lanes stand still: what they ask for stays within what there is.
         paths.edges = paths.edges + one.only(met);
@@ -480,7 +492,9 @@ impl<N: Width> Work<'_, N> {
             let (f, pdf) = vertex.met.eval_pdf(active, wi, vertex.wo);
             let share = match self.tactics.meeting {
                 Meeting::Both => {
+                    // No path leaves what has no surface.
                     let by_light = caustics
+                        .filter(|_| lamp.area().is_some())
                         .map_or(zero, |caustics| caustics.rival_of_arrival(vertex.start, number, &arrival, paths.cast));
                     one / (one + pdf / arrival.pdf * (one + by_light))
                 }

@@ -5,12 +5,15 @@
 //! | flat ones, of one piece or many | a place by area, a piece by its share of it |
 //! | a ball | within its cone, from inside by area |
 //! | a point, the sun | without choice |
+//! | an image all around | by its radiance ([`super::panorama`]) |
 
+use super::panorama::Panorama;
 use crate::bsdf::{Rgb, rgb};
 use crate::number::{Frame, Mask, Vector, Width, length_and_way, vectorised_lanes};
 use crate::sampling::{Shares, warp};
 use crate::scene::triple::{cross, largest, length, times};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Light that would reach a point if nothing were in its way.
 #[derive(Clone, Copy, Debug)]
@@ -62,6 +65,8 @@ enum Form<N> {
     Point(Vector<N>),
     /// Irradiance [W m⁻²] from a direction.
     Sun(Vector<N>),
+    /// From everywhere.
+    Panorama(Arc<Panorama>),
 }
 
 /// A parallelogram, or the triangle that is its half.
@@ -150,6 +155,12 @@ impl<N: Width> Lamp<N> {
         Self { form, light: irradiance.map(N::of), two_sided: true, slack: N::of(0.0) }
     }
 
+    /// An image all around.
+    pub fn panorama(panorama: Arc<Panorama>) -> Self {
+        // What it sends depends on whence: there is no one radiance.
+        Self { form: Form::Panorama(panorama), light: [0.0; 3].map(N::of), two_sided: true, slack: N::of(0.0) }
+    }
+
     /// A direction from a point [m] to the lamp, drawn by two numbers 0 ≤ u < 1.
     #[inline(never)]
     pub fn sample(&self, from: Vector<N>, u: [N; 2]) -> Arrival<N> {
@@ -183,6 +194,11 @@ impl<N: Width> Lamp<N> {
                 let (distance, pdf) = (N::of(1e30), N::of(f64::INFINITY));
                 Arrival { wi: *wi, distance, share: self.light, pdf, cos: N::of(1.0) }
             }
+            Form::Panorama(panorama) => {
+                let ([x, y, z], share, pdf) = panorama.drawn(u);
+                let (wi, distance) = (Vector::new(x, y, z), N::of(1e30));
+                Arrival { wi, distance, share, pdf: pdf.max(least()), cos: N::of(1.0) }
+            }
         }
     }
 
@@ -206,12 +222,16 @@ impl<N: Width> Lamp<N> {
                 let seen = Cone::of(from, *center, *radius);
                 N::select(seen.is_outside, warp::cone_density(seen.one_minus_cos), by_area(ball_area(*radius)))
             }
-            Form::Point(_) | Form::Sun(_) => N::of(0.0),
+            // No surface of theirs is ever met.
+            Form::Point(_) | Form::Sun(_) | Form::Panorama(_) => N::of(0.0),
         }
     }
 
     /// Flux [W], all channels together, of a scene that reaches `extent` [m] from its middle.
     pub fn flux(&self, extent: f64) -> f64 {
+        if let Form::Panorama(panorama) = &self.form {
+            return PI * extent * extent * panorama.whole();
+        }
         let light: f64 = self.light.iter().map(|light| light.lane(0)).sum();
         let sides = if self.two_sided { 2.0 } else { 1.0 };
         light
@@ -220,7 +240,7 @@ impl<N: Width> Lamp<N> {
                 Form::Pieces { area, .. } | Form::Disc { area, .. } => PI * area.lane(0) * sides,
                 Form::Ball { radius, .. } => PI * ball_area(*radius).lane(0) * sides,
                 Form::Point(_) => 4.0 * PI,
-                Form::Sun(_) => PI * extent * extent,
+                Form::Sun(_) | Form::Panorama(_) => PI * extent * extent,
             }
     }
 
@@ -241,7 +261,7 @@ impl<N: Width> Lamp<N> {
             Form::Piece(piece) => piece.area,
             Form::Pieces { area, .. } | Form::Disc { area, .. } => *area,
             Form::Ball { radius, .. } => ball_area(*radius),
-            Form::Point(_) | Form::Sun(_) => return None,
+            Form::Point(_) | Form::Sun(_) | Form::Panorama(_) => return None,
         };
         Some(one.lane(0) * sides)
     }
@@ -265,6 +285,7 @@ impl<N: Width> Lamp<N> {
             }
             Form::Point(place) => (*place, Vector::of([0.0, 0.0, 1.0])),
             Form::Sun(way) => (*way, -*way),
+            Form::Panorama(_) => (Vector::of([0.0; 3]), Vector::of([0.0, 0.0, 1.0])),
         };
         let is_back = side.lt(N::of(if self.two_sided { 0.5 } else { 0.0 }));
         let normal = Vector::select(is_back, -normal, normal);

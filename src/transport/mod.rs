@@ -6,6 +6,7 @@
 //! | a scene made ready for rays | [`Stage`] |
 //! | the camera's rays | [`Lens`] |
 //! | lamps as a point sees them | [`lamp`] |
+//! | an image all around as one of them | [`panorama`] |
 //! | what surfaces are made of, lane by lane | [`surfaces`] |
 //! | integrators to read, one idea more in each | [`simple`] |
 //! | the fast one, as many paths at once as a number has lanes | [`kernel`] |
@@ -30,6 +31,8 @@ pub mod lamp;
 pub mod lens;
 pub mod looks;
 pub mod needs;
+pub mod panorama;
+mod patterns;
 pub mod photons;
 pub mod picture;
 pub mod pilot;

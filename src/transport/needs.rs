@@ -1,11 +1,11 @@
 //! What a scene needs: by it integrators say whether they fit, and work is left out.
 
-use crate::scene::{Material, Scene};
+use crate::scene::{Environment, Material, Scene};
 
 /// What a scene needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Needs {
-    /// Lamps to send rays to.
+    /// Lamps to send rays to; a sky that is an image is one.
     pub lamps: u32,
     /// Lights without a surface, which no path meets by chance.
     pub bare_lights: bool,
@@ -13,6 +13,8 @@ pub struct Needs {
     pub rims: bool,
     /// Light from behind all shapes.
     pub environment: bool,
+    /// That of an image, to which rays are sent as to a lamp.
+    pub panorama: bool,
     /// Surfaces other than Lambert's.
     pub glossy: bool,
     /// Surfaces whose light has no choice of where to go.
@@ -25,6 +27,8 @@ pub struct Needs {
     pub absorption: bool,
     /// Glass whose index depends on the wavelength.
     pub wavelength: bool,
+    /// Reflectances that change from place to place.
+    pub patterns: bool,
     /// A filter before the camera.
     pub polariser: bool,
     /// Surfaces of which it is not known what they do to polarised light.
@@ -104,17 +108,21 @@ impl Needs {
         };
         let shining =
             scene.shapes.iter().filter(|shape| shape.emission.is_some_and(|e| e.radiance != [0.0; 3])).count();
+        let sky = scene.environment.as_ref().filter(|sky| !sky.is_black());
+        let panorama = matches!(sky, Some(Environment::Image(_)));
         Self {
-            lamps: (shining + scene.lights.len()) as u32,
+            lamps: (shining + scene.lights.len() + usize::from(panorama)) as u32,
             bare_lights: !scene.lights.is_empty(),
             rims: shining > 0,
-            environment: scene.environment.is_some_and(|radiance| radiance != [0.0; 3]),
-            glossy: used(&|material| !matches!(material, Material::Diffuse { .. })),
+            environment: sky.is_some(),
+            panorama,
+            glossy: used(&|material| !matches!(material.base(), Material::Diffuse { .. })),
             specular: used(&Material::is_specular),
             casters: used(&Material::casts),
             clear: used(&Material::is_clear),
             absorption: used(&|material| material.absorption() != [0.0; 3]),
             wavelength: used(&Material::disperses),
+            patterns: used(&|material| material.pattern().is_some()),
             polariser: scene.camera.polariser_deg.is_some(),
             scalar: used(&|material| !material.is_polarising()),
             lens: scene.camera.aperture > 0.0,
@@ -149,7 +157,7 @@ impl Needs {
             (self.lamps < 2, "choice among lamps", "there are not two of them", None),
             (!self.environment, "light from the sky", "it is black", Some(Needless { sky: true, ..none })),
             (
-                self.environment,
+                self.environment && !self.panorama,
                 "rays to the sky",
                 "it is the same all around: directions by the surface do better",
                 None,
@@ -178,6 +186,7 @@ impl Needs {
                 "no glass disperses: three channels go the same ways",
                 Some(Needless { wavelengths: true, ..none }),
             ),
+            (!self.patterns, "places on images", "every reflectance is the same all over its shape", None),
             (
                 !self.polariser,
                 "polarisation",

@@ -4,6 +4,8 @@
 
 use super::caustics::Caustics;
 use super::lamp::{Arrival, Lamp, Piece};
+use super::panorama::Panorama;
+use super::patterns::Patterns;
 use super::surfaces::{Met, Surfaces};
 use super::{Lens, Needless, Needs};
 use crate::bsdf::dispersive::Hue;
@@ -12,7 +14,8 @@ use crate::geometry::{Bounds, Ends, Hit, Owners, Primitive, Ray, Settings, Struc
 use crate::number::{Frame, Mask, Vector, Width, exp, length_and_way, vectorised_lanes};
 use crate::sampling::Row;
 use crate::scene::triple::{minus, times};
-use crate::scene::{Emission, Flaw, Light, Material, Scene};
+use crate::scene::{Emission, Environment, Flaw, Light, Material, Scene};
+use std::sync::Arc;
 
 /// A scene made ready.
 pub struct Stage<N: Width> {
@@ -26,6 +29,8 @@ pub struct Stage<N: Width> {
     /// What lamps send out; by shape.
     emission: Vec<[N::Scalar; 8]>,
     environment: Option<Rgb<N>>,
+    panorama: Option<Arc<Panorama>>,
+    patterns: Option<Patterns>,
     max_depth: Option<u32>,
     size: [u32; 2],
     /// The angle [rad] of a filter before the camera.
@@ -83,6 +88,7 @@ impl<N: Width> Stage<N> {
         // A power of two changes no digit.
         let scale = if extent > 0.0 { 2f64.powi(-(extent.log2().ceil() as i32)) } else { 1.0 };
         let flat = flat.seen_from(middle, scale);
+        let patterns = Patterns::new(scene, &flat);
 
         let number = |name: &str| scene.materials.iter().position(|(known, _)| known == name).unwrap_or(0);
         let surfaces = Surfaces::new(scene.materials.iter().map(|(_, material)| material), scale, needless.models)?;
@@ -125,6 +131,14 @@ impl<N: Width> Stage<N> {
                 }
             });
         }
+        let panorama = match &scene.environment {
+            Some(Environment::Image(sky)) => Panorama::new(sky).map(Arc::new),
+            _ => None,
+        };
+        if let Some(panorama) = &panorama {
+            lamps.push(Lamp::panorama(Arc::clone(panorama)));
+            ends = None;
+        }
         let lens = Lens::new(&scene.camera, scene.filter, (middle, scale), needless.lens);
         let casters: Vec<Bounds> = scene
             .shapes
@@ -148,7 +162,11 @@ impl<N: Width> Stage<N> {
             light_paths: caustics.is_some(),
             ..Needs::of(scene)
         };
-        let black = needless.sky.then_some([0.0; 3]);
+        let sky = match &scene.environment {
+            Some(Environment::Constant(radiance)) => Some(*radiance),
+            // What the image shows is added where a ray goes.
+            _ => needless.sky.then_some([0.0; 3]),
+        };
         Ok(Self {
             world,
             owners: flat.owners,
@@ -157,7 +175,9 @@ impl<N: Width> Stage<N> {
             lamps,
             shapes,
             emission: shining_out,
-            environment: scene.environment.or(black).map(|radiance| radiance.map(N::of)),
+            environment: sky.map(|radiance| radiance.map(N::of)),
+            panorama,
+            patterns,
             max_depth: scene.max_depth,
             size: [scene.camera.width, scene.camera.height],
             polariser: scene.camera.polariser_deg.map(f64::to_radians),
@@ -231,9 +251,25 @@ impl<N: Width> Stage<N> {
         &self.lamps
     }
 
-    /// Radiance from behind all shapes.
+    /// Radiance from behind all shapes, where it is the same all around.
     pub fn environment(&self) -> Option<Rgb<N>> {
         self.environment
+    }
+
+    /// Whether there is an image behind all shapes, to which rays are sent as to a lamp.
+    #[inline(always)]
+    pub fn has_panorama(&self) -> bool {
+        self.panorama.is_some()
+    }
+
+    /// What an image behind all shapes sends along rays, and the density [sr⁻¹] with which rays to it would have been sent this
+    /// way; 0 where there is none, or the mask is false.
+    #[inline(always)]
+    pub fn panorama_along(&self, direction: Vector<N>, active: N::Mask) -> (Rgb<N>, N) {
+        match &self.panorama {
+            Some(panorama) => panorama.looked([direction.x, direction.y, direction.z], active),
+            None => (grey(N::of(0.0)), N::of(0.0)),
+        }
     }
 
     /// The ray through a pixel that belongs to four numbers.
@@ -287,6 +323,10 @@ impl<N: Width> Stage<N> {
         let frame =
             Frame::about(Vector::select(agrees, surface.shading, surface.normal)).turned(is_back & turns.gt(half));
         let wo = frame.inward(back);
+        let rho = match &self.patterns {
+            None => [rho_red, rho_green, rho_blue],
+            Some(patterns) => self.painted(patterns, hit, &surface, met, [rho_red, rho_green, rho_blue]),
+        };
         let shines = met & lamp.ge(zero) & (!is_back | two_sided.gt(half));
         let emitted = if shines.any() { self.emitted(hit) } else { grey(zero) };
         let clarity = if self.absorbs() { self.clarity(material, wo.z.lt(zero), hit.t) } else { grey(N::of(1.0)) };
@@ -296,12 +336,19 @@ impl<N: Width> Stage<N> {
             start: surface.leave(back),
             frame,
             wo,
-            met: self.surfaces.met(material, [rho_red, rho_green, rho_blue, role]),
+            met: self.surfaces.met(material, [rho[0], rho[1], rho[2], role]),
             lamp: N::select(shines, lamp, N::of(-1.0)),
             cos: cos.abs(),
             emitted,
             clarity,
         }
+    }
+
+    /// ρ [1] of the places that were met.
+    #[inline(never)]
+    fn painted(&self, patterns: &Patterns, hit: &Hit<N>, surface: &Surface<N>, met: N::Mask, plain: Rgb<N>) -> Rgb<N> {
+        let shape = N::from_lanes(|lane| self.owners.shape(hit.primitive.place(lane)) as f64);
+        patterns.painted(met, [shape, hit.primitive, surface.uv[0], surface.uv[1]], surface.normal, plain)
     }
 
     /// What the shapes that were met send out [W m⁻² sr⁻¹] if they are seen from where they shine.
@@ -383,9 +430,19 @@ impl Stage<f64> {
         hit.t.is_finite().then(|| self.vertex(ray, &hit, true))
     }
 
-    /// Radiance [W m⁻² sr⁻¹] from behind all shapes.
-    pub fn sky(&self) -> Rgb<f64> {
-        self.environment.unwrap_or_default()
+    /// Radiance [W m⁻² sr⁻¹] from behind all shapes along a ray.
+    pub fn sky(&self, ray: &Ray<f64>) -> Rgb<f64> {
+        if self.has_panorama() {
+            self.panorama_along(ray.direction, true).0
+        } else {
+            self.environment.unwrap_or_default()
+        }
+    }
+
+    /// The density [sr⁻¹] with which a ray to the sky would have been sent along this one: 0 of one that is the same all around,
+    /// to which none are sent.
+    pub fn density_to_sky(&self, ray: &Ray<f64>) -> f64 {
+        self.panorama_along(ray.direction, true).1
     }
 
     /// Whether nothing is in the way of what arrives at a vertex.

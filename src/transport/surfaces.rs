@@ -29,6 +29,18 @@ struct Model<N: Width> {
     is_specular: bool,
     dispersion: Option<Dispersive>,
     polished: Option<Polished>,
+    /// Whether its ρ is that of the place.
+    is_patterned: bool,
+}
+
+impl<N: Width> Model<N> {
+    fn eval_pdf(&self, rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
+        if self.is_patterned { self.bsdf.painted_eval_pdf(rho, wi, wo) } else { self.bsdf.eval_pdf(wi, wo) }
+    }
+
+    fn sample(&self, rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        if self.is_patterned { self.bsdf.painted_sample(rho, wo, u) } else { self.bsdf.sample(wo, u) }
+    }
 }
 
 /// What is polished, as far as its polarisation is known.
@@ -111,6 +123,7 @@ impl Material {
                 let alpha = alpha.map_or(plain.alpha, |alpha| [alpha; 2]);
                 (name, bsdf::Setting { index: *ior, albedo: *reflectance, alpha, ..plain })
             }
+            Self::Patterned { of, .. } => return of.model(),
         })
     }
 
@@ -163,13 +176,13 @@ impl Material {
 
     /// Whether it is known what it does to polarised light: what is matt forgets it.
     pub fn is_polarising(&self) -> bool {
-        let is_matt = matches!(self, Self::Diffuse { .. } | Self::RoughDiffuse { .. });
+        let is_matt = matches!(self.base(), Self::Diffuse { .. } | Self::RoughDiffuse { .. });
         is_matt || self.polished().is_ok_and(|polished| polished.is_some())
     }
 
     /// Whether any of its light has no choice of where to go.
     pub fn is_specular(&self) -> bool {
-        match self {
+        match self.base() {
             Self::Mirror { .. } | Self::Conductor { .. } | Self::Dielectric { .. } | Self::Dispersive { .. } => true,
             Self::Plastic { alpha, .. } => alpha.is_none(),
             _ => false,
@@ -239,13 +252,14 @@ impl<N: Width> Surfaces<N> {
             let entry = zoo.iter().find(|entry| entry.name == name).expect("a model of the zoo");
             models.push(Model {
                 bsdf: entry.make(&setting),
-                turns: !material.is_clear() && !matches!(material, Material::Plastic { .. }),
+                turns: !material.is_clear() && !matches!(material.base(), Material::Plastic { .. }),
                 absorption: material.absorption().map(|a| a / scale),
                 is_specular: material.is_specular(),
                 dispersion: material.dispersion()?,
                 polished: material.polished()?,
+                is_patterned: material.pattern().is_some(),
             });
-            let role = match material {
+            let role = match material.base() {
                 Material::Diffuse { .. } => LAMBERT,
                 _ if material.is_rough_caster() => CASTER,
                 _ => OTHER,
@@ -271,7 +285,7 @@ impl<N: Width> Surfaces<N> {
         self.paints[material]
     }
 
-    /// What each lane has met, by the number of its material and its [`Surfaces::paint`].
+    /// What each lane has met, by the number of its material and its [`Surfaces::paint`], with ρ of the place where it has a pattern.
     #[inline(always)]
     pub fn met(&self, material: N, [red, green, blue, role]: [N; 4]) -> Met<'_, N> {
         let paint = Lambert { albedo: [red, green, blue] };
@@ -286,7 +300,7 @@ impl<N: Width> Surfaces<N> {
 pub struct Met<'a, N: Width> {
     models: &'a [Model<N>],
     material: N,
-    /// All that are Lambert's at once, each of its own colour.
+    /// All that are Lambert's at once, each of its own colour; and the ρ of whatever has a pattern.
     paint: Lambert<N>,
     is_lambert: N::Mask,
     is_rough_caster: N::Mask,
@@ -330,7 +344,7 @@ impl<N: Width> Met<'_, N> {
         let lambert = active & self.is_plain;
         let mut found = (rgb(|c| f[c].only(lambert)), pdf.only(lambert));
         self.others(active, |mask, model| {
-            let (f, pdf) = model.eval_pdf(wi, wo);
+            let (f, pdf) = model.eval_pdf(self.paint.albedo, wi, wo);
             found = (rgb(|c| N::select(mask, f[c], found.0[c])), N::select(mask, pdf, found.1));
         });
         found
@@ -340,7 +354,9 @@ impl<N: Width> Met<'_, N> {
     #[inline(always)]
     pub fn sample(&self, active: N::Mask, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
         let mut found = Sample::select(active & self.is_plain, self.paint.sample(wo, u), Sample::none(wo));
-        self.others(active, |mask, model| found = Sample::select(mask, model.sample(wo, u), found));
+        self.others(active, |mask, model| {
+            found = Sample::select(mask, model.sample(self.paint.albedo, wo, u), found);
+        });
         found
     }
 
@@ -371,7 +387,7 @@ impl<N: Width> Met<'_, N> {
 
     /// Each other model among the lanes once, and whose it is.
     #[inline(always)]
-    fn others(&self, active: N::Mask, mut use_of: impl FnMut(N::Mask, &dyn Bsdf<N>)) {
+    fn others(&self, active: N::Mask, mut use_of: impl FnMut(N::Mask, &Model<N>)) {
         let mut left = active & !self.is_plain;
         if !left.any() {
             return;
@@ -379,7 +395,7 @@ impl<N: Width> Met<'_, N> {
         while let Some(lane) = left.lanes().next() {
             let number = self.material.get(lane);
             let same = left & (self.material - N::all(number)).abs().lt(N::of(0.5));
-            use_of(same, &*self.models[self.material.place(lane)].bsdf);
+            use_of(same, &self.models[self.material.place(lane)]);
             left = left & !same;
         }
     }

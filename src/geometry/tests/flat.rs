@@ -86,6 +86,7 @@ fn quads_and_triangles_go_where_their_corners_go() {
             positions: [a, b, d].map(|v| v.map(|part| part as f32)).to_vec(),
             normals: vec![[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]],
             triangles: vec![[0, 1, 2], [2, 1, 0]],
+            ..Mesh::default()
         };
         let positions = mesh.positions.clone();
         let geometry = Geometry::Mesh { file: None, normals: Normals::Smooth, mesh: Arc::new(mesh) };

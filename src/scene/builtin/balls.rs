@@ -2,7 +2,7 @@
 
 use super::{BLACK, grey, lamp, pinhole, quad, scene, shape};
 use crate::bsdf::microfacet::{Joint, Slopes};
-use crate::scene::{Energy, Facets, Geometry, Material, Mesh, Metal, Normals, Scene, Shape};
+use crate::scene::{Energy, Environment, Facets, Geometry, Material, Mesh, Metal, Normals, Scene, Shape};
 use std::f64::consts::{PI, TAU};
 use std::sync::{Arc, OnceLock};
 
@@ -46,7 +46,7 @@ fn shown(name: &str, angle: f64, mut materials: Vec<(&str, Material)>, mut shape
         lamp(quad([-1.5, 5.0, -2.5], [3.0, 0.0, 0.0], [0.0, 0.0, 3.0]), [12.0; 3]),
     ]);
     let camera = pinhole([0.0, 2.6, -8.5], [0.0, 0.9, 0.0], angle);
-    Scene { environment: Some([0.4, 0.5, 0.6]), ..scene(name, camera, materials, shapes) }
+    Scene { environment: Some(Environment::Constant([0.4, 0.5, 0.6])), ..scene(name, camera, materials, shapes) }
 }
 
 /// Meridians and parallels of the ball: a fan about each pole, two triangles to every other field.
@@ -81,5 +81,5 @@ fn bumpy() -> Mesh {
         }
         triangles.push([at(PARALLELS - 1, meridian), at(PARALLELS - 1, meridian + 1), last]);
     }
-    Mesh { positions, normals: Vec::new(), triangles }.smoothed()
+    Mesh { positions, triangles, ..Mesh::default() }.smoothed()
 }

@@ -2,7 +2,7 @@
 
 use super::{grey, pinhole, scene, shape};
 use crate::bsdf::microfacet::{Joint, Slopes};
-use crate::scene::{Emission, Energy, Facets, Geometry, Material, Metal, Scene, Shape};
+use crate::scene::{Emission, Energy, Environment, Facets, Geometry, Material, Metal, Scene, Shape};
 
 /// What absorbs nothing: metal with ε = −1.
 fn white() -> Metal {
@@ -40,7 +40,7 @@ pub(super) fn furnace() -> Scene {
     };
     let balls = materials.iter().enumerate().map(ball).collect();
     let made = scene("furnace", pinhole([0.0, 0.0, -16.0], [0.0; 3], 36.0), materials, balls);
-    Scene { max_depth: None, environment: Some([1.0; 3]), ..made }
+    Scene { max_depth: None, environment: Some(Environment::Constant([1.0; 3])), ..made }
 }
 
 /// The inside of a sphere that sends out radiance 1 and reflects half: ∑ρᵏ = 1/(1 − ρ) = 2 from everywhere, and of paths of

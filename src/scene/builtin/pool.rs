@@ -5,7 +5,7 @@
 
 use super::{grey, pinhole, quad, scene, shape};
 use crate::media;
-use crate::scene::{Camera, Geometry, Material, Scene};
+use crate::scene::{Camera, Environment, Geometry, Material, Scene};
 
 /// How deep the pool is [m].
 const DEEP: f64 = 0.6;
@@ -49,5 +49,5 @@ pub(super) fn polariser() -> Scene {
     let away = 3.2;
     let origin = [0.0, away * (1.0 / n).atan().sin(), -away * (1.0 / n).atan().cos()];
     let camera = Camera { polariser_deg: Some(90.0), ..pinhole(origin, [0.0, 0.0, 0.1], 36.0) };
-    Scene { environment: Some([1.8, 1.9, 2.0]), ..scene("polariser", camera, materials, shapes) }
+    Scene { environment: Some(Environment::Constant([1.8, 1.9, 2.0])), ..scene("polariser", camera, materials, shapes) }
 }

@@ -9,7 +9,7 @@ use crate::bsdf::dispersive::D_LINE;
 use crate::media;
 use crate::optics::prism::{deviation, least_deviation};
 use crate::scene::triple::{minus, plus, times};
-use crate::scene::{Geometry, Material, Mesh, Normals, Scene, Triple};
+use crate::scene::{Environment, Geometry, Material, Mesh, Normals, Scene, Triple};
 use std::f64::consts::FRAC_PI_3;
 use std::sync::Arc;
 
@@ -94,7 +94,7 @@ pub(super) fn prism() -> Scene {
     let glass = Material::Dispersive { glass: GLASS.to_owned(), outside: 1.0, absorption: [0.0; 3] };
     let materials = vec![("glass", glass), ("table", grey(0.6)), ("white", grey(0.8)), ("tunnel", grey(0.05)), BLACK];
     let camera = pinhole([0.08, 0.5, 0.55], [0.08, 0.0, -0.27], 36.0);
-    Scene { environment: Some([0.04; 3]), ..scene("prism", camera, materials, shapes) }
+    Scene { environment: Some(Environment::Constant([0.04; 3])), ..scene("prism", camera, materials, shapes) }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 use super::*;
 use crate::scene::triple::{cross, dot, length, minus, normalised, plus, times, widened};
-use crate::scene::{Mesh, Metal};
+use crate::scene::{Environment, Mesh, Metal};
 
 fn made(name: &str) -> Scene {
     (named(name).unwrap().make)()
@@ -109,7 +109,7 @@ fn the_furnace_has_every_kind_of_material_and_none_absorbs() {
     let mut kinds = std::collections::HashSet::new();
     for (name, material) in &scene.materials {
         kinds.insert(std::mem::discriminant(material));
-        let absorbs = match material {
+        let absorbs = match material.base() {
             Material::Diffuse { reflectance }
             | Material::RoughDiffuse { reflectance, .. }
             | Material::Mirror { reflectance }
@@ -121,13 +121,14 @@ fn the_furnace_has_every_kind_of_material_and_none_absorbs() {
             Material::Dielectric { absorption, .. }
             | Material::Dispersive { absorption, .. }
             | Material::RoughDielectric { absorption, .. } => *absorption != [0.0; 3],
+            Material::Patterned { .. } => panic!("{name} has two patterns"),
         };
         assert!(!absorbs, "{name}");
     }
     // One more kind has to be put there: eight as of now. Glass that disperses is not, since wavelengths bring noise: that it
     // keeps all there is, is tested where paths are.
     assert_eq!(kinds.len(), 8);
-    assert_eq!((scene.environment, scene.max_depth), (Some([1.0; 3]), None));
+    assert_eq!((scene.environment, scene.max_depth), (Some(Environment::Constant([1.0; 3])), None));
     let balls = scene.shapes.iter().map(|shape| match shape.geometry {
         Geometry::Sphere { center, radius } => (center, radius),
         _ => panic!("{shape:?}"),

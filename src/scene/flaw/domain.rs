@@ -80,6 +80,12 @@ pub const APERTURE: Domain = Domain::new(0.0, FAR, "m");
 pub const FIELD_OF_VIEW: Domain = Domain::between(0.0, 180.0, "deg");
 /// A channel of radiance [W m⁻² sr⁻¹].
 pub const RADIANCE: Domain = Domain::new(0.0, BRIGHT, "W m⁻² sr⁻¹");
+/// A factor [1] of light.
+pub const FACTOR: Domain = Domain::new(0.0, BRIGHT, "");
+/// Squares of a pattern along a side [1].
+pub const SQUARES: Domain = Domain::above(0.0, 1e6, "");
+/// A place on an image [1]; beyond 0 to 1 it is repeated.
+pub const PLACE: Domain = Domain::new(-1e6, 1e6, "");
 /// A channel of intensity [W sr⁻¹].
 pub const INTENSITY: Domain = Domain::new(0.0, BRIGHT, "W sr⁻¹");
 /// A channel of irradiance [W m⁻²].

@@ -1,8 +1,8 @@
 //! The rules.
 
 use super::domain::{
-    ABSORPTION, ALPHA, APERTURE, COORDINATE, DIRECTION, FAR, FIELD_OF_VIEW, FILM, INTENSITY, IOR, IRRADIANCE, LENGTH,
-    METAL, RADIANCE, SCALE, SHARE, Shown, TURN,
+    ABSORPTION, ALPHA, APERTURE, COORDINATE, DIRECTION, Domain, FACTOR, FAR, FIELD_OF_VIEW, FILM, INTENSITY, IOR,
+    IRRADIANCE, LENGTH, METAL, PLACE, RADIANCE, SCALE, SHARE, SQUARES, Shown, TURN,
 };
 use super::{Flaw, Part};
 use crate::bsdf::dispersive::D_LINE;
@@ -10,7 +10,8 @@ use crate::media::named;
 use crate::scene::material::{films, glasses, metals};
 use crate::scene::triple::{cross, largest, length, minus, plus, widened};
 use crate::scene::{
-    Camera, Coating, Emission, Facets, Geometry, Light, Material, Mesh, Metal, Normals, Scene, Shape, Transform, Triple,
+    Camera, Coating, Emission, Environment, Facets, Geometry, Image, Light, Material, Mesh, Metal, Normals, Pattern,
+    Scene, Shape, Transform, Triple,
 };
 
 type Checked = Result<(), Flaw>;
@@ -35,9 +36,7 @@ pub(super) fn scene(scene: &Scene) -> Checked {
         return Err(Flaw::of("max_depth", "0 is out of range; valid: at least 1, which shows emitters alone"));
     }
     camera(&scene.camera).map_err(|flaw| flaw.within("camera"))?;
-    if let Some(radiance) = scene.environment {
-        RADIANCE.holds_all("radiance", radiance).map_err(|flaw| flaw.within("environment"))?;
-    }
+    scene.environment.as_ref().map_or(Ok(()), environment).map_err(|flaw| flaw.within("environment"))?;
     for (at, (name, of)) in scene.materials.iter().enumerate() {
         let within = |flaw: Flaw| flaw.within(name.as_str()).within("materials");
         if scene.materials[..at].iter().any(|(earlier, _)| earlier == name) {
@@ -53,6 +52,30 @@ pub(super) fn scene(scene: &Scene) -> Checked {
 fn every<T>(key: &str, list: &[T], rule: impl Fn(&T) -> Checked) -> Checked {
     let mut each = list.iter().enumerate();
     each.try_for_each(|(at, one)| rule(one).map_err(|flaw| flaw.within(at).within(key)))
+}
+
+fn environment(environment: &Environment) -> Checked {
+    let sky = match environment {
+        Environment::Constant(radiance) => return RADIANCE.holds_all("radiance", *radiance),
+        Environment::Image(sky) => sky,
+    };
+    FACTOR.holds("scale", sky.scale)?;
+    TURN.holds("rotate_deg", sky.rotate_deg)?;
+    texels(&sky.image, sky.scale, &RADIANCE).map_err(|why| Flaw::of("image", why))
+}
+
+/// Holds an image's texels, times a factor, to a domain.
+fn texels(image: &Image, factor: f64, domain: &Domain) -> Result<(), String> {
+    let [width, height] = image.size();
+    if image.texels().len() as u64 > Image::MOST {
+        let most = Image::MOST;
+        return Err(format!("has {width} × {height} texels; valid: width × height up to {most}"));
+    }
+    let wrong = |texel: &[f32; 3]| texel.iter().any(|part| domain.holds("", f64::from(*part) * factor).is_err());
+    let Some(at) = image.texels().iter().position(wrong) else { return Ok(()) };
+    let [red, green, blue] = image.texels()[at].map(|part| Shown(f64::from(part) * factor));
+    let (column, row) = (at % width as usize, at / width as usize);
+    Err(format!("its texel in column {column} of row {row}, from 0, is [{red}, {green}, {blue}]; valid: {domain}"))
 }
 
 fn camera(camera: &Camera) -> Checked {
@@ -141,6 +164,26 @@ fn material(material: &Material) -> Checked {
             SHARE.holds_all("reflectance", *reflectance)?;
             alpha.map_or(Ok(()), |alpha| ALPHA.holds("alpha", alpha))
         }
+        Material::Patterned { of, pattern: drawn } => {
+            if !matches!(**of, Material::Diffuse { .. } | Material::RoughDiffuse { .. } | Material::Plastic { .. }) {
+                return Err(Flaw::of(
+                    "reflectance",
+                    "a pattern is drawn on what is diffuse, rough and diffuse, or plastic",
+                ));
+            }
+            pattern(drawn).map_err(|flaw| flaw.within("reflectance"))?;
+            self::material(of)
+        }
+    }
+}
+
+fn pattern(pattern: &Pattern) -> Checked {
+    match pattern {
+        Pattern::Image { file: _, image } => texels(image, 1.0, &SHARE).map_err(|why| Flaw::of("image", why)),
+        Pattern::Checker { colours, scale } => {
+            (0..2).try_for_each(|at| SHARE.holds_all(at, colours[at])).map_err(|flaw| flaw.within("checker"))?;
+            SQUARES.holds("scale", *scale)
+        }
     }
 }
 
@@ -195,6 +238,14 @@ fn shape(shape: &Shape, scene: &Scene) -> Checked {
     if scene.material(material).is_none() {
         let names = scene.materials.iter().map(|(name, _)| name.clone());
         return Err(Flaw::unknown("material", "no such material in the scene", material, names));
+    }
+    if let Geometry::Mesh { mesh, .. } = form
+        && mesh.texture.is_empty()
+        && scene.material(material).is_some_and(|material| material.pattern().is_some())
+    {
+        let why =
+            format!("`{material}` has a pattern, and no corner of the mesh a place on it; valid: texture coordinates");
+        return Err(Flaw::of("material", why));
     }
     match emission {
         Some(Emission { radiance, two_sided: _ }) => RADIANCE.holds_all("emission", *radiance),
@@ -272,7 +323,7 @@ fn round(center: Triple, radius: f64) -> Checked {
 }
 
 fn mesh(mesh: &Mesh, normals: Normals) -> Checked {
-    let Mesh { positions, normals: directions, triangles } = mesh;
+    let Mesh { positions, normals: directions, texture, triangles } = mesh;
     every("positions", positions, |position| {
         (0..3).try_for_each(|axis| COORDINATE.holds(axis, f64::from(position[axis])))
     })?;
@@ -280,6 +331,11 @@ fn mesh(mesh: &Mesh, normals: Normals) -> Checked {
         let why = format!("{} for {} corners; valid: one each, or none", directions.len(), positions.len());
         return Err(Flaw::of("normals", why));
     }
+    if !texture.is_empty() && texture.len() != positions.len() {
+        let why = format!("{} for {} corners; valid: one each, or none", texture.len(), positions.len());
+        return Err(Flaw::of("texture", why));
+    }
+    every("texture", texture, |place| (0..2).try_for_each(|axis| PLACE.holds(axis, f64::from(place[axis]))))?;
     let is_smooth = normals == Normals::Smooth;
     if is_smooth && directions.is_empty() {
         return Err(Flaw::of("normals", "none, and yet smooth; valid: one a corner"));

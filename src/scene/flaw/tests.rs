@@ -16,6 +16,7 @@ fn whole() -> Scene {
         positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
         normals: vec![[0.0, 0.0, 1.0]; 3],
         triangles: vec![[0, 1, 2]],
+        ..Mesh::default()
     };
     let of = |geometry| Shape {
         geometry,
@@ -85,7 +86,11 @@ fn every_slip_is_found_where_it_is_with_what_would_be_valid() {
         (|s| s.camera.height = u32::MAX, "camera.height", "256 × 4294967295 pixels take 49152.0 GiB of memory"),
         (|s| s.camera.aperture = -1.0, "camera.aperture", "valid: 0 to 1e12 m"),
         (|s| s.camera.focus = Some(0.0), "camera.focus", "valid: above 0"),
-        (|s| s.environment = Some([1.0, 1.0, -1.0]), "environment.radiance[2]", "valid: 0 to 1e15 W m⁻² sr⁻¹"),
+        (
+            |s| s.environment = Some(Environment::Constant([1.0, 1.0, -1.0])),
+            "environment.radiance[2]",
+            "valid: 0 to 1e15 W m⁻² sr⁻¹",
+        ),
         (|s| s.materials.push(s.materials[0].clone()), "materials.gold", "two of that name"),
         (
             |s| put!(s.materials["diffuse"]: Material::Diffuse { reflectance } => reflectance[1] = 1.5),

@@ -186,7 +186,8 @@ impl Caches {
         let mut pdf = f64::INFINITY;
         for edge in 1..=depth {
             let Some(vertex) = stage.meet(&ray) else {
-                return gathered(light, carries, stage.sky());
+                let weight = balance(pdf, stage.density_to_sky(&ray));
+                return gathered(light, carries, stage.sky(&ray).map(|sky| sky * weight));
             };
             carries = carried(carries, vertex.clarity);
             let weight = balance(pdf, stage.density_to(&ray, &vertex, true));
@@ -250,7 +251,8 @@ fn matt<'a>(stage: &'a Stage<f64>, mut ray: Ray<f64>, numbers: &mut Numbers<'_>,
 /// that it meets sends by itself.
 fn found(stage: &Stage<f64>, ray: Ray<f64>, numbers: &mut Numbers<'_>, edges: u32) -> Seen {
     let Some(vertex) = stage.meet(&ray) else {
-        return Seen { radiance: stage.sky(), distance: f64::INFINITY };
+        let radiance = if stage.has_panorama() { [0.0; 3] } else { stage.sky(&ray) };
+        return Seen { radiance, distance: f64::INFINITY };
     };
     let own = carried(vertex.clarity, vertex.emitted());
     let all = both::radiance(stage, ray, numbers, edges);

@@ -19,7 +19,8 @@ pub fn radiance(stage: &Stage<f64>, mut ray: Ray<f64>, numbers: &mut Numbers<'_>
     let mut squeeze = 1.0;
     for edge in 1..=depth {
         let Some(vertex) = stage.meet(&ray) else {
-            return gathered(light, carries, stage.sky());
+            let weight = balance(pdf, stage.density_to_sky(&ray));
+            return gathered(light, carries, stage.sky(&ray).map(|sky| sky * weight));
         };
         carries = carried(carries, vertex.clarity);
         // How densely rays to this lamp would have come here, against the density of the one that did.

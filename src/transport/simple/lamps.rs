@@ -13,7 +13,9 @@ pub fn radiance(stage: &Stage<f64>, mut ray: Ray<f64>, numbers: &mut Numbers<'_>
     let mut counts = true;
     for edge in 1..=depth {
         let Some(vertex) = stage.meet(&ray) else {
-            return gathered(light, carries, stage.sky());
+            // A sky to which rays are sent has been counted by them, too.
+            let counts = counts || stage.density_to_sky(&ray) == 0.0;
+            return if counts { gathered(light, carries, stage.sky(&ray)) } else { light };
         };
         carries = carried(carries, vertex.clarity);
         if counts {

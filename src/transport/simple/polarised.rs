@@ -106,7 +106,8 @@ pub fn radiance(stage: &Stage<f64>, mut ray: Ray<f64>, numbers: &mut Numbers<'_>
     let (mut pdf, mut squeeze) = (f64::INFINITY, 1.0);
     for edge in 1..=depth {
         let Some(vertex) = stage.meet(&ray) else {
-            return gathered(light, asked.of_natural(), stage.sky());
+            let weight = balance(pdf, stage.density_to_sky(&ray));
+            return gathered(light, asked.of_natural(), stage.sky(&ray).map(|sky| sky * weight));
         };
         asked.rows = rgb(|c| asked.rows[c].map(|part| part * vertex.clarity[c]));
         let weight = balance(pdf, stage.density_to(&ray, &vertex, true));

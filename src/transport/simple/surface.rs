@@ -11,7 +11,7 @@ pub fn radiance(stage: &Stage<f64>, mut ray: Ray<f64>, numbers: &mut Numbers<'_>
     let (mut light, mut carries) = ([0.0; 3], [1.0; 3]);
     for edge in 1..=depth {
         let Some(vertex) = stage.meet(&ray) else {
-            return gathered(light, carries, stage.sky());
+            return gathered(light, carries, stage.sky(&ray));
         };
         carries = carried(carries, vertex.clarity);
         light = gathered(light, carries, vertex.emitted());

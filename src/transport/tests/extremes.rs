@@ -10,7 +10,7 @@ use yardstick::statistics::t_test;
 fn world(origin: [f64; 3], target: [f64; 3], material: Material, shapes: Vec<Geometry>) -> Scene {
     let shapes = shapes.into_iter().map(|geometry| shape(geometry, "body")).collect();
     let made = scene(looking(origin, target, 50.0, 12), 1, vec![("body".into(), material)], shapes);
-    Scene { environment: Some([1.0; 3]), max_depth: None, ..made }
+    Scene { environment: Some(Environment::Constant([1.0; 3])), max_depth: None, ..made }
 }
 
 fn white() -> Material {
@@ -38,7 +38,7 @@ fn needles() -> Geometry {
         }
     }
     let triangles = (0..count).map(|k| [0, 2 * k + 1, 2 * k + 2]).collect();
-    let mesh = Mesh { positions, normals: Vec::new(), triangles };
+    let mesh = Mesh { positions, triangles, ..Mesh::default() };
     Geometry::Mesh { file: None, normals: Normals::Flat, mesh: Arc::new(mesh) }
 }
 

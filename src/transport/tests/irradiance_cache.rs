@@ -200,7 +200,7 @@ fn a_sky_is_gathered_by_records() {
     // A floor under a sky of radiance 1: ρ, from the first pair on.
     let floor = shape(quad([[-4.0, -4.0, 0.0], [4.0, -4.0, 0.0], [4.0, 4.0, 0.0], [-4.0, 4.0, 0.0]]), "grey");
     let mut world = scene(looking([0.0, 0.0, 1.0], [0.0; 3], 40.0, 6), 2, vec![diffuse("grey", [0.5; 3])], vec![floor]);
-    world.environment = Some([1.0; 3]);
+    world.environment = Some(Environment::Constant([1.0; 3]));
     for halves in filmed(&world, &cached(3), &[0..1]).halves() {
         assert!(halves.iter().flatten().all(|x| (x - 0.5).abs() < 1e-6), "{halves:?}");
     }

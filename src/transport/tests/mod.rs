@@ -10,7 +10,9 @@ use crate::geometry::Structure;
 use crate::number::{F32x8, Width};
 use crate::radiometry::{self, disc::Disc, polygon, sphere::Sphere};
 use crate::sampling::{Choice, Points};
-use crate::scene::{Camera, Coating, Emission, Filter, Geometry, Light, Material, Scene, Shape, Transform};
+use crate::scene::{
+    Camera, Coating, Emission, Environment, Filter, Geometry, Light, Material, Scene, Shape, Transform,
+};
 use yardstick::statistics::{Moments, normal_two_sided, sidak, t_test, z_test};
 
 mod balance;
@@ -19,6 +21,8 @@ mod extremes;
 mod features;
 mod irradiance_cache;
 mod looks;
+mod panorama;
+mod patterns;
 mod photons;
 mod pilot;
 mod polarised;
@@ -303,7 +307,7 @@ fn samples_do_not_depend_on_how_many_are_expected() {
 #[test]
 fn what_is_left_out_is_not_missed() {
     let mut foggy = room(8);
-    foggy.environment = Some([0.3, 0.2, 0.1]);
+    foggy.environment = Some(Environment::Constant([0.3, 0.2, 0.1]));
     for (name, scene) in [("room", room(8)), ("hall", hall(8)), ("under a sky", foggy)] {
         let least = filmed(&scene, &Manner::default(), &[0..16]);
         let with = |needless| filmed(&scene, &Manner { needless, ..Manner::default() }, &[0..16]);
@@ -497,7 +501,7 @@ fn white_bodies_in_a_white_world_cannot_be_seen() {
         let ball = shape(Geometry::Sphere { center: [0.0, 0.0, 3.0], radius: 1.0 }, "body");
         let camera = looking([0.0; 3], [0.0, 0.0, 1.0], 40.0, 8);
         let mut world = scene(camera, 64, vec![("body".into(), body)], vec![ball]);
-        world.environment = Some([1.0; 3]);
+        world.environment = Some(Environment::Constant([1.0; 3]));
         let found = green(&fast::<F32x8>(&world, &Tactics::default(), 64, 7));
         let off = (found.mean() - 1.0).abs();
         assert!(off < limit + 4.0 * found.standard_error(), "{name}: {} ± {}", found.mean(), found.standard_error());
@@ -511,7 +515,7 @@ fn absorption_is_that_of_the_way_through() {
     let ball = shape(Geometry::Sphere { center: [0.0, 0.0, 3.0], radius: 0.7 }, "glass");
     let camera = looking([0.0; 3], [0.0, 0.0, 1.0], 1e-3, 1);
     let mut world = scene(camera, 8, vec![("glass".into(), glass)], vec![ball]);
-    world.environment = Some([1.0; 3]);
+    world.environment = Some(Environment::Constant([1.0; 3]));
     let [[half, _]] = fast::<F32x8>(&world, &Tactics::default(), 8, 0)[..] else { panic!("one pixel") };
     for (seen, a) in half.into_iter().zip([0.2_f64, 0.5, 1.0]) {
         assert!((f64::from(seen) - (-1.4 * a).exp()).abs() < 1e-5, "{seen}");

@@ -180,7 +180,7 @@ fn a_body_that_disperses_cannot_be_seen_in_a_white_world() {
         let ball = shape(Geometry::Sphere { center: [0.0, 0.0, 3.0], radius: 1.0 }, "body");
         let camera = looking([0.0; 3], [0.0, 0.0, 1.0], 40.0, 8);
         let mut world = scene(camera, 256, vec![("body".into(), body)], vec![ball]);
-        world.environment = Some([1.0; 3]);
+        world.environment = Some(Environment::Constant([1.0; 3]));
         for c in 0..3 {
             let mut found = Moments::default();
             (0..16).for_each(|seed| found.add(channel(&fast::<F32x8>(&world, &Tactics::default(), 64, seed), c)));

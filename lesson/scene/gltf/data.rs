@@ -1,0 +1,246 @@
+//! The bytes of a glTF file, and the numbers in them. Nothing is believed before it is there: what an accessor promises is held
+//! against its buffer, so that no more memory is taken than the file's own size asks for.
+
+use super::super::meshes::{Files, LARGEST};
+use gltf::accessor::{DataType, Dimensions};
+use gltf::{Accessor, Document, buffer};
+use std::path::Path;
+
+/// What every `.glb` begins with.
+const MAGIC: [u8; 4] = *b"glTF";
+
+/// The two kinds of pieces that it has.
+const JSON: u32 = u32::from_le_bytes(*b"JSON");
+const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
+
+/// The text of a file, and the bytes that come with it.
+pub fn pieces(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), String> {
+    let Some(rest) = bytes.strip_prefix(&MAGIC) else { return Ok((bytes, None)) };
+    let (head, mut rest) = rest.split_first_chunk::<8>().ok_or("ends within its header")?;
+    let number = |bytes: &[u8]| bytes.iter().rev().fold(0_u32, |sum, byte| sum << 8 | u32::from(*byte));
+    let (version, length) = (number(&head[..4]), number(&head[4..]));
+    if version != 2 {
+        return Err(format!("is of version {version}; valid: 2"));
+    }
+    if length as usize != bytes.len() {
+        return Err(format!("says that it has {length} bytes, and has {}", bytes.len()));
+    }
+    let (mut text, mut data) = (None, None);
+    while !rest.is_empty() {
+        let (head, after) = rest.split_first_chunk::<8>().ok_or("ends within a piece's header")?;
+        let (size, kind) = (number(&head[..4]) as usize, number(&head[4..]));
+        if size > after.len() {
+            return Err(format!("has a piece of {size} bytes, and {} are left", after.len()));
+        }
+        let (piece, left) = after.split_at(size);
+        match kind {
+            JSON if text.is_none() => text = Some(piece),
+            BIN if data.is_none() && text.is_some() => data = Some(piece),
+            // Others are for others.
+            _ => {}
+        }
+        rest = left;
+    }
+    Ok((text.ok_or("has no piece with its text")?, data))
+}
+
+/// What a URI stands for.
+pub fn fetched(uri: &str, folder: &Path, files: Files) -> Result<Vec<u8>, String> {
+    if let Some(data) = uri.strip_prefix("data:") {
+        let (_, text) = data.split_once(";base64,").ok_or("is a data URI without ;base64,")?;
+        return base64(text);
+    }
+    if uri.contains("://") {
+        return Err(format!("`{}` is not beside the file; valid: a file's name", chapters::parameter::excerpt(uri)));
+    }
+    let name = unescaped(uri);
+    files(&folder.join(&name)).map_err(|why| format!("{} {why}", chapters::parameter::excerpt(&name)))
+}
+
+/// Text with its %20 and the like as they are meant.
+fn unescaped(uri: &str) -> String {
+    let bytes = uri.as_bytes();
+    let mut out = Vec::with_capacity(bytes.len());
+    let mut at = 0;
+    while at < bytes.len() {
+        let escaped = bytes.get(at + 1..at + 3).and_then(|two| std::str::from_utf8(two).ok());
+        match escaped.filter(|_| bytes[at] == b'%').and_then(|two| u8::from_str_radix(two, 16).ok()) {
+            Some(byte) => {
+                out.push(byte);
+                at += 3;
+            }
+            None => {
+                out.push(bytes[at]);
+                at += 1;
+            }
+        }
+    }
+    String::from_utf8(out).unwrap_or_else(|_| uri.to_owned())
+}
+
+/// RFC 4648, with or without its padding.
+fn base64(text: &str) -> Result<Vec<u8>, String> {
+    let text = text.trim_end_matches('=');
+    let mut out = Vec::with_capacity(text.len() / 4 * 3 + 2);
+    let (mut held, mut bits) = (0_u32, 0);
+    for (at, sign) in text.bytes().enumerate() {
+        let value = match sign {
+            b'A'..=b'Z' => sign - b'A',
+            b'a'..=b'z' => sign - b'a' + 26,
+            b'0'..=b'9' => sign - b'0' + 52,
+            b'+' | b'-' => 62,
+            b'/' | b'_' => 63,
+            _ => return Err(format!("is a data URI whose sign {at} is none of base64")),
+        };
+        held = held << 6 | u32::from(value);
+        bits += 6;
+        if bits >= 8 {
+            bits -= 8;
+            out.push((held >> bits) as u8);
+            held &= (1 << bits) - 1;
+        }
+    }
+    // One sign alone is no byte.
+    if text.len() % 4 == 1 { Err("is a data URI that is cut off".into()) } else { Ok(out) }
+}
+
+/// The buffers of a document.
+pub struct Data(Vec<Vec<u8>>);
+
+impl Data {
+    pub fn open(document: &Document, own: Option<&[u8]>, folder: &Path, files: Files) -> Result<Self, String> {
+        let one = |buffer: buffer::Buffer| {
+            let place = format!("buffers[{}]", buffer.index());
+            let bytes = match buffer.source() {
+                buffer::Source::Bin => own.map(<[u8]>::to_vec).ok_or("is in the file, which has none")?,
+                buffer::Source::Uri(uri) => fetched(uri, folder, files).map_err(|why| format!("{place}: {why}"))?,
+            };
+            match bytes.len() >= buffer.length() {
+                true => Ok(bytes),
+                false => Err(format!("{place}: has {} bytes, and promises {}", bytes.len(), buffer.length())),
+            }
+        };
+        let (mut all, mut size) = (Vec::new(), 0);
+        for buffer in document.buffers() {
+            let bytes = one(buffer)?;
+            // A file can name another, or itself, many times.
+            size += bytes.len() as u64;
+            if size > LARGEST {
+                return Err(format!("its buffers are larger than {} MiB, the most that is read", LARGEST >> 20));
+            }
+            all.push(bytes);
+        }
+        Ok(Self(all))
+    }
+
+    /// The bytes of a view.
+    pub fn view(&self, view: &buffer::View) -> Result<&[u8], String> {
+        let bytes = &self.0[view.buffer().index()];
+        let end = view.offset().checked_add(view.length()).filter(|end| *end <= bytes.len());
+        let end =
+            end.ok_or_else(|| format!("bufferViews[{}]: is beyond its buffer's {} bytes", view.index(), bytes.len()))?;
+        Ok(&bytes[view.offset()..end])
+    }
+
+    /// The numbers of an accessor, so many a row, each by its kind.
+    fn rows<'d>(
+        &'d self,
+        accessor: &Accessor,
+        parts: usize,
+    ) -> Result<impl Iterator<Item = &'d [u8]> + use<'d>, String> {
+        let place = format!("accessors[{}]", accessor.index());
+        if accessor.sparse().is_some() {
+            return Err(format!("{place}: is sparse, which cannot be read"));
+        }
+        let view = accessor.view().ok_or_else(|| format!("{place}: has no bufferView"))?;
+        let bytes = self.view(&view)?;
+        let size = parts * width(accessor.data_type());
+        let stride = view.stride().unwrap_or(size);
+        if stride < size {
+            return Err(format!("{place}: rows of {size} bytes, {stride} apart"));
+        }
+        let needed = accessor.count().checked_sub(1).and_then(|last| {
+            last.checked_mul(stride)?
+                .checked_add(size)?
+                .checked_add(accessor.offset())
+                .filter(|end| *end <= bytes.len())
+        });
+        if needed.is_none() {
+            let count = accessor.count();
+            return Err(format!(
+                "{place}: {count} rows of {size} bytes from byte {} on are not in its view's {} bytes",
+                accessor.offset(),
+                bytes.len()
+            ));
+        }
+        let start = accessor.offset();
+        Ok((0..accessor.count()).map(move |row| &bytes[start + row * stride..start + row * stride + size]))
+    }
+
+    /// Rows of single numbers; whole ones stand for shares if the accessor says so.
+    pub fn numbers<const K: usize>(
+        &self,
+        accessor: &Accessor,
+        dimensions: Dimensions,
+    ) -> Result<Vec<[f32; K]>, String> {
+        let place = format!("accessors[{}]", accessor.index());
+        let kind = accessor.data_type();
+        let is_share = accessor.normalized() && matches!(kind, DataType::U8 | DataType::U16);
+        if accessor.dimensions() != dimensions || !(kind == DataType::F32 || is_share) {
+            let found = (accessor.dimensions(), kind);
+            return Err(format!("{place}: is {found:?}; valid: ({dimensions:?}, F32)"));
+        }
+        let row = |bytes: &[u8]| -> [f32; K] {
+            std::array::from_fn(|at| match kind {
+                DataType::U8 => f32::from(bytes[at]) / 255.0,
+                DataType::U16 => f32::from(u16::from_le_bytes([bytes[2 * at], bytes[2 * at + 1]])) / 65535.0,
+                _ => f32::from_le_bytes([0, 1, 2, 3].map(|byte| bytes[4 * at + byte])),
+            })
+        };
+        let rows: Vec<[f32; K]> = self.rows(accessor, K)?.map(row).collect();
+        match rows.iter().flatten().all(|number| number.is_finite()) {
+            true => Ok(rows),
+            false => Err(format!("{place}: has what is no finite number")),
+        }
+    }
+
+    /// Whole numbers of any kind.
+    pub fn indices(&self, accessor: &Accessor) -> Result<Vec<u32>, String> {
+        let kind = accessor.data_type();
+        if accessor.dimensions() != Dimensions::Scalar || !matches!(kind, DataType::U8 | DataType::U16 | DataType::U32)
+        {
+            let found = (accessor.dimensions(), kind);
+            return Err(format!("accessors[{}]: is {found:?}; valid: whole numbers from 0", accessor.index()));
+        }
+        let number = |bytes: &[u8]| bytes.iter().rev().fold(0, |sum, byte| sum << 8 | u32::from(*byte));
+        Ok(self.rows(accessor, 1)?.map(number).collect())
+    }
+}
+
+fn width(kind: DataType) -> usize {
+    match kind {
+        DataType::I8 | DataType::U8 => 1,
+        DataType::I16 | DataType::U16 => 2,
+        DataType::U32 | DataType::F32 => 4,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_are_written_as_text_and_read_again() {
+        // RFC 4648, §10.
+        for (text, bytes) in
+            [("", ""), ("Zg==", "f"), ("Zm8=", "fo"), ("Zm9v", "foo"), ("Zm9vYg", "foob"), ("Zm9vYmFy", "foobar")]
+        {
+            assert_eq!(base64(text).unwrap(), bytes.as_bytes());
+        }
+        assert_eq!(base64("-_").unwrap(), base64("+/").unwrap());
+        for text in ["Z", "Zm9vY", "Zm 9", "Zg==x", "é"] {
+            assert!(base64(text).is_err(), "{text}");
+        }
+        assert_eq!([unescaped("a%20b.bin"), unescaped("100%"), unescaped("%zz%2")], ["a b.bin", "100%", "%zz%2"]);
+    }
+}

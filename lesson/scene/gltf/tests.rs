@@ -1,0 +1,447 @@
+use super::*;
+use light::scene::{Emission, Metal};
+use light::transport::film::Halves;
+use light::transport::{Manner, Renderer};
+use proptest::prelude::*;
+use serde_json::{Value, json};
+use yardstick::statistics::normal_two_sided;
+
+/// A `.glb` of a text and bytes.
+fn glb(text: &Value, data: &[u8]) -> Vec<u8> {
+    let padded = |bytes: &[u8], with: u8| {
+        let mut bytes = bytes.to_vec();
+        bytes.resize(bytes.len().next_multiple_of(4), with);
+        bytes
+    };
+    let (text, data) = (padded(text.to_string().as_bytes(), b' '), padded(data, 0));
+    let length = 12 + 8 + text.len() + 8 + data.len();
+    let mut out = b"glTF".to_vec();
+    for number in [2, length as u32, text.len() as u32, JSON] {
+        out.extend(number.to_le_bytes());
+    }
+    out.extend(&text);
+    for number in [data.len() as u32, BIN] {
+        out.extend(number.to_le_bytes());
+    }
+    out.extend(&data);
+    out
+}
+
+const JSON: u32 = 0x4E4F_534A;
+const BIN: u32 = 0x004E_4942;
+
+/// A document that grows, and its bytes.
+struct Model {
+    text: Value,
+    data: Vec<u8>,
+}
+
+impl Model {
+    fn new() -> Self {
+        let text = json!({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": []}], "nodes": [], "meshes": [],
+            "materials": [], "accessors": [], "bufferViews": [], "buffers": [{"byteLength": 0}]});
+        Self { text, data: Vec::new() }
+    }
+
+    fn push(&mut self, list: &str, item: Value) -> usize {
+        let list = self.text[list].as_array_mut().expect("a list");
+        list.push(item);
+        list.len() - 1
+    }
+
+    /// An accessor of its own view.
+    fn accessor(&mut self, bytes: &[u8], component: u32, kind: &str, count: usize) -> usize {
+        self.data.resize(self.data.len().next_multiple_of(4), 0);
+        let view = json!({"buffer": 0, "byteOffset": self.data.len(), "byteLength": bytes.len()});
+        self.data.extend(bytes);
+        let view = self.push("bufferViews", view);
+        let mut accessor = json!({"bufferView": view, "componentType": component, "count": count, "type": kind});
+        if kind == "VEC3" {
+            // What a POSITION must say of itself.
+            accessor["min"] = json!([-9, -9, -9]);
+            accessor["max"] = json!([9, 9, 9]);
+        }
+        self.push("accessors", accessor)
+    }
+
+    fn floats<const K: usize>(&mut self, rows: &[[f32; K]]) -> usize {
+        let bytes: Vec<u8> = rows.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
+        self.accessor(&bytes, 5126, if K == 2 { "VEC2" } else { "VEC3" }, rows.len())
+    }
+
+    /// A mesh of one primitive.
+    fn mesh(&mut self, positions: &[[f32; 3]], more: Value) -> usize {
+        let mut primitive = json!({"attributes": {"POSITION": self.floats(positions)}});
+        for (key, value) in more.as_object().expect("a table") {
+            primitive[key] = value.clone();
+        }
+        self.push("meshes", json!({"primitives": [primitive]}))
+    }
+
+    /// A node at the top.
+    fn node(&mut self, node: Value) -> usize {
+        let at = self.push("nodes", node);
+        self.text["scenes"][0]["nodes"].as_array_mut().expect("a list").push(json!(at));
+        at
+    }
+
+    fn bytes(&self) -> Vec<u8> {
+        let mut text = self.text.clone();
+        text["buffers"][0]["byteLength"] = json!(self.data.len());
+        glb(&text, &self.data)
+    }
+
+    fn read(&self) -> Result<(Scene, Vec<String>), String> {
+        read(&self.bytes())
+    }
+}
+
+fn none(file: &Path) -> Result<Vec<u8>, String> {
+    Err(format!("is not there: {}", file.display()))
+}
+
+fn read(bytes: &[u8]) -> Result<(Scene, Vec<String>), String> {
+    let (scene, notes) = scene("model", Path::new("model.glb"), bytes, &none)?;
+    match scene.flaw() {
+        None => Ok((scene, notes)),
+        Some(flaw) => Err(flaw.to_string()),
+    }
+}
+
+const TRIANGLE: [[f32; 3]; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+
+fn triangle() -> Model {
+    let mut model = Model::new();
+    let mesh = model.mesh(&TRIANGLE, json!({}));
+    model.node(json!({"mesh": mesh}));
+    model
+}
+
+fn mesh_of(scene: &Scene, at: usize) -> &Mesh {
+    match &scene.shapes[at].geometry {
+        Geometry::Mesh { mesh, .. } => mesh,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// A room of six walls and a lamp: its quads, and what they are made of.
+fn walls() -> Vec<([[f64; 3]; 4], &'static str)> {
+    let corner = |x: f64, y: f64, z: f64| [x, y, z];
+    vec![
+        ([corner(0.0, 0.0, 0.0), corner(0.0, 0.0, 1.0), corner(1.0, 0.0, 1.0), corner(1.0, 0.0, 0.0)], "white"),
+        ([corner(0.0, 1.0, 0.0), corner(1.0, 1.0, 0.0), corner(1.0, 1.0, 1.0), corner(0.0, 1.0, 1.0)], "white"),
+        ([corner(0.0, 0.0, 0.0), corner(0.0, 1.0, 0.0), corner(0.0, 1.0, 1.0), corner(0.0, 0.0, 1.0)], "red"),
+        ([corner(1.0, 0.0, 0.0), corner(1.0, 0.0, 1.0), corner(1.0, 1.0, 1.0), corner(1.0, 1.0, 0.0)], "coat"),
+        ([corner(0.0, 0.0, 0.0), corner(1.0, 0.0, 0.0), corner(1.0, 1.0, 0.0), corner(0.0, 1.0, 0.0)], "white"),
+        ([corner(0.3, 0.99, 0.3), corner(0.7, 0.99, 0.3), corner(0.7, 0.99, 0.7), corner(0.3, 0.99, 0.7)], "lamp"),
+    ]
+}
+
+#[test]
+fn a_room_is_the_same_picture_as_that_of_a_toml_file() {
+    let mut model = Model::new();
+    let matt = |colour: [f64; 4]| {
+        json!({"pbrMetallicRoughness": {"baseColorFactor": colour, "metallicFactor": 0},
+            "extensions": {"KHR_materials_specular": {"specularFactor": 0}}})
+    };
+    let mut materials = HashMap::new();
+    let mut named = |model: &mut Model, name: &'static str, mut made: Value| {
+        made["name"] = json!(name);
+        materials.insert(name, model.push("materials", made));
+    };
+    named(&mut model, "white", matt([0.7, 0.7, 0.7, 1.0]));
+    named(&mut model, "red", matt([0.6, 0.1, 0.1, 1.0]));
+    let coat = json!({"baseColorFactor": [0.2, 0.4, 0.6, 1.0], "metallicFactor": 0, "roughnessFactor": 0.5});
+    named(&mut model, "coat", json!({"pbrMetallicRoughness": coat}));
+    let mut lamp = matt([0.0, 0.0, 0.0, 1.0]);
+    lamp["emissiveFactor"] = json!([1.0, 0.75, 0.5]);
+    lamp["extensions"]["KHR_materials_emissive_strength"] = json!({"emissiveStrength": 8});
+    named(&mut model, "lamp", lamp);
+    // Every wall is a mesh of its own, at half its size in a node that doubles it, below one that moves all.
+    let mut children = Vec::new();
+    for (corners, material) in walls() {
+        let positions = corners.map(|corner| corner.map(|x| (x / 2.0) as f32));
+        let indices = model.accessor(&[0, 1, 2, 0, 2, 3], 5121, "SCALAR", 6);
+        let mesh = model.mesh(&positions, json!({"indices": indices, "material": materials[material]}));
+        children.push(model.push("nodes", json!({"mesh": mesh, "scale": [2, 2, 2]})));
+    }
+    model.push("nodes", json!({}));
+    let cameras = json!([{"type": "perspective", "perspective": {"yfov": 0.8, "aspectRatio": 1, "znear": 0.1}}]);
+    model.text["cameras"] = cameras;
+    let eye = model.push("nodes", json!({"camera": 0, "translation": [0.5, 0.5, 2.2]}));
+    children.push(eye);
+    model.node(json!({"children": children, "translation": [3, -2, 1]}));
+    let (mut of_model, notes) = model.read().unwrap();
+    assert!(notes.is_empty(), "{notes:?}");
+    (of_model.camera.width, of_model.camera.height, of_model.max_depth) = (12, 12, Some(5));
+
+    let mut text = "max_depth = 5\n[camera]\norigin = [3.5, -1.5, 3.2]\ntarget = [3.5, -1.5, 0]\nfov_y_deg = 45.8366236\nwidth = 12\nheight = 12\n".to_owned();
+    for (name, colour) in [("white", "[0.7, 0.7, 0.7]"), ("red", "[0.6, 0.1, 0.1]"), ("lamp", "[0, 0, 0]")] {
+        text += &format!("[materials.{name}]\ntype = \"diffuse\"\nreflectance = {colour}\n");
+    }
+    text += "[materials.coat]\ntype = \"plastic\"\nior = 1.5\nreflectance = [0.2, 0.4, 0.6]\nalpha = 0.25\n";
+    for (corners, material) in walls() {
+        text += &format!("[[shapes]]\ntype = \"quad\"\nvertices = {corners:?}\nmaterial = \"{material}\"\n");
+        text += "transform = { translate = [3, -2, 1] }\n";
+        text += if material == "lamp" { "emission = [8, 6, 4]\n" } else { "" };
+    }
+    let of_toml = super::super::tests::from_toml(&text, &none).unwrap();
+    let rendered = |scene: &Scene, seed| -> Vec<Halves> {
+        let manner = Manner { seed, ..Manner::default() };
+        let pairs = 48;
+        let renderer = Renderer::new(scene, &manner, pairs).expect("a scene without a flaw");
+        let sums = renderer.sums(0..12, 0..pairs);
+        sums.iter().map(|halves| halves.map(|half| half.map(|sum| sum / pairs as f32))).collect()
+    };
+    // Both halves of a pixel have the same mean: their difference is error. Channel by channel.
+    let apart = |one: &[Halves], other: &[Halves], channel: usize| {
+        let (mut difference, mut variance) = (0.0, 0.0);
+        for (a, b) in one.iter().zip(other) {
+            let mean = |halves: &Halves| f64::from(halves[0][channel] + halves[1][channel]) / 2.0;
+            let error = |halves: &Halves| f64::from(halves[0][channel] - halves[1][channel]).powi(2) / 4.0;
+            difference += mean(a) - mean(b);
+            variance += error(a) + error(b);
+        }
+        normal_two_sided(difference / variance.sqrt())
+    };
+    let (one, other) = (rendered(&of_model, 1), rendered(&of_toml, 2));
+    for channel in 0..3 {
+        let p = apart(&one, &other, channel);
+        assert!(p > 1e-4 / 3.0, "channel {channel}: p = {p:.1e}");
+    }
+    // It can fail: by a lamp that is a tenth too bright.
+    let mut slip = of_model;
+    for shape in &mut slip.shapes {
+        shape.emission.iter_mut().for_each(|emission| emission.radiance = emission.radiance.map(|part| 1.1 * part));
+    }
+    assert!(apart(&rendered(&slip, 1), &other, 1) < 1e-6);
+}
+
+#[test]
+fn nodes_are_scaled_then_turned_then_moved_and_mirrored_they_keep_their_sides() {
+    let mut model = Model::new();
+    let normals = model.floats(&[[0.0, 0.0, 1.0]; 3]);
+    let position = model.floats(&TRIANGLE);
+    let mesh = json!({"primitives": [{"attributes": {"POSITION": position, "NORMAL": normals}}]});
+    let mesh = model.push("meshes", mesh);
+    // A quarter about z, x to y, of what is twice as long along x; below it, moved by one along what was x.
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let child = model.push("nodes", json!({"mesh": mesh, "translation": [1, 0, 0]}));
+    model.node(
+        json!({"children": [child], "scale": [2, 1, 1], "rotation": [0, 0, half, half], "translation": [0, 0, 5]}),
+    );
+    model.node(json!({"mesh": mesh, "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 7, 0, 0, 1]}));
+    let (scene, _) = model.read().unwrap();
+    let near = |a: [f32; 3], b: [f32; 3]| (0..3).all(|k| (a[k] - b[k]).abs() < 1e-6);
+    let turned = mesh_of(&scene, 0);
+    let expected = [[0.0, 2.0, 5.0], [0.0, 4.0, 5.0], [-1.0, 2.0, 5.0]];
+    assert!((0..3).all(|k| near(turned.positions[k], expected[k])), "{:?}", turned.positions);
+    assert!(turned.normals.iter().all(|normal| near(*normal, [0.0, 0.0, 1.0])));
+    let mirrored = mesh_of(&scene, 1);
+    assert_eq!((mirrored.triangles[0], mirrored.positions[1]), ([0, 2, 1], [6.0, 0.0, 0.0]));
+    // What looked to +z still does.
+    assert!(mirrored.area(mirrored.triangles[0])[2] > 0.0 && near(mirrored.normals[0], [0.0, 0.0, 1.0]));
+}
+
+#[test]
+fn triangles_are_read_from_every_kind_of_index_and_strip() {
+    let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
+    let triangles = |mode: u32, bytes: &[u8], component: u32, count: usize| {
+        let mut model = Model::new();
+        let indices = model.accessor(bytes, component, "SCALAR", count);
+        let mesh = model.mesh(&square, json!({"indices": indices, "mode": mode}));
+        model.node(json!({"mesh": mesh}));
+        mesh_of(&model.read().unwrap().0, 0).triangles.clone()
+    };
+    assert_eq!(triangles(4, &[0, 1, 2, 2, 1, 3], 5121, 6), [[0, 1, 2], [2, 1, 3]]);
+    let short: Vec<u8> = [0_u16, 1, 2].iter().flat_map(|k| k.to_le_bytes()).collect();
+    assert_eq!(triangles(4, &short, 5123, 3), [[0, 1, 2]]);
+    let long: Vec<u8> = [3_u32, 2, 1].iter().flat_map(|k| k.to_le_bytes()).collect();
+    assert_eq!(triangles(4, &long, 5125, 3), [[3, 2, 1]]);
+    // A strip's second triangle runs the other way round; both look to +z.
+    assert_eq!(triangles(5, &[0, 1, 2, 3], 5121, 4), [[0, 1, 2], [2, 1, 3]]);
+    assert_eq!(triangles(6, &[0, 1, 3, 2], 5121, 4), [[0, 1, 3], [0, 3, 2]]);
+    let (scene, notes) = triangle().read().unwrap();
+    assert_eq!(mesh_of(&scene, 0).triangles, [[0, 1, 2]]);
+    assert!(notes.iter().any(|note| note.contains("no camera")) && notes.iter().any(|note| note.contains("sky")));
+    assert_eq!(scene.environment, Some(Environment::Constant([1.0; 3])));
+}
+
+#[test]
+fn materials_become_those_of_a_scene() {
+    let made = |material: Value| {
+        let mut model = Model::new();
+        model.push("materials", material);
+        let mesh = model.mesh(&TRIANGLE, json!({"material": 0}));
+        model.node(json!({"mesh": mesh}));
+        let (scene, notes) = model.read().unwrap();
+        (scene.materials[0].1.clone(), scene.shapes[0].emission, notes.concat())
+    };
+    let pbr = |more: Value| json!({"pbrMetallicRoughness": more});
+    let (coat, _, _) = made(pbr(json!({"metallicFactor": 0, "roughnessFactor": 0.5})));
+    let Material::Plastic { ior, alpha, .. } = coat else { panic!("{coat:?}") };
+    assert!((ior - 1.5).abs() < 1e-12 && alpha == Some(0.25));
+    let (gold, _, _) = made(pbr(json!({"baseColorFactor": [1.0, 0.5, 0.25, 1.0], "roughnessFactor": 0})));
+    let Material::Conductor { metal: Metal::Indices { eta, k }, .. } = gold else { panic!("{gold:?}") };
+    for (c, f_0) in [(0, 0.999), (1, 0.5), (2, 0.25)] {
+        let found = ((eta[c] - 1.0).powi(2) + k[c] * k[c]) / ((eta[c] + 1.0).powi(2) + k[c] * k[c]);
+        assert!((found - f_0).abs() < 1e-9, "{c}: {found}");
+    }
+    let glass = json!({"pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 0}, "extensions": {
+        "KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_ior": {"ior": 1.25},
+        "KHR_materials_volume": {"thicknessFactor": 1, "attenuationDistance": 2, "attenuationColor": [1, 0.5, 0.25]},
+        "KHR_materials_dispersion": {"dispersion": 0.2}, "KHR_materials_sheen": {}}});
+    let (glass, _, notes) = made(glass);
+    let Material::Dielectric { ior, absorption, .. } = glass else { panic!("{glass:?}") };
+    // Half of the light on two metres.
+    let half = std::f64::consts::LN_2 / 2.0;
+    assert!(
+        ior == 1.25
+            && absorption[0] == 0.0
+            && (absorption[1] - half).abs() < 1e-12
+            && (absorption[2] - 2.0 * half).abs() < 1e-12
+    );
+    assert!(notes.contains("KHR_materials_dispersion") && notes.contains("KHR_materials_sheen"), "{notes}");
+    let lamp = json!({"emissiveFactor": [1, 0.5, 0], "doubleSided": true,
+        "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 4}}});
+    assert_eq!(made(lamp).1, Some(Emission { radiance: [4.0, 2.0, 0.0], two_sided: true }));
+    let (_, _, notes) = made(pbr(json!({"metallicFactor": 0.25})));
+    assert!(notes.contains("metallic between 0 and 1"), "{notes}");
+}
+
+#[test]
+fn lights_and_images_are_read() {
+    let mut model = Model::new();
+    let mut png = Vec::new();
+    let mut encoder = png::Encoder::new(&mut png, 1, 2);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.write_header().unwrap().write_image_data(&[255, 255, 255, 0, 0, 0]).unwrap();
+    let at = model.data.len();
+    model.data.extend(&png);
+    let view = model.push("bufferViews", json!({"buffer": 0, "byteOffset": at, "byteLength": png.len()}));
+    model.text["images"] = json!([{"bufferView": view, "mimeType": "image/png"}]);
+    model.text["textures"] = json!([{"source": 0}]);
+    let pbr = json!({"baseColorTexture": {"index": 0}, "baseColorFactor": [0.5, 1, 1, 1], "metallicFactor": 0});
+    model.push("materials", json!({"pbrMetallicRoughness": pbr}));
+    let (position, places) = (model.floats(&TRIANGLE), model.floats(&[[0.0, 0.0], [1.0, 0.0], [0.0, 0.75]]));
+    let primitive = json!({"attributes": {"POSITION": position, "TEXCOORD_0": places}, "material": 0});
+    let mesh = model.push("meshes", json!({"primitives": [primitive]}));
+    model.node(json!({"mesh": mesh}));
+    model.text["extensions"] = json!({"KHR_lights_punctual": {"lights": [
+        {"type": "point", "color": [1, 0.5, 0], "intensity": 683}, {"type": "directional", "intensity": 1366}]}});
+    model.text["extensionsUsed"] = json!(["KHR_lights_punctual"]);
+    model.node(json!({"translation": [1, 2, 3], "extensions": {"KHR_lights_punctual": {"light": 0}}}));
+    model.node(json!({"rotation": [1, 0, 0, 0], "extensions": {"KHR_lights_punctual": {"light": 1}}}));
+    let (scene, notes) = model.read().unwrap();
+    assert_eq!(scene.lights[0], Light::Point { position: [1.0, 2.0, 3.0], intensity: [1.0, 0.5, 0.0] });
+    // Half a turn about x: along +z.
+    let Light::Directional { direction, irradiance } = &scene.lights[1] else { panic!("{:?}", scene.lights) };
+    assert!(direction[2] > 0.999 && *irradiance == [2.0; 3]);
+    assert_eq!((scene.environment.clone(), notes.len()), (None, 1), "{notes:?}");
+    // The image's first row is its top, which is where t is 0 there and 1 here.
+    assert_eq!(mesh_of(&scene, 0).texture, [[0.0, 1.0], [1.0, 1.0], [0.0, 0.25]]);
+    let pattern = scene.materials[0].1.pattern().expect("a pattern");
+    assert_eq!([pattern.at([0.5, 0.75]), pattern.at([0.5, 0.25])], [[0.5, 1.0, 1.0], [0.0; 3]]);
+    // As a mesh its places are there if they are wanted.
+    let bytes = model.bytes();
+    let mesh = |is_patterned| super::mesh(Path::new("m.glb"), &bytes, &none, is_patterned).unwrap();
+    assert_eq!((mesh(false).texture.len(), mesh(true).texture.len()), (0, 3));
+}
+
+#[test]
+fn what_is_wrong_is_refused_with_its_place() {
+    type Slip = fn(&mut Model);
+    let slips: [(Slip, &str); 17] = [
+        (|m| m.text["nodes"][0]["children"] = json!([0]), "nodes[0]: is met twice"),
+        (|m| m.text["scenes"][0]["nodes"] = json!([0, 0]), "nodes[0]: is met twice"),
+        (|m| m.text["scenes"][0]["nodes"] = json!([7]), "names what is not there"),
+        (|m| m.text["accessors"][0]["count"] = json!(4), "accessors[0]: 4 rows of 12 bytes"),
+        (|m| m.text["accessors"][0]["count"] = json!(u32::MAX), "rows of 12 bytes"),
+        (|m| m.text["accessors"][0]["count"] = json!(1_u64 << 63), "rows of 12 bytes"),
+        (|m| m.text["accessors"][0]["componentType"] = json!(5123), "valid: (Vec3, F32)"),
+        (|m| m.text["accessors"][0]["bufferView"] = Value::Null, "bufferView is missing"),
+        (|m| m.text["bufferViews"][0]["byteLength"] = json!(1_u64 << 40), "bufferViews[0]: is beyond its buffer"),
+        (|m| m.text["bufferViews"][0]["byteStride"] = json!(8), "rows of 12 bytes, 8 apart"),
+        (|m| m.data[0..4].copy_from_slice(&f32::NAN.to_le_bytes()), "no finite number"),
+        (|m| m.text["nodes"][0]["scale"] = json!([0, 0, 0]), "none of its 1 triangles has an area"),
+        (|m| m.text["nodes"][0]["scale"] = json!([1e30, 1e30, 1e30]), "is out of range"),
+        (|m| m.text["meshes"][0]["primitives"][0]["attributes"] = json!({}), "POSITION"),
+        (|m| m.text["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]), "is needed, and cannot be read"),
+        (
+            |m| {
+                m.text["extensions"] = json!({"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": {}}]}});
+                m.text["nodes"][0]["extensions"] = json!({"KHR_lights_punctual": {"light": 0}});
+            },
+            "nodes[0]: a spot light",
+        ),
+        (
+            |m| {
+                let far = m.accessor(&[0, 1, 3], 5121, "SCALAR", 3);
+                m.text["meshes"][0]["primitives"][0]["indices"] = json!(far);
+            },
+            "meshes[0].primitives[0]: there is no corner 3; there are 3",
+        ),
+    ];
+    for (at, (slip, why)) in slips.into_iter().enumerate() {
+        let mut model = triangle();
+        slip(&mut model);
+        let refused = model.read().map(|_| ()).unwrap_err();
+        assert!(refused.contains(why) && !refused.contains('\n'), "{at}: {why}: {refused}");
+    }
+    // Buffers beside the file, and in its text.
+    let text = |uri: &str| {
+        let mut model = triangle();
+        model.text["buffers"] = json!([{"byteLength": 36, "uri": uri}]);
+        model.text.to_string()
+    };
+    for (uri, why) in [
+        ("there.bin", "buffers[0]: there.bin is not there"),
+        ("data:;base64,!", "buffers[0]: is a data URI whose sign 0"),
+        ("data:;base64,AAAA", "buffers[0]: has 3 bytes, and promises 36"),
+        ("data:text", "without ;base64,"),
+        ("http://there/a.bin", "is not beside the file"),
+    ] {
+        let refused = read(text(uri).as_bytes()).map(|_| ()).unwrap_err();
+        assert!(refused.contains(why), "{uri}: {refused}");
+    }
+    let beside = |file: &Path| if file == Path::new("a b.bin") { Ok(triangle().data) } else { none(file) };
+    assert!(scene("m", Path::new("m.gltf"), text("a%20b.bin").as_bytes(), &beside).is_ok());
+    // Deep, and not by calls within calls.
+    let mut deep = Model::new();
+    for k in 0..20_000 {
+        deep.push("nodes", json!({"children": [k + 1]}));
+    }
+    deep.push("nodes", json!({}));
+    deep.text["scenes"][0]["nodes"] = json!([0]);
+    assert!(deep.read().map(|_| ()).unwrap_err().contains("lies deeper than"));
+    let whole = triangle().bytes();
+    for length in 0..whole.len() {
+        assert!(read(&whole[..length]).is_err(), "{length}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// Whatever becomes of a file, it is a scene without a flaw or a refusal in one line.
+    #[test]
+    fn nothing_in_a_file_breaks_the_reader(
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), any::<bool>()), 1..5),
+        of_text: bool,
+    ) {
+        let mut model = triangle();
+        model.push("materials", json!({"emissiveFactor": [1, 1, 1]}));
+        model.text["meshes"][0]["primitives"][0]["material"] = json!(0);
+        let mut bytes = model.bytes();
+        let digits: Vec<usize> = (0..bytes.len()).filter(|at| bytes[*at].is_ascii_digit()).collect();
+        for (at, byte, is_digit) in changes {
+            // Numbers are where most can go wrong.
+            let at = if of_text { digits[at.index(digits.len())] } else { at.index(bytes.len()) };
+            bytes[at] = if of_text && is_digit { b'0' + byte % 10 } else { byte };
+        }
+        if let Err(why) = read(&bytes) {
+            prop_assert!(!why.contains('\n'), "{}", why);
+        }
+        let _ = mesh(Path::new("m.glb"), &bytes, &none, true);
+    }
+}
