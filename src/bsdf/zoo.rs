@@ -136,14 +136,14 @@ impl<N: Number, M: Bsdf<N>> Bsdf<N> for Dispatched<M> {
     }
 
     fn painted_eval_pdf(&self, rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
-        vectorised(
+        vectorised_lanes::<N, _>(
             #[inline(always)]
             || self.0.painted_eval_pdf(rho, wi, wo),
         )
     }
 
     fn painted_sample(&self, rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
-        vectorised(
+        vectorised_lanes::<N, _>(
             #[inline(always)]
             || self.0.painted_sample(rho, wo, u),
         )
