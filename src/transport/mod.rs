@@ -14,6 +14,7 @@
 //! | light by way of mirrors and glass, from the lamp on | [`caustics`] |
 //! | light left where it falls | [`photons`] |
 //! | light that a few places know for all | [`irradiance_cache`] |
+//! | light that patches know, found at once | [`radiosity`] |
 //! | all pixels | [`picture`] |
 //! | sums of samples that no order of rendering can change | [`film`] |
 //! | the room whose light is known | [`enclosure`] |
@@ -33,6 +34,7 @@ pub mod needs;
 pub mod photons;
 pub mod picture;
 pub mod pilot;
+pub mod radiosity;
 pub mod simple;
 pub mod stage;
 pub mod surfaces;
