@@ -217,7 +217,7 @@ const RECIPROCITY: Check<Exchange> = check("reciprocity", "what two patches exch
 type Made = fn(&Room) -> Network;
 
 const HIDDEN: Check<Made> = check("hidden", "a block floats in a room: what it hides of the walls is seen on the block, and sums stay 1")
-    .against("Σ F = 1 for all 216 patches of room and block, what is hidden by rays between 3 × 3 points of either patch")
+    .against("Σ F = 1 for all 108 patches of room and block, what is hidden by rays between 3 × 3 points of either patch")
     .within(0.03, "1", "along the block's outline a third of a patch's points is uncertain, at random; it crosses some fifth of the 60 patches that one sees")
     .of(
         |_: &mut Bench, made: Made| {

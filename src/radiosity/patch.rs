@@ -94,7 +94,7 @@ impl Patch {
         let n = counts[0];
         let row = (0..n).rev().find(|row| n * n - (n - row) * (n - row) <= number).unwrap_or(0);
         let along = number - (n * n - (n - row) * (n - row));
-        if along % 2 == 0 {
+        if along.is_multiple_of(2) {
             Self { corner: share([along / 2, row]), edges, ..*self }
         } else {
             Self { corner: share([along / 2 + 1, row + 1]), edges: edges.map(|edge| times(edge, -1.0)), ..*self }

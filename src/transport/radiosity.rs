@@ -83,16 +83,14 @@ impl Solution {
         let patches = room.cut_to((room.area() / count).sqrt());
         let (network, routes) = Network::counted(&patches);
         let n = network.len();
-        let mut reflected = vec![[0.0; 3]; n];
         let (mut solver, mut residual) = (Solver::Direct, 0.0_f64);
-        for channel in 0..3 {
+        let sent_back = [0, 1, 2].map(|channel| -> Vec<f64> {
             let light = Light::of(&patches, channel);
             let (found, by, left) = solved(&network, &light, edges);
             (solver, residual) = (by, residual.max(left));
-            for at in 0..n {
-                reflected[at][channel] = (found[at] - light.emitted[at]).max(0.0);
-            }
-        }
+            found.iter().zip(&light.emitted).map(|(all, own)| (all - own).max(0.0)).collect()
+        });
+        let reflected: Vec<Rgb<f64>> = (0..n).map(|at| rgb(|c| sent_back[c][at])).collect();
         let sums = (0..n).map(|at| network.row(at).iter().sum::<f64>());
         let sums = sums.fold([f64::INFINITY, 0.0_f64], |[least, most], sum| [least.min(sum), most.max(sum)]);
         let area: f64 = network.areas.iter().sum();
