@@ -167,17 +167,24 @@ impl Radiosity {
         if pair == 0 { 0 } else { 1 + pair.ilog2() }
     }
 
+    /// Patches of a batch, about.
+    fn patches(&self, batch: u32) -> f64 {
+        let pairs = f64::from(batch.saturating_sub(1)).exp2();
+        (PATCHES * (2.0 * pairs * self.pixels / BATCH).sqrt()).clamp(BOUNDS[0], BOUNDS[1])
+    }
+
     /// Patches of a sample, about.
     pub fn count(&self, sample: u32) -> f64 {
-        let pairs = f64::from(Self::batch(sample).saturating_sub(1)).exp2();
-        (PATCHES * (2.0 * pairs * self.pixels / BATCH).sqrt()).clamp(BOUNDS[0], BOUNDS[1])
+        self.patches(Self::batch(sample))
     }
 
     /// The light of a sample's patches. Not to be asked for by many threads at once before it is made: they would wait.
     pub fn of_sample(&self, sample: u32) -> &Solution {
+        let count = self.count(sample);
+        // Batches of as many patches, as the least and the most are, have the same.
+        let batch = (0..=Self::batch(sample)).find(|batch| self.patches(*batch) == count).unwrap_or(0);
         let backs = self.backs.iter().flatten().count();
-        self.made[Self::batch(sample) as usize]
-            .get_or_init(|| Solution::new(&self.room, backs, self.count(sample), self.edges))
+        self.made[batch as usize].get_or_init(|| Solution::new(&self.room, backs, count, self.edges))
     }
 
     /// The radiance [W m⁻² sr⁻¹] that comes along a ray, by the patches of its sample.
