@@ -143,7 +143,9 @@ fn radiosity_says_what_it_did_and_what_it_cannot_do() {
     let scene = small(&folder, "cornell");
     let run = render(&folder, &scene, "--spp 2 --integrator radiosity --explain --out @a.pfm --stats @a.json");
     assert_eq!(run.code, 0, "{run:?}");
-    for words in ["16 faces", "by closed forms", "residual", "of all others sums to", "hidden at least in part"] {
+    for words in
+        ["17 faces, of them 1 backs", "by closed forms", "residual", "of all others sums to", "hidden at least in part"]
+    {
         assert!(run.out.contains(words), "should say `{words}`: {}", run.out);
     }
     assert!(fs::read_to_string(folder.join("a.json")).unwrap().contains("\"radiosity\""));

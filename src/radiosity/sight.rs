@@ -86,17 +86,28 @@ impl Screen {
 /// Places in all, of both sides of all faces, to which light is followed.
 const PLACES: usize = 800;
 
+/// The places of a patch in a sequence that fills it evenly, at shares of its edges that no edge of another is likely to have (M.
+/// Roberts's generalised golden ratios): on the rim of another face it would not be known on which side a place is.
+fn place(patch: &Patch, number: usize) -> Triple {
+    let [u, v] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_3].map(|step| (number as f64 * step).fract());
+    // The far half of a parallelogram is the near one, turned.
+    let is_beyond = patch.outline == Outline::Triangle && u + v > 1.0;
+    patch.at(if is_beyond { [1.0 - u, 1.0 - v] } else { [u, v] })
+}
+
 /// Whether light gets to the sides of the faces: to all fronts, then to all backs.
 ///
 /// A lamp's places are lit; so are places that a lit one sees.
 pub(super) fn lit(room: &Room) -> Vec<bool> {
     let fronts = room.faces.len();
+    let reach = room.faces.iter().flat_map(|face| face.patch.corners()).map(largest).fold(0.0, f64::max);
+    let slack = SLACK * reach;
     let screens: Vec<Screen> = room.faces.iter().map(|face| Screen::new(&face.patch)).collect();
     let sides = room.faces.iter().map(|face| face.patch).chain(room.faces.iter().map(|face| face.patch.back()));
     let each = ((PLACES as f64 / (2.0 * fronts as f64)).sqrt() as usize).clamp(1, 5);
     let places: Vec<(usize, Patch, Triple)> = sides
         .enumerate()
-        .flat_map(|(side, patch)| (0..each * each).map(move |k| (side, patch, patch.piece([each; 2], k).middle())))
+        .flat_map(|(side, patch)| (1..=each * each).map(move |k| (side, patch, place(&patch, k))))
         .collect();
     let is_lamp = |side: usize| room.faces.get(side).is_some_and(|face| face.emitted != [0.0; 3]);
     let mut is_lit: Vec<bool> = places.iter().map(|(side, ..)| is_lamp(*side)).collect();
@@ -104,7 +115,8 @@ pub(super) fn lit(room: &Room) -> Vec<bool> {
     while let Some(from) = waiting.pop() {
         let (side, patch, here) = &places[from];
         for (to, (other, seen, there)) in places.iter().enumerate() {
-            if is_lit[to] || patch.before(*there) <= 0.0 || seen.before(*here) <= 0.0 {
+            // Places of one plane may seem to see each other by a rounding, through whatever stands on it.
+            if is_lit[to] || patch.before(*there) <= slack || seen.before(*here) <= slack {
                 continue;
             }
             let ends = [side % fronts, other % fronts];

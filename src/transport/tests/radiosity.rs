@@ -43,9 +43,9 @@ fn patches_agree_with_paths_within_what_they_say_and_come_nearer_as_they_are_cut
     };
     let area = room.area();
     let [coarse, middle, fine] = [2.8, 1.4, 0.7].map(|size: f64| walls(area / (size * size)));
-    // Constant patches' means are of order h²; what is hidden in part is known to a tenth of itself, at random.
+    // Constant patches' means are of order h² where nothing is hidden; of what is, a strip as wide as a patch is uncertain, of order h.
     let order = limit::observed_order([coarse, middle, fine]);
-    assert!((1.0..3.0).contains(&order), "{order}: {coarse} {middle} {fine}");
+    assert!(order > 1.0, "{order}: {coarse} {middle} {fine}");
     // Pictures of 16 × 16 pixels: by patches and by paths.
     let mut small = cornell;
     (small.camera.width, small.camera.height) = (16, 16);
@@ -54,9 +54,9 @@ fn patches_agree_with_paths_within_what_they_say_and_come_nearer_as_they_are_cut
         rgb(|c| halves.iter().map(|halves| f64::from(halves[0][c] + halves[1][c]) / 2.0).sum::<f64>())
     };
     let (found, exact) = (mean(&patched(1), 32), mean(&Manner { seed: 2, ..Manner::default() }, 256));
-    // A step of the refinement, of light that is about half of all, and the noise of 256 × 64 samples.
-    let stated = (middle / fine - 1.0).abs();
-    assert!((0..3).all(|c| (found[c] / exact[c] - 1.0).abs() < stated), "{stated}: {found:?}, {exact:?}");
+    // Patches of a seventh of the room, in the half of the light that comes by way of them: (1/7)²/2 = 1 %; and as much noise at
+    // most, 16 × 16 pixels of 64 samples, a few tenths each.
+    assert!((0..3).all(|c| (found[c] / exact[c] - 1.0).abs() < 0.02), "{found:?}, {exact:?}");
 }
 
 #[test]
@@ -64,7 +64,9 @@ fn backs_are_patches_where_light_gets_to_them() {
     let cornell = (builtin::named("cornell").expect("there").make)();
     // The blocks' insides stay dark, and so do the walls' outsides.
     let (room, backs) = Room::of(&cornell).expect("flat and diffuse").with_backs();
-    assert_eq!((room.faces.len(), backs.iter().flatten().count()), (16, 0));
+    // The lamp hangs a little under the ceiling.
+    assert_eq!((room.faces.len(), backs.iter().flatten().count()), (17, 1));
+    assert!(backs[5].is_some());
     // A screen that hangs in a room under its lamp: seen from the one side and the other.
     let mut screened = super::room(12);
     let screen = shape(quad([[0.2, 0.1, 0.2], [0.2, 0.7, 0.2], [0.2, 0.7, 0.8], [0.2, 0.1, 0.8]]), "red");
