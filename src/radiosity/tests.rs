@@ -123,7 +123,7 @@ fn rooms_are_made_of_scenes_that_are_flat_and_diffuse() {
         let sum: f64 = network.row(at).iter().sum();
         // Nobody sees more than the whole, but for what is hidden in part: of 9 × 9 rays between whole walls, which a block cuts,
         // a row of nine or so is uncertain, of a pair that is a fifth of all.
-        assert!(sum > 0.3 && sum < 1.0 + 0.2 / 9.0, "{at}: {sum}");
+        assert!(sum > 0.0 && sum < 1.0 + 0.2 / 9.0, "{at}: {sum}");
     }
     for (name, place) in [("glass", "shapes[6].geometry"), ("veach", "shapes[0].geometry")] {
         assert_eq!(Room::of(&scene(name)).unwrap_err().place.to_string(), place);
