@@ -63,6 +63,7 @@ pub mod relief;
 pub mod sampling;
 pub mod scene;
 pub mod stokes;
+mod threads;
 pub mod tone;
 pub mod transport;
 pub mod waves;

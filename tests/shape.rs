@@ -1,6 +1,6 @@
 //! The list itself: what a chapter must have before anyone looks at it.
 
-use chapters::lecture::LECTURE;
+use chapters::lecture::{LECTURE, chapter_names};
 use chapters::parameter::Setting;
 use chapters::vocabulary::{Exhibit, Given, Item};
 use chapters::{CURRICULUM, Step, steps};
@@ -53,7 +53,8 @@ fn words_are_words_of_an_address() {
 }
 
 #[test]
-fn chapters_belong_to_the_lecture_and_build_on_it() {
+fn chapters_are_those_of_the_lecture_and_build_on_it() {
+    assert_eq!(CURRICULUM.iter().map(|chapter| chapter.id).collect::<Vec<_>>(), chapter_names());
     let known: HashSet<_> = LECTURE.iter().map(|row| row.chapter).collect();
     for chapter in CURRICULUM {
         assert!(known.contains(chapter.id), "{}", chapter.id);

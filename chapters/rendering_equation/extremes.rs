@@ -8,6 +8,7 @@ use crate::vocabulary::{
     stress,
 };
 use light::radiometry::form_factor::{parallel_rectangles, perpendicular_rectangles};
+use light::radiosity::exact::Wall;
 use light::radiosity::spectrum::{condition, modes};
 use light::radiosity::{Light, Network, solve};
 use yardstick::precise::{self, Real};
@@ -64,6 +65,9 @@ pub(super) const STEP: Step = step(
     stress("white", "six walls that absorb down to 10⁻³⁰, solved at once", whites)
         .textbook("plain elimination of 1 − ρF, with ρ = 1 − a in f64")
         .against("elimination of the same six equations in 512 bits"),
+    stress("sphere", "a sphere in four pieces that absorb down to 10⁻¹⁵, solved at once, against pen and paper", spheres)
+        .textbook("plain elimination of 1 − ρF")
+        .against("all that is sent over all that is absorbed, in 512 bits"),
     stress("slit", "two plates and the slits about them, a millionth of their side apart, solved at once", slits)
         .textbook("plain elimination, the slits' share as 1 − F")
         .against("the same two equations in 512 bits and more"),
@@ -155,12 +159,51 @@ fn precisely(network: &Network, light: &Light) -> Real {
     &rows[0][n] / &rows[0][0]
 }
 
+/// The condition number of a network's equations: as far as f64 tells, whose 1 − λ has no digit left where walls absorb
+/// less than a rounding; by what is absorbed there, which each bounce takes of the pattern that is nearly even.
+fn kappa(network: &Network, light: &Light) -> f64 {
+    let modes = modes(network, light);
+    let least = light.absorbed.iter().sum::<f64>() / light.absorbed.len() as f64;
+    match modes.last() {
+        Some(last) if least < 1e-12 => (1.0 - last.value) / least,
+        _ => condition(&modes),
+    }
+}
+
+/// A ball's inside in four pieces, nearly white, on paper and as a network.
+fn spheres(_: &Setting) -> Vec<Extreme> {
+    let shares = [0.125, 0.25, 0.5, 0.125];
+    [1e-3, 1e-9, 1e-15]
+        .map(|white: f64| {
+            let walls = [1.0, 2.0, 0.5, 3.0].map(|a: f64| Wall { absorbed: white * a, emitted: a * a });
+            let light = Light { absorbed: walls.map(|w| w.absorbed).into(), emitted: walls.map(|w| w.emitted).into() };
+            let network = Network::sphere(&shares);
+            let real = |x: f64| precise::real_at(x, 512);
+            let sum = |of: fn(&Wall) -> f64| {
+                shares.iter().zip(&walls).fold(real(0.0), |sum, (share, wall)| sum + real(*share) * real(of(wall)))
+            };
+            // The last piece: what it sends, and what it returns of all that is sent over all that is absorbed.
+            let arriving = sum(|wall| wall.emitted) / sum(|wall| wall.absorbed);
+            let reference = real(walls[3].emitted) + (real(1.0) - real(walls[3].absorbed)) * arriving;
+            Extreme {
+                input: format!("a about {white:e}, κ = {:.1e}", kappa(&network, &light)),
+                quantity: "L_4",
+                reference,
+                textbook: solve::plain(&network, &light)[3],
+                ours: solve::direct(&network, &light)[3],
+                condition: 4.0,
+                worst_of: 1,
+            }
+        })
+        .into()
+}
+
 fn whites(_: &Setting) -> Vec<Extreme> {
     [1.0, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 1e-30]
         .map(|white: f64| {
             let (network, light) = six(white);
             Extreme {
-                input: format!("a about {white:e}, κ about {:.0e}", 1.0 / white.min(0.5)),
+                input: format!("a about {white:e}, κ = {:.1e}", kappa(&network, &light)),
                 quantity: "L_1",
                 reference: precisely(&network, &light),
                 textbook: solve::plain(&network, &light)[0],

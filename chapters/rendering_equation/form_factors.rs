@@ -1,19 +1,21 @@
 //! C20, first half: how much one patch sees of another.
 
+use super::edge::EDGE;
 use super::rooms::{cube, net, network};
+use super::slanted::{HINGE, SLANTED};
 use super::symbols::{DISTANCE, F_12, F_21, S_1, S_2, THETA, THETA_2};
 use crate::diagram::{Diagram, Part};
 use crate::figure::{Axis, Chart, Dash, Hue, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Extreme, Heat, Judge, Measured, Misled, Quantity, Race, Step, check, derivation,
-    exhibit, figure, lane, question, race, statement, step, stress,
+    Answer, Bench, Check, Exhibit, Extreme, Measured, Misled, Quantity, Step, check, derivation, exhibit, figure,
+    question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{Range, cos, integral, pi};
 use equation::{Equation, Expr};
 use light::radiometry::{form_factor, textbook};
-use light::radiosity::exchange::{by_middles, by_rim, exchange};
+use light::radiosity::exchange::exchange;
 use light::radiosity::{Face, Network, Patch, Room};
 use light::references::radiometry as precisely;
 use light::scene::Triple;
@@ -89,11 +91,11 @@ pub(super) const STEP: Step = step(
         quantity("hinged", "F_⊥", "between a square and a strip c high at its edge", form_factor::perpendicular_rectangles(1.0, c, 1.0)),
     ]
 })
-.checks(&[&SUMS, &CLOSURE, &RECIPROCITY, &HIDDEN])
+.checks(&[&SUMS, &CLOSURE, &RECIPROCITY, &HINGE, &SLANTED, &HIDDEN])
 .stress(&[stress("slit", "plates so near that next to nothing leaves the slit between them", slits)
     .textbook("1 − F with Howell's C-11 as printed")
     .against("1 − F in 512 bits and more")])
-.races(&[FACTOR]);
+.races(&[EDGE]);
 
 fn back(last: Expr) -> Chain {
     Chain::assume(Equation::new(S_1 * F_12, S_2 * F_21), "the same both ways")
@@ -105,7 +107,7 @@ fn back(last: Expr) -> Chain {
 type Exchange = fn(&Patch, &Patch) -> f64;
 
 fn patch(corner: Triple, edges: [Triple; 2]) -> Patch {
-    Patch { corner, edges }
+    Patch::parallelogram(corner, edges)
 }
 
 /// Pairs that are apart, wholly before each other.
@@ -215,7 +217,7 @@ const RECIPROCITY: Check<Exchange> = check("reciprocity", "what two patches exch
 type Made = fn(&Room) -> Network;
 
 const HIDDEN: Check<Made> = check("hidden", "a block floats in a room: what it hides of the walls is seen on the block, and sums stay 1")
-    .against("Σ F = 1 for all 216 patches of room and block, what is hidden by rays between 3 × 3 points of either patch")
+    .against("Σ F = 1 for all 108 patches of room and block, what is hidden by rays between 3 × 3 points of either patch")
     .within(0.03, "1", "along the block's outline a third of a patch's points is uncertain, at random; it crosses some fifth of the 60 patches that one sees")
     .of(
         |_: &mut Bench, made: Made| {
@@ -237,7 +239,7 @@ fn with_block() -> Room {
     let room = Room::cuboid([1.0; 3], [(0.5, 1.0); 6]);
     // The block's faces are those of a smaller room, seen from outside.
     let out = |face: &Face| {
-        let Patch { corner, edges } = face.patch;
+        let Patch { corner, edges, .. } = face.patch;
         let place = [0, 1, 2].map(|axis| [0.3, 0.2, 0.45][axis] + corner[axis]);
         Face { patch: patch(place, [edges[1], edges[0]]), ..*face }
     };
@@ -265,72 +267,6 @@ fn slits(_: &Setting) -> Vec<Extreme> {
         })
         .into()
 }
-
-/// A square and one that stands on its edge: the hardest pair, for r falls to nothing.
-fn hinged() -> [Patch; 2] {
-    [patch([0.0; 3], [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]), patch([0.0; 3], [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])]
-}
-
-fn wrong() -> Judge {
-    let exact = precisely::perpendicular_rectangles(1.0, 1.0, 1.0).value;
-    Box::new(move |found| precise::relative_error(found[0], &exact))
-}
-
-const FACTOR: Race = race(
-    "edge",
-    "two squares with a common edge: pairs of points are slow where r is 0; the rim of one and points of the other do better; a closed form is best",
-)
-.work("pairs of points, or points")
-.error("relative error of F", "relative error (rms over 32 seeds by chance), against Howell's C-14 in 512 bits")
-.lanes(&[
-    lane("chance", "pairs of points by chance", &[256, 1024, 4096, 16384, 65536], |bench, work| {
-        let [one, other] = hinged();
-        let points: Vec<[f64; 4]> =
-            (0..work).map(|_| [(); 4].map(|()| uniform(&mut bench.stream, 0.0, 1.0))).collect();
-        Heat {
-            run: Box::new(move || {
-                let adds = |[a, b, c, d]: &[f64; 4]| {
-                    let ([x, y, _], [_, eta, z]) = (one.at([*a, *b]), other.at([*c, *d]));
-                    x * z / (x * x + z * z + (y - eta) * (y - eta)).powi(2)
-                };
-                vec![points.iter().map(adds).sum::<f64>() / (PI * points.len() as f64)]
-            }),
-            error: wrong(),
-        }
-    })
-    .repeated(32)
-    .order(0.5, 0.2),
-    lane("middles", "pairs of middles of small squares", &[16, 256, 4096, 65536], |_, work| {
-        let n = (work as f64).sqrt().sqrt().round() as usize;
-        Heat {
-            run: Box::new(move || {
-                let [one, other] = hinged();
-                vec![by_middles(&one, &other, n, |_, _| true)[1]]
-            }),
-            error: wrong(),
-        }
-    })
-    .order(0.25, 0.08),
-    lane("rim", "points of one, the rim of the other", &[16, 64, 256, 1024], |_, work| {
-        let n = (work as f64).sqrt().round() as usize;
-        Heat {
-            run: Box::new(move || {
-                let [one, other] = hinged();
-                vec![by_rim(&one, &other, n)]
-            }),
-            error: wrong(),
-        }
-    })
-    .order(1.0, 0.15),
-    lane("closed", "sixteen terms", &[1], |_, _| Heat {
-        run: Box::new(|| {
-            let [one, other] = std::hint::black_box(hinged());
-            vec![exchange(&one, &other)]
-        }),
-        error: wrong(),
-    })
-    .within(1e-14, "sixteen terms of order 1, a few ulp each, over a sum of 0.2"),
-]);
 
 fn two_patches(_: &Setting) -> Plot {
     let (a, b) = ([-1.2, 0.0], [1.3, 1.9]);

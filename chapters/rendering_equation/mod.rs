@@ -1,6 +1,7 @@
 //! Light that bounces: rows E51, E52, C19 and C20. One module a step, in teaching order.
 
 mod cornell;
+mod edge;
 mod enclosures;
 mod extremes;
 mod form_factors;
@@ -10,6 +11,7 @@ mod reflected;
 mod rendering;
 mod rooms;
 mod series;
+mod slanted;
 mod solvers;
 mod symbols;
 

@@ -2,9 +2,9 @@
 
 use crate::figure::Picture;
 use crate::path_tracing::scenes::{greens, rendered};
-use light::radiosity::{Face, Light, Network, Patch, Patches, Room, solve};
+use light::radiosity::{Face, Light, Network, Patch, Patches, Room, limit, solve};
 use light::scene::{Camera, Emission, Filter, Geometry, Material, Scene, Shape, Transform, Triple};
-use light::transport::Manner;
+use light::transport::{Manner, Method};
 use std::f64::consts::PI;
 use yardstick::statistics::Moments;
 
@@ -35,6 +35,24 @@ pub(super) fn means(room: &Room, n: usize) -> Vec<f64> {
     let found = solve::conjugate(&network, &light, STEPS);
     (0..room.faces.len()).map(|face| patches.mean(face, &found)).collect()
 }
+
+/// The same by n × n patches that are finer towards the walls' edges.
+pub(super) fn graded(room: &Room, n: usize) -> Vec<f64> {
+    let patches = room.cut_graded(n);
+    let (network, light) = (Network::of(&patches), Light::of(&patches, 1));
+    let found = solve::conjugate(&network, &light, STEPS);
+    (0..room.faces.len()).map(|face| patches.mean(face, &found)).collect()
+}
+
+/// The limit of the means of all faces, of four graded cuts n, n + 2, n + 4 and n + 6.
+pub(super) fn extrapolated(room: &Room, n: usize) -> Vec<f64> {
+    let cuts = [0, 2, 4, 6].map(|more| (1.0 / (n + more) as f64, graded(room, n + more)));
+    let of = |face: usize| limit::without(&cuts.each_ref().map(|(h, means)| (*h, means[face])), &POWERS);
+    (0..room.faces.len()).map(of).collect()
+}
+
+/// The powers of h in the error of graded cuts' means.
+const POWERS: [f64; 3] = [2.0, 4.0, 5.0];
 
 /// Steps that conjugate gradients need at most in these rooms: each takes a digit or so.
 const STEPS: u32 = 24;
@@ -87,8 +105,14 @@ fn facing(patch: &Patch, away: f64) -> Camera {
 
 /// The mean radiance of a patch (green), by so many independent pictures of so many paths a pixel.
 pub(super) fn traced(scene: &Scene, patch: &Patch, away: f64, runs: u64, pairs: u32) -> Moments {
+    seen(scene, patch, away, (Method::default(), runs, pairs))
+}
+
+/// The same by any integrator.
+pub(super) fn seen(scene: &Scene, patch: &Patch, away: f64, (method, runs, pairs): (Method, u64, u32)) -> Moments {
     let scene = Scene { camera: facing(patch, away), ..scene.clone() };
-    (0..runs).map(|seed| greens(&rendered(&scene, &Manner { seed, ..Manner::default() }, pairs)).mean()).collect()
+    let of = |seed| greens(&rendered(&scene, &Manner { method, seed, ..Manner::default() }, pairs)).mean();
+    (0..runs).map(of).collect()
 }
 
 /// What is about an unfolded box: neither black nor white.

@@ -1,8 +1,8 @@
 //! Races of C20: ways to solve the equations of a room, and ways to cut it.
 
-use super::rooms::{means, network, unequal};
+use super::rooms::{extrapolated, graded, means, network, unequal};
 use crate::vocabulary::{Entrant, Heat, Race, lane, race};
-use light::radiosity::{Light, Network, limit, solve};
+use light::radiosity::{Light, Network, hierarchy, limit, solve};
 use std::sync::OnceLock;
 
 /// A room of unequal walls in 216 patches, solved by elimination.
@@ -67,10 +67,10 @@ pub(super) const SOLVERS: Race = race(
 /// The face whose mean is looked at: the floor.
 const FLOOR: usize = 2;
 
-/// What it is, by three cuts of which the finest makes 1536 patches.
+/// What it is, by graded cuts of which the finest makes 1536 patches.
 fn converged() -> f64 {
     static MADE: OnceLock<f64> = OnceLock::new();
-    *MADE.get_or_init(|| twice([4, 8, 16]))
+    *MADE.get_or_init(|| extrapolated(&unequal(), 10)[FLOOR])
 }
 
 /// By three cuts, each half of the one before.
@@ -103,7 +103,10 @@ pub(super) const CUTS: Race = race(
     "the mean of a wall by constant patches is of order h²; two cuts together are worth one that is many times as fine",
 )
 .work("patches")
-.error("relative error of the floor's mean", "relative error, against 4, 8 and 16 patches an edge, extrapolated twice")
+.error(
+    "relative error of the floor's mean",
+    "relative error, against graded cuts of 10, 12, 14 and 16 patches an edge, extrapolated; by their neighbours known to 10⁻⁷",
+)
 .lanes(&[
     cuts("constant", "constant patches", &[24, 54, 96, 216, 384, 1536], |_, work| {
         let n = (work as f64 / 6.0).sqrt().round() as usize;
@@ -120,4 +123,48 @@ pub(super) const CUTS: Race = race(
         cut(move || twice([n / 4, n / 2, n]))
     })
     .within(1e-3, "what is left of n = 4; for n = 12 see the error"),
+    cuts("graded", "finer towards the edges", &[96, 216, 384, 864], |_, work| {
+        let n = (work as f64 / 6.0).sqrt().round() as usize;
+        cut(move || graded(&unequal(), n)[FLOOR])
+    })
+    .order(1.0, 0.15),
+    cuts("graded_cuts", "finer towards the edges, n, n − 2, n − 4 and n − 6, extrapolated", &[384, 600, 864], |_, work| {
+        let n = (work as f64 / 6.0).sqrt().round() as usize;
+        cut(move || extrapolated(&unequal(), n - 6)[FLOOR])
+    })
+    .converges(1e-6, "the next power of 1/12, the sixth, with the factor of some three that a grading has"),
 ]);
+
+/// A bound on what a link may carry, by so much work [W sr⁻¹].
+fn bound(work: u64) -> f64 {
+    1.0 / work as f64
+}
+
+/// Quarters are cut as far as the bound asks, down to this share of an edge.
+const LEAST: f64 = 1.0 / 256.0;
+
+pub(super) const LINKS: Race = race(
+    "links",
+    "one patch size for all, or links between pieces as large as what goes over them allows: a few hundred links do as well as as many pairs, but in a small smooth room patches that are all alike, whose errors cancel, win in the end",
+)
+.work("patches, or one over what a link may carry")
+.error("largest relative error of a wall's mean", "largest relative error of the six walls' means, against graded cuts, extrapolated")
+.lanes(&[
+    cuts("matrix", "all pairs of patches", &[96, 384, 1536], |_, work| {
+        let n = (work as f64 / 6.0).sqrt().round() as usize;
+        walls(move || means(&unequal(), n))
+    })
+    .order(1.0, 0.15),
+    cuts("links", "links, each cut until it carries little", &[64, 256, 1024, 4096, 16384], |_, work| {
+        walls(move || hierarchy::solve(&unequal(), 1, bound(work), LEAST).means)
+    })
+    .order(0.25, 0.1),
+]);
+
+fn walls(by: impl Fn() -> Vec<f64> + 'static) -> Heat {
+    static MADE: OnceLock<Vec<f64>> = OnceLock::new();
+    let exact: &'static [f64] = MADE.get_or_init(|| extrapolated(&unequal(), 10));
+    let worst =
+        move |found: &[f64]| found.iter().zip(exact).map(|(one, other)| (one / other - 1.0).abs()).fold(0.0, f64::max);
+    Heat { run: Box::new(by), error: Box::new(worst) }
+}

@@ -110,7 +110,7 @@ pub struct RenderArgs {
     /// Threads; as many as there are cores if left out.
     #[arg(long, value_name = "N", value_parser = |text: &str| whole(text, 1, 1024), allow_negative_numbers = true, conflicts_with = "print")]
     threads: Option<u32>,
-    /// The integrator: fast, or one to read: hemisphere, surface, lamps, both; spectral where glass disperses, polarised where a filter sees it; or photon-map, whose pictures are blurred, or irradiance-cache, whose pictures are interpolated: the error that is told knows of neither.
+    /// The integrator: fast, or one to read: hemisphere, surface, lamps, both; spectral where glass disperses, polarised where a filter sees it; or photon-map, whose pictures are blurred, or irradiance-cache, whose pictures are interpolated, or radiosity, of flat diffuse shapes, whose pictures are of patches: the error that is told knows of none of this.
     #[arg(long, value_name = "NAME", conflicts_with = "print")]
     integrator: Option<String>,
     /// The most edges of a path, instead of the scene's.

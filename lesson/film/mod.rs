@@ -107,7 +107,9 @@ pub fn manner(scene: &Scene, manner: &Manner) -> Vec<(String, String)> {
     let Manner { method, structure, choice, seed, needless: _ } = manner;
     let method = match method {
         Method::Fast(tactics) if *tactics != Tactics::default() => format!("{}, {tactics:?}", method.name()),
-        Method::Fast(_) | Method::Simple(_) | Method::Photons | Method::Cached => method.name().to_owned(),
+        Method::Fast(_) | Method::Simple(_) | Method::Photons | Method::Cached | Method::Radiosity => {
+            method.name().to_owned()
+        }
     };
     let manner = [
         ("integrator", method),

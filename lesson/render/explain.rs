@@ -5,10 +5,12 @@ use crate::run::machine;
 use crate::stop::Stop;
 use chapters::text::Phrase;
 use light::geometry::Structure;
+use light::radiosity::Routes;
 use light::scene::{Geometry, Scene};
 use light::transport::estimate::{colour, relative_mse_less};
 use light::transport::film::{Film, Halves};
 use light::transport::kernel::Tactics;
+use light::transport::radiosity::{Facts, Radiosity, Solver};
 use light::transport::{LeftOut, Manner, Method, Needless, Needs, Renderer};
 use std::ops::Range;
 use views::block::{Block, Column, Details, Heading, Rank, Span, Table, Tone};
@@ -251,6 +253,7 @@ fn tell(scene: &Scene, integrator: &str, manner: &Manner) -> Result<Vec<Block>, 
     let pairs = enough(&small, manner)?;
     let renderer = Renderer::new(scene, manner, 1).map_err(|flaw| Stop::Refused(flaw.to_string()))?;
     let (needs, bytes) = (*renderer.needs(), renderer.bytes());
+    let patches = renderer.radiosity().map(patches);
     drop(renderer);
 
     let mut out = Vec::new();
@@ -290,6 +293,7 @@ fn tell(scene: &Scene, integrator: &str, manner: &Manner) -> Result<Vec<Block>, 
     list.extend(needed(&needs).into_iter().map(|what| text(2, Tone::Plain, &what)));
     list.push(text(2, Tone::Dim, &format!("in all {bytes} bytes of shapes, made ready for {integrator}")));
     let mut blocks = vec![Block::Group(list)];
+    blocks.extend(patches);
     let verdict = if same { "the same picture, bit for bit" } else { "and ANOTHER picture, which should not be" };
     blocks.push(Block::Group(vec![
         part("Left out"),
@@ -311,6 +315,50 @@ fn tell(scene: &Scene, integrator: &str, manner: &Manner) -> Result<Vec<Block>, 
     blocks.push(text(0, Tone::Dim, &how));
     blocks.extend(Teller::english(Details::default()).machine(&machine()));
     Ok(vec![Block::section(blocks)])
+}
+
+/// Samples whose patches are told of: the first, and the last if nothing is said.
+const TOLD: [u32; 2] = [0, 63];
+
+/// What is told of a picture's patches.
+fn patches(radiosity: &Radiosity) -> Block {
+    let found = TOLD.map(|sample| radiosity.of_sample(sample).facts);
+    let [first, last] = &found;
+    let mut list = vec![part("Patches")];
+    let backs =
+        if first.backs > 0 { format!(", of them {} backs that light gets to", first.backs) } else { String::new() };
+    let head = format!(
+        "{} faces{backs}; {} patches for the first two samples of a pixel, {} from the 33rd to the 64th: as the root of their number",
+        first.faces, first.patches, last.patches
+    );
+    list.push(text(2, Tone::Plain, &head));
+    for facts in &found {
+        let Facts { patches, routes, sums: [least, most], solver, residual, .. } = facts;
+        let by = match solver {
+            Solver::Direct => "elimination without differences".to_owned(),
+            Solver::Conjugate(steps) => format!("{steps} steps of conjugate gradients"),
+            Solver::Bounces(bounces) => format!("{bounces} bounces, as many as paths may have"),
+        };
+        let Routes { behind, closed, points, contour, hidden } = routes;
+        list.push(text(
+            2,
+            Tone::Plain,
+            &format!(
+                "{patches} patches: form factors of {closed} pairs by closed forms, {contour} around both, {points} from afar; {behind} behind each other; {hidden} hidden at least in part, as rays between 3 × 3 places of either tell"
+            ),
+        ));
+        let sums = format!(
+            "what one sees of all others sums to {least:.4} … {most:.4}; solved by {by}, residual {residual:.1e}"
+        );
+        list.push(text(4, Tone::Plain, &sums));
+    }
+    let change = 100.0 * (first.mean / last.mean - 1.0).abs();
+    let change = if change.is_finite() { format!("{change:.2} %") } else { "nothing".to_owned() };
+    let wrong = format!(
+        "From the one to the other the mean of what they send back changes by {change}: about as much is wrong with the first, and with the last less; no number of samples, and no error that is told, shows it."
+    );
+    list.push(text(2, Tone::Dim, &wrong));
+    Block::Group(list)
 }
 
 fn part(text: &str) -> Block {

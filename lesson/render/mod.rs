@@ -298,11 +298,19 @@ fn integrator(name: &str, scene: &Scene) -> Result<Method, Stop> {
         let names = Method::all().map(|method| method.name());
         Stop::from(Fault::unknown("--integrator", name, "no such integrator", names))
     })?;
-    if !found.fits(&needs) {
-        let names: Vec<&str> = Method::all().filter(|one| one.fits(&needs)).map(|one| one.name()).collect();
+    let flaw = found.refusal(scene);
+    if flaw.is_some() || !found.fits(&needs) {
+        let names: Vec<&str> = fitting(scene).map(|one| one.name()).collect();
         let names = if names.is_empty() { "none of them".to_owned() } else { names.join(", ") };
-        let why = format!("{} cannot do this scene ({}); valid here: {names}", found.name(), found.about());
+        let reason = flaw.map_or(String::new(), |flaw| format!(": {flaw}"));
+        let why = format!("{} cannot do this scene ({}){reason}; valid here: {names}", found.name(), found.about());
         return Err(Stop::at("--integrator", why));
     }
     Ok(found)
+}
+
+/// The integrators that can do a scene.
+pub fn fitting(scene: &Scene) -> impl Iterator<Item = Method> {
+    let needs = Needs::of(scene);
+    Method::all().filter(move |method| method.fits(&needs) && method.refusal(scene).is_none())
 }

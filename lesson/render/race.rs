@@ -1,9 +1,9 @@
 //! Integrators on one scene, each as long as the others: error against time.
 
-use super::Shown;
 use super::clock::{Spent, Watch, efficiency};
 use super::goal::{Done, Goal};
 use super::preview::{Preview, clock, left};
+use super::{Shown, fitting};
 use crate::figures::Format;
 use crate::out::{self, Folder};
 use crate::run::machine;
@@ -15,7 +15,7 @@ use light::bsdf::Rgb;
 use light::scene::Scene;
 use light::transport::estimate::{Estimate, colour, relative_mse_less};
 use light::transport::film::{Film, Halves};
-use light::transport::{Manner, Method, Needs, Renderer};
+use light::transport::{Manner, Renderer};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -115,9 +115,7 @@ pub fn serve(scene: &Scene, course: &Course, shown: Shown) -> Result<ExitCode, S
         Ok::<_, Stop>((folder, name, format))
     });
     let plot = plot.transpose()?;
-    let needs = Needs::of(scene);
-    let fitting = Method::all().filter(|method| method.fits(&needs));
-    let entrants: Vec<_> = fitting.map(|method| (method.name(), method.about(), method)).collect();
+    let entrants: Vec<_> = fitting(scene).map(|method| (method.name(), method.about(), method)).collect();
 
     let goal = Goal { spp: course.spp, time: Some(course.time), ..Goal::default() };
     // The truth takes as long as the course says, whatever number of samples that is.

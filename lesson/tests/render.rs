@@ -138,12 +138,37 @@ fn what_a_scene_needs_is_explained_with_what_was_measured() {
 }
 
 #[test]
+fn radiosity_says_what_it_did_and_what_it_cannot_do() {
+    let folder = folder("render-radiosity");
+    let scene = small(&folder, "cornell");
+    let run = render(&folder, &scene, "--spp 2 --integrator radiosity --explain --out @a.pfm --stats @a.json");
+    assert_eq!(run.code, 0, "{run:?}");
+    for words in
+        ["17 faces, of them 1 backs", "by closed forms", "residual", "of all others sums to", "hidden at least in part"]
+    {
+        assert!(run.out.contains(words), "should say `{words}`: {}", run.out);
+    }
+    assert!(fs::read_to_string(folder.join("a.json")).unwrap().contains("\"radiosity\""));
+    let glass = small(&folder, "glass");
+    let run = render(&folder, &glass, "--spp 2 --integrator radiosity --out @b.pfm");
+    assert_eq!(run.code, 2, "{run:?}");
+    let words = [
+        "--integrator: radiosity cannot do this scene",
+        "shapes[6].geometry",
+        "is not made of flat patches",
+        "valid here: ",
+    ];
+    assert!(words.iter().all(|words| run.err.contains(words)), "{run:?}");
+    assert!(!folder.join("b.pfm").exists());
+}
+
+#[test]
 fn a_race_tells_of_every_integrator_that_fits_and_draws_them() {
     let folder = folder("render-race");
     let scene = small(&folder, "cornell");
     let run = render(&folder, &scene, "--time 100ms --spp 64 --race --plot --format svg --out @figures");
     assert_eq!(run.code, 0, "{run:?}");
-    for name in ["fast", "hemisphere", "surface", "lamps", "both", "photon-map", "irradiance-cache"] {
+    for name in ["fast", "hemisphere", "surface", "lamps", "both", "photon-map", "irradiance-cache", "radiosity"] {
         assert!(run.out.contains(&format!("  {name}: ")), "{name}: {}", run.out);
     }
     assert!(run.out.contains("reference: fast, seed 2, ") && run.out.contains("efficiency"), "{}", run.out);

@@ -1,6 +1,6 @@
 //! What two patches exchange: A F = ∫∫ cos θ cos θ′/(π r²) dA dA′ [m²], the same both ways, if nothing is between them.
 
-use super::Patch;
+use super::{Outline, Patch, contour};
 use crate::radiometry::polygon;
 use crate::scene::Triple;
 use crate::scene::triple::{dot, length, minus, normalised};
@@ -10,24 +10,51 @@ use std::f64::consts::{PI, TAU};
 /// of the closed form's sixteen terms d⁴ ulp would be left, which is as much.
 const FAR: f64 = 12.0;
 
+/// By what route it was found what two patches exchange.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Route {
+    /// One is behind the other.
+    Behind,
+    /// Sixteen terms, of rectangles along the same axes.
+    Closed,
+    /// Gauss's rule over both, which are far from each other.
+    Points,
+    /// Around both ([`contour`]).
+    Contour,
+}
+
 /// What `one` and `other` exchange [m²]: by closed forms if they are rectangles, parallel to each other or at a right angle
-/// with sides along each other's, and not far apart; by Gauss's rule if they are far; else by [`by_rim`].
+/// with sides along each other's, and not far apart; by Gauss's rule if they are far; else around both, wherever they are.
 pub fn exchange(one: &Patch, other: &Patch) -> f64 {
-    let apart = length(minus(one.at([0.5; 2]), other.at([0.5; 2])));
+    by_route(one, other).0
+}
+
+/// The same, and how it was found.
+pub fn by_route(one: &Patch, other: &Patch) -> (f64, Route) {
+    let apart = length(minus(one.middle(), other.middle()));
     let is_far = apart > FAR * one.size().max(other.size());
     let whole = |seen: &Patch, from: &Patch| seen.corners().iter().all(|corner| from.before(*corner) >= 0.0);
     if is_far && whole(one, other) && whole(other, one) {
-        return by_points(one, other);
+        return (by_points(one, other), Route::Points);
     }
-    let frame = [one.edges[0], one.edges[1], one.normal()].map(normalised);
-    match (aligned(one, &frame), aligned(other, &frame)) {
-        (Some(one), Some(other)) => between_boxes(&one, &other),
-        _ => by_rim(one, other, RIM),
+    let is_hidden = |seen: &Patch, from: &Patch| seen.corners().iter().all(|corner| from.before(*corner) <= 0.0);
+    if is_hidden(one, other) || is_hidden(other, one) {
+        return (0.0, Route::Behind);
     }
+    if [one, other].iter().all(|patch| patch.outline == Outline::Parallelogram) {
+        let frame = [one.edges[0], one.edges[1], one.normal()].map(normalised);
+        if let (Some(one), Some(other)) = (aligned(one, &frame), aligned(other, &frame)) {
+            return (between_boxes(&one, &other), Route::Closed);
+        }
+    }
+    (around(one, other), Route::Contour)
 }
 
-/// Points each way of [`by_rim`] where nothing else is said.
-const RIM: usize = 4;
+/// Around both, whatever they are and wherever.
+pub fn around(one: &Patch, other: &Patch) -> f64 {
+    let [here, there] = [one, other].map(Patch::corners);
+    contour::exchange((&here, one.normal()), (&there, other.normal()))
+}
 
 /// A rectangle along the axes of a frame: intervals, of which that along the normal is a point.
 struct Span {
@@ -145,7 +172,11 @@ fn by_points(one: &Patch, other: &Patch) -> f64 {
     let places = |patch: &Patch| -> [(Triple, f64); 16] {
         std::array::from_fn(|at| {
             let ((u, a), (v, b)) = (NODES[at / 4], NODES[at % 4]);
-            (patch.at([u, v]), a * b)
+            match patch.outline {
+                Outline::Parallelogram => (patch.at([u, v]), a * b),
+                // The square drawn together at one of its sides.
+                Outline::Triangle => (patch.at([u, v * (1.0 - u)]), a * b * 2.0 * (1.0 - u)),
+            }
         })
     };
     let (here, there) = (places(one), places(other));
@@ -160,8 +191,8 @@ fn by_points(one: &Patch, other: &Patch) -> f64 {
     (one.area() * other.area() / PI * sum).max(0.0)
 }
 
-/// Of any two patches: what arrives at a point of `one` from `other` by Lambert's sum over its rim, and that by `n` × `n`
-/// midpoints over `one`. The error falls as 1/n², also of patches that share an edge.
+/// Of any two patches: what arrives at a point of `one` from `other` by Lambert's sum over its rim, and that by the middles of
+/// `n` × `n` pieces of `one`. The error falls as 1/n², of patches that share an edge at a right angle too, and at a slant slower.
 pub fn by_rim(one: &Patch, other: &Patch, n: usize) -> f64 {
     let (normal, corners) = (one.normal(), other.corners());
     // From behind nothing is seen.
@@ -170,8 +201,7 @@ pub fn by_rim(one: &Patch, other: &Patch, n: usize) -> f64 {
     }
     // Nothing to cut at the horizon, or something.
     let is_whole = corners.iter().all(|corner| one.before(*corner) >= 0.0);
-    let at = |k: usize| (k as f64 + 0.5) / n as f64;
-    let places = (0..n * n).map(|k| one.at([at(k % n), at(k / n)]));
+    let places = (0..n * n).map(|k| one.piece([n; 2], k).middle());
     let seen = places.filter(|place| other.before(*place) > 0.0).map(|place| {
         let from_here = corners.map(|corner| minus(corner, place));
         if is_whole {
@@ -186,9 +216,7 @@ pub fn by_rim(one: &Patch, other: &Patch, n: usize) -> f64 {
 /// Of any two patches by n⁴ pairs of points, the middles of n × n pieces of each: of those that see each other, and of all
 /// [m²]. What is behind counts nothing. Near each other they are far from the truth, but their quotient is not.
 pub fn by_middles(one: &Patch, other: &Patch, n: usize, sees: impl Fn(Triple, Triple) -> bool) -> [f64; 2] {
-    let places = |patch: &Patch| -> Vec<Triple> {
-        (0..n * n).map(|k| patch.piece([n; 2], [k % n, k / n]).at([0.5; 2])).collect()
-    };
+    let places = |patch: &Patch| -> Vec<Triple> { (0..n * n).map(|k| patch.piece([n; 2], k).middle()).collect() };
     let (here, there) = (places(one), places(other));
     let ([a, b], share) = ([one.normal(), other.normal()], one.area() * other.area() / (PI * (n as f64).powi(4)));
     let [mut seen, mut all] = [0.0; 2];

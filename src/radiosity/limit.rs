@@ -14,6 +14,37 @@ pub fn richardson([coarse, fine]: [f64; 2], order: f64) -> f64 {
     fine + (fine - coarse) / (order.exp2() - 1.0)
 }
 
+/// The limit of a sequence whose error is a sum of such `powers` of h, from as many values and one more, each with its h; the
+/// powers need not be whole. The last value where the equations have no one solution.
+pub fn without(values: &[(f64, f64)], powers: &[f64]) -> f64 {
+    let size = powers.len() + 1;
+    let last = values.last().map_or(f64::NAN, |(_, value)| *value);
+    if values.len() != size {
+        return f64::NAN;
+    }
+    // In units of the largest h; a column of ones for the limit, one a power, and the values.
+    let unit = values.iter().fold(0.0_f64, |most, (h, _)| most.max(*h));
+    let row = |(h, value): &(f64, f64)| -> Vec<f64> {
+        let terms = powers.iter().map(|power| (h / unit).powf(*power));
+        std::iter::once(1.0).chain(terms).chain([*value]).collect()
+    };
+    let mut rows: Vec<Vec<f64>> = values.iter().map(row).collect();
+    // From the last column to the first, which is the limit's.
+    for k in (0..size).rev() {
+        let most = (0..=k).max_by(|a, b| rows[*a][k].abs().total_cmp(&rows[*b][k].abs())).unwrap_or(k);
+        rows.swap(k, most);
+        let (upper, pivot) = rows.split_at_mut(k);
+        if pivot[0][k] == 0.0 {
+            return last;
+        }
+        for row in upper {
+            let share = row[k] / pivot[0][k];
+            row.iter_mut().zip(&pivot[0]).for_each(|(x, y)| *x -= share * y);
+        }
+    }
+    rows[0][size] / rows[0][0]
+}
+
 /// The order [1] that values at h, h/2 and h/4 show; not a number if they do not fall one way.
 pub fn observed_order([coarse, middle, fine]: [f64; 3]) -> f64 {
     ((coarse - middle) / (middle - fine)).log2()
@@ -32,5 +63,15 @@ mod tests {
         assert!((richardson([values[0], values[1]], 2.0) - 3.0).abs() < 1e-14);
         assert!((observed_order(values) - 2.0).abs() < 1e-14);
         assert_eq!(aitken([2.0; 3]), 2.0);
+    }
+
+    #[test]
+    fn several_powers_are_taken_off_exactly() {
+        let of = |h: f64| (h, 3.0 + 5.0 * h * h - 2.0 * h.powf(2.5) + 0.7 * h.powi(4));
+        let values = [0.25, 0.2, 0.125, 0.1].map(of);
+        assert!((without(&values, &[2.0, 2.5, 4.0]) - 3.0).abs() < 1e-12);
+        assert!((without(&values[..2], &[2.0]) - 3.0).abs() > 1e-3);
+        assert!(without(&values, &[2.0]).is_nan());
+        assert_eq!(without(&[(0.5, 1.0), (0.5, 2.0)], &[2.0]), 2.0);
     }
 }

@@ -6,16 +6,22 @@
 //!
 //! | idea | where |
 //! |---|---|
-//! | a parallelogram, and what two of them exchange | [`Patch`], [`exchange`] |
+//! | a parallelogram or a triangle, and what two of them exchange | [`Patch`], [`exchange`] |
+//! | the same of any two polygons, exactly | [`contour`] |
+//! | of two rectangles with an edge in common, as the catalogue has it | [`hinge`] |
 //! | diffuse faces, and how they are cut | [`Room`], [`Patches`] |
 //! | which patch sees how much of which | [`Network`] |
 //! | its equations solved: bounce by bounce, shot by shot, at once | [`solve`] |
+//! | and by patches that are only as small as their light asks for | [`hierarchy`] |
 //! | how fast bounces die out | [`spectrum`] |
 //! | rooms whose light is known | [`exact`] |
 //! | limits from a few terms | [`limit`] |
 
+pub mod contour;
 pub mod exact;
 pub mod exchange;
+pub mod hierarchy;
+pub mod hinge;
 pub mod limit;
 mod network;
 mod patch;
@@ -26,6 +32,6 @@ pub mod spectrum;
 #[cfg(test)]
 mod tests;
 
-pub use network::{Light, Network};
-pub use patch::Patch;
+pub use network::{Light, Network, Routes};
+pub use patch::{Outline, Patch};
 pub use room::{Face, Patches, Room};

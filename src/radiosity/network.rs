@@ -1,8 +1,11 @@
 //! Which patch sees how much of which.
 
+use super::exchange::Route;
 use super::sight::Sight;
 use super::{Patch, Patches, exchange};
-use crate::scene::triple::{largest, minus};
+use crate::scene::Triple;
+use crate::scene::triple::{dot, largest, minus};
+use crate::threads::mapped;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 use std::ops::Range;
@@ -46,11 +49,50 @@ impl Light {
 /// Pieces each way into which patches are cut that see each other in part.
 const IN_PART: usize = 3;
 
+/// How many pairs of patches were found by which route.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Routes {
+    /// Of patches of one face, or behind each other: nothing to do.
+    pub behind: usize,
+    /// By closed forms.
+    pub closed: usize,
+    /// By Gauss's rule, far from each other.
+    pub points: usize,
+    /// Around both.
+    pub contour: usize,
+    /// Of all these, hidden from each other in part or wholly, as rays between them say.
+    pub hidden: usize,
+}
+
+impl Routes {
+    fn count(&mut self, route: Route, is_hidden: bool) {
+        *match route {
+            Route::Behind => &mut self.behind,
+            Route::Closed => &mut self.closed,
+            Route::Points => &mut self.points,
+            Route::Contour => &mut self.contour,
+        } += 1;
+        self.hidden += usize::from(is_hidden);
+    }
+
+    fn plus(self, other: Self) -> Self {
+        Self {
+            behind: self.behind + other.behind,
+            closed: self.closed + other.closed,
+            points: self.points + other.points,
+            contour: self.contour + other.contour,
+            hidden: self.hidden + other.hidden,
+        }
+    }
+}
+
 /// What patches of two faces exchange, by the way from one to the other: the pieces of a face are all alike, and of n⁴ pairs at
 /// most 2n³ differ.
 struct Known {
-    values: HashMap<[i64; 5], f64, BuildHasherDefault<Mixed>>,
+    values: HashMap<[i64; 4], (f64, Route), BuildHasherDefault<Mixed>>,
     unit: f64,
+    /// An edge of either face: a triangle's pieces may be turned round.
+    edges: [Triple; 2],
 }
 
 /// A hash of a few whole numbers: each is added, multiplied and folded. Nobody hostile chooses them.
@@ -76,17 +118,48 @@ impl Hasher for Mixed {
 const ALIKE: f64 = 1e-10;
 
 impl Known {
-    fn new(patches: &Patches) -> Self {
+    fn new(patches: &Patches, faces: [usize; 2]) -> Self {
         let reach = patches.list.iter().map(|patch| largest(patch.corner) + patch.size()).fold(0.0, f64::max);
-        Self { values: HashMap::default(), unit: ALIKE * reach }
+        let edges = faces.map(|face| patches.room.faces[face].patch.edges[0]);
+        Self { values: HashMap::default(), unit: ALIKE * reach, edges }
     }
 
-    fn exchange(&mut self, faces: [usize; 2], [one, other]: [&Patch; 2]) -> f64 {
+    fn exchange(&mut self, one: &Patch, other: &Patch) -> (f64, Route) {
         let [x, y, z] = minus(other.corner, one.corner).map(|way| (way / self.unit).round() as i64);
-        let key = [faces[0] as i64, faces[1] as i64, x, y, z];
-        *self.values.entry(key).or_insert_with(|| exchange::exchange(one, other))
+        let turned = |patch: &Patch, edge: Triple| i64::from(dot(patch.edges[0], edge) < 0.0);
+        let key = [2 * turned(one, self.edges[0]) + turned(other, self.edges[1]), x, y, z];
+        *self.values.entry(key).or_insert_with(|| exchange::by_route(one, other))
     }
 }
+
+/// What the patches of two faces exchange, row by row of the first.
+fn between(patches: &Patches, sight: &Sight, faces: [usize; 2]) -> (Vec<f64>, Routes) {
+    let (mut known, mut routes) = (Known::new(patches, faces), Routes::default());
+    let may_be_blocked = sight.may_be_blocked(faces[0], faces[1]);
+    let [here, there] = faces.map(|face| &patches.list[patches.of_face(face)]);
+    let mut all = Vec::with_capacity(here.len() * there.len());
+    for one in here {
+        for other in there {
+            let (mut both, route) =
+                if patches.is_even() { known.exchange(one, other) } else { exchange::by_route(one, other) };
+            let mut is_hidden = false;
+            if both > 0.0 && may_be_blocked {
+                let screens = sight.between(faces, [one, other]);
+                if !screens.is_empty() {
+                    let [seen, all] = exchange::by_middles(one, other, IN_PART, |a, b| Sight::is_free(&screens, a, b));
+                    is_hidden = seen < all;
+                    both *= if all > 0.0 { seen / all } else { 0.0 };
+                }
+            }
+            routes.count(route, is_hidden);
+            all.push(both);
+        }
+    }
+    (all, routes)
+}
+
+/// Pairs of faces that are looked at before what was found is put in its place.
+const TOGETHER: usize = 64;
 
 impl Network {
     /// From the areas [m²] of patches and what each two exchange [m²], row by row and the same both ways. Of a closed room
@@ -100,34 +173,34 @@ impl Network {
     }
 
     /// Of the patches of a room. Where other faces may come between two patches, n⁴ rays are sent (n = 3), and of what the
-    /// two would exchange that share counts which gets through.
-    ///
-    /// Patches that touch at a slant, as at the foot of a turned block, are summed by points and known badly: their rows may add
-    /// up to more than 1, in the Cornell box to 1.05 of whole faces and 1.2 of quarters of their edges.
+    /// two would exchange that share counts which gets through: of a pair that is hidden in part it is known to about 1/n² of
+    /// the whole.
     pub fn of(patches: &Patches) -> Self {
-        let n = patches.list.len();
+        Self::counted(patches).0
+    }
+
+    /// The same, and by which routes.
+    pub fn counted(patches: &Patches) -> (Self, Routes) {
+        let (n, faces) = (patches.list.len(), patches.room.faces.len());
         let areas: Vec<f64> = patches.list.iter().map(Patch::area).collect();
         let sight = Sight::new(&patches.room);
-        let mut known = Known::new(patches);
+        let pairs: Vec<[usize; 2]> = (0..faces).flat_map(|i| (i + 1..faces).map(move |j| [i, j])).collect();
         let mut exchanged = vec![0.0; n * n];
-        for i in 0..n {
-            for j in i + 1..n {
-                let [one, other] = [i, j].map(|at| &patches.list[at]);
-                let [from, to] = [i, j].map(|at| patches.owners[at]);
-                let mut both = known.exchange([from, to], [one, other]);
-                if both > 0.0 && sight.may_be_blocked(from, to) {
-                    let between = sight.between([from, to], [one, other]);
-                    if !between.is_empty() {
-                        let [seen, all] =
-                            exchange::by_middles(one, other, IN_PART, |a, b| Sight::is_free(&between, a, b));
-                        both *= if all > 0.0 { seen / all } else { 0.0 };
+        let mut routes = Routes::default();
+        // Some faces after some, lest all there is be held twice.
+        for some in pairs.chunks(TOGETHER) {
+            for (faces, (all, more)) in some.iter().zip(mapped(some, |faces| between(patches, &sight, *faces))) {
+                routes = routes.plus(more);
+                let [here, there] = faces.map(|face| patches.of_face(face));
+                for (i, row) in here.zip(all.chunks_exact(there.len())) {
+                    for (j, both) in there.clone().zip(row) {
+                        exchanged[i * n + j] = *both;
+                        exchanged[j * n + i] = *both;
                     }
                 }
-                exchanged[i * n + j] = both;
-                exchanged[j * n + i] = both;
             }
         }
-        Self::new(areas, &exchanged, patches.room.is_closed)
+        (Self::new(areas, &exchanged, patches.room.is_closed), routes)
     }
 
     /// The inside of a sphere whose pieces have such shares [1] of it: each sees of every piece, itself included, as much as

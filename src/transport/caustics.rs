@@ -214,7 +214,7 @@ pub fn splats<N: Width>(stage: &Stage<N>, points: &Points, pairs: Range<u32>) ->
     // A task for every so many paths, and their splats added one after the other: whole numbers know no order.
     let tasks: Vec<u32> = pairs.flat_map(|pair| [2 * pair, 2 * pair + 1]).collect();
     for some in tasks.chunks(TOGETHER) {
-        for found in super::picture::mapped(some, |sample| of_sample(stage, caustics, &stream, *sample)) {
+        for found in crate::threads::mapped(some, |sample| of_sample(stage, caustics, &stream, *sample)) {
             found.into_iter().for_each(|(pixel, half, light)| sums.add(pixel, half, light));
         }
     }

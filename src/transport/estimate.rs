@@ -24,8 +24,8 @@
 //! smallest lamps are then smaller than a pixel.
 
 use super::film::Halves;
-use super::picture::mapped;
 use crate::bsdf::Rgb;
+use crate::threads::mapped;
 
 /// What keeps the relative error of black finite: the square of a tenth of white [W² m⁻⁴ sr⁻²].
 pub const DARK: f64 = 0.01;

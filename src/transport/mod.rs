@@ -15,6 +15,7 @@
 //! | light by way of mirrors and glass, from the lamp on | [`caustics`] |
 //! | light left where it falls | [`photons`] |
 //! | light that a few places know for all | [`irradiance_cache`] |
+//! | light that patches know, found at once | [`radiosity`] |
 //! | all pixels | [`picture`] |
 //! | sums of samples that no order of rendering can change | [`film`] |
 //! | the room whose light is known | [`enclosure`] |
@@ -36,6 +37,7 @@ mod patterns;
 pub mod photons;
 pub mod picture;
 pub mod pilot;
+pub mod radiosity;
 pub mod simple;
 pub mod stage;
 pub mod surfaces;

@@ -7,13 +7,14 @@
 //! slowly that noise falls as well (C. Knaus and M. Zwicker, *Progressive photon mapping: a probabilistic approach*, ACM
 //! Trans. Graph. 30 (2011) 25): the mean square of the error of N samples falls as N^−2/3.
 
-use super::picture::{DEEP, mapped};
+use super::picture::DEEP;
 use super::simple::{Numbers, carried, gathered};
 use super::{Stage, Vertex};
 use crate::bsdf::{Rgb, rgb};
 use crate::geometry::Ray;
 use crate::number::{Frame, Vector};
 use crate::sampling::{Choice, Points, Shares, Stream, warp};
+use crate::threads::mapped;
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_1_PI, PI};
 use std::ops::Range;

@@ -6,6 +6,7 @@ use super::irradiance_cache::record::Cache;
 use super::kernel::{Tactics, Work};
 use super::photons::Photons;
 use super::pilot::Pilot;
+use super::radiosity::{self, Radiosity, Solution};
 use super::simple::{INTEGRATORS, Integrator, Numbers, RARE};
 use super::{Needless, Needs, Stage, caustics, looks};
 use crate::bsdf::{Rgb, rgb};
@@ -13,6 +14,7 @@ use crate::geometry::Structure;
 use crate::number::{F32x8, F32x16, Mask, Vector, Width, best_lanes, vectorised_lanes};
 use crate::sampling::{Choice, Points, Stream};
 use crate::scene::{Flaw, Scene};
+use crate::threads::mapped;
 use std::ops::Range;
 use std::sync::OnceLock;
 
@@ -42,6 +44,8 @@ pub enum Method {
     Photons,
     /// By what a few places know of the light on all ([`super::irradiance_cache`]).
     Cached,
+    /// By patches whose light is found at once ([`super::radiosity`]); of flat diffuse shapes alone.
+    Radiosity,
 }
 
 impl Default for Method {
@@ -54,7 +58,7 @@ impl Method {
     /// All of them, the fast one first.
     pub fn all() -> impl Iterator<Item = Self> {
         let simple = INTEGRATORS.iter().chain(RARE).map(Self::Simple);
-        std::iter::once(Self::default()).chain(simple).chain([Self::Photons, Self::Cached])
+        std::iter::once(Self::default()).chain(simple).chain([Self::Photons, Self::Cached, Self::Radiosity])
     }
 
     /// The one for scenes that need this, if nothing is asked: the fast one, and behind a polariser the only one that looks at it.
@@ -70,6 +74,7 @@ impl Method {
             Self::Simple(integrator) => integrator.name,
             Self::Photons => "photon-map",
             Self::Cached => "irradiance-cache",
+            Self::Radiosity => "radiosity",
         }
     }
 
@@ -80,6 +85,7 @@ impl Method {
             Self::Simple(integrator) => integrator.about,
             Self::Photons => "light sent from lamps and left where it falls: blurred, less with every sample",
             Self::Cached => "light by way of matt places, known at a few: interpolated, closer with every sample",
+            Self::Radiosity => "flat diffuse shapes in patches, solved at once, and gathered: finer with every sample",
         }
     }
 
@@ -90,6 +96,18 @@ impl Method {
             Self::Simple(integrator) => (integrator.fits)(needs),
             Self::Photons => !needs.environment && !needs.bare_lights && !needs.wavelength && !needs.polariser,
             Self::Cached => !needs.wavelength && !needs.polariser,
+            Self::Radiosity => {
+                let is_diffuse = !needs.glossy && !needs.specular && !needs.clear && !needs.absorption;
+                is_diffuse && !needs.environment && !needs.bare_lights && !needs.wavelength && !needs.polariser
+            }
+        }
+    }
+
+    /// What of a scene without a flaw it cannot do, if a look at its needs does not tell.
+    pub fn refusal(&self, scene: &Scene) -> Option<Flaw> {
+        match self {
+            Self::Radiosity => radiosity::refusal(scene),
+            _ => None,
         }
     }
 }
@@ -143,6 +161,7 @@ enum Engine {
     Simple(Box<Stage<f64>>, &'static Integrator),
     Photons(Box<Stage<f64>>, Box<Photons>),
     Cached(Box<Stage<f64>>, Box<Caches>),
+    Radiosity(Box<Stage<f64>>, Box<Radiosity>),
 }
 
 /// A stage of so many lanes.
@@ -171,7 +190,7 @@ impl Engine {
                 let is_looked_at = in_width!(wide, stage => stage.is_looked_at());
                 pairs.saturating_mul(tactics.most_samples(is_looked_at))
             }
-            Self::Simple(..) | Self::Photons(..) | Self::Cached(..) => pairs,
+            Self::Simple(..) | Self::Photons(..) | Self::Cached(..) | Self::Radiosity(..) => pairs,
         }
     }
 }
@@ -211,6 +230,10 @@ impl Renderer {
                 let caches = Box::new(Caches::new(&stage, manner.choice, manner.seed));
                 Engine::Cached(stage, caches)
             }
+            Method::Radiosity => {
+                let stage = Box::new(Stage::with(scene, *structure, needless)?);
+                Engine::Radiosity(stage, Box::new(Radiosity::new(scene)?))
+            }
         };
         let vertices = scene.max_depth.unwrap_or(VERTICES).min(VERTICES) as usize;
         let light = match &engine {
@@ -223,7 +246,7 @@ impl Renderer {
         let numbers = (manner.choice, vertices, manner.seed);
         let several = match &engine {
             Engine::Fast(wide, tactics) => in_width!(wide, stage => Several::new(stage, tactics, numbers)),
-            Engine::Simple(..) | Engine::Photons(..) | Engine::Cached(..) => Several::alike(),
+            Engine::Simple(..) | Engine::Photons(..) | Engine::Cached(..) | Engine::Radiosity(..) => Several::alike(),
         };
         Ok(Self { engine, points, light, numbers, pairs, several })
     }
@@ -242,6 +265,7 @@ impl Renderer {
         match &self.engine {
             Engine::Fast(wide, _) => in_width!(wide, stage => stage.bytes()),
             Engine::Simple(stage, _) | Engine::Photons(stage, _) | Engine::Cached(stage, _) => stage.bytes(),
+            Engine::Radiosity(stage, _) => stage.bytes(),
         }
     }
 
@@ -250,6 +274,7 @@ impl Renderer {
         match &self.engine {
             Engine::Fast(wide, _) => in_width!(wide, stage => stage.needs()),
             Engine::Simple(stage, _) | Engine::Photons(stage, _) | Engine::Cached(stage, _) => stage.needs(),
+            Engine::Radiosity(stage, _) => stage.needs(),
         }
     }
 
@@ -269,6 +294,14 @@ impl Renderer {
         !matches!(self.engine, Engine::Photons(..))
     }
 
+    /// The patches behind the picture, if there are any.
+    pub fn radiosity(&self) -> Option<&Radiosity> {
+        match &self.engine {
+            Engine::Radiosity(_, radiosity) => Some(radiosity),
+            _ => None,
+        }
+    }
+
     /// Sums over a branch of pairs of samples ([`super::film`]) of some rows of the picture, row by row.
     pub fn sums(&self, rows: Range<u32>, pairs: Range<u32>) -> Vec<Halves> {
         match &self.engine {
@@ -281,6 +314,7 @@ impl Renderer {
             }
             Engine::Photons(stage, photons) => by_photons(stage, photons, &self.points, rows, pairs),
             Engine::Cached(stage, caches) => by_caches(stage, caches, &self.points, rows, pairs),
+            Engine::Radiosity(stage, radiosity) => by_patches(stage, radiosity, &self.points, rows, pairs),
         }
     }
 }
@@ -293,6 +327,7 @@ impl Renderer {
             Engine::Simple(stage, _) | Engine::Photons(stage, _) | Engine::Cached(stage, _) => {
                 features(stage, &self.points, rows)
             }
+            Engine::Radiosity(stage, _) => features(stage, &self.points, rows),
         }
     }
 }
@@ -367,17 +402,6 @@ pub fn fast<N: Width>(
     mapped(&blocks, of).concat()
 }
 
-/// Of each the result, on as many threads as there are.
-pub(super) fn mapped<A: Sync, T: Send>(all: &[A], of: impl Fn(&A) -> T + Sync + Send) -> Vec<T> {
-    #[cfg(feature = "parallel")]
-    {
-        use rayon::prelude::*;
-        all.par_iter().map(of).collect()
-    }
-    #[cfg(not(feature = "parallel"))]
-    all.iter().map(of).collect()
-}
-
 /// The same by an integrator to read, its paths at most so many edges long.
 pub fn simple(
     stage: &Stage<f64>,
@@ -442,6 +466,31 @@ fn by_caches(stage: &Stage<f64>, caches: &Caches, points: &Points, rows: Range<u
             let ray = stage.camera(pixel.map(f64::from), [a, b, c, d]);
             let cache = all[(sample - 2 * pairs.start) as usize];
             let light = Caches::radiance(stage, cache, ray, &mut Numbers::new(&stream, sample), depth);
+            rgb(|c| light[c] as f32)
+        };
+        let pairs: Vec<Halves> = pairs.clone().map(|pair| [one(2 * pair), one(2 * pair + 1)]).collect();
+        tree(&pairs)
+    })
+}
+
+/// The same by patches, of each batch of samples its own.
+fn by_patches(
+    stage: &Stage<f64>,
+    radiosity: &Radiosity,
+    points: &Points,
+    rows: Range<u32>,
+    pairs: Range<u32>,
+) -> Vec<Halves> {
+    let depth = stage.max_depth();
+    // Made here, on all threads, before any of them asks.
+    let all: Vec<&Solution> = pairs.clone().map(|pair| radiosity.of_sample(2 * pair)).collect();
+    by_pixel(stage.size()[0], rows, |pixel| {
+        let stream = points.of_pixel(pixel);
+        let one = |sample: u32| {
+            let [a, b, c, d, ..] = stream.row::<f64>(|_| sample, |_| 0);
+            let ray = stage.camera(pixel.map(f64::from), [a, b, c, d]);
+            let solution = all[(sample / 2 - pairs.start) as usize];
+            let light = radiosity.radiance(stage, solution, ray, &mut Numbers::new(&stream, sample), depth);
             rgb(|c| light[c] as f32)
         };
         let pairs: Vec<Halves> = pairs.clone().map(|pair| [one(2 * pair), one(2 * pair + 1)]).collect();

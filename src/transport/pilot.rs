@@ -8,9 +8,9 @@
 use super::Stage;
 use super::film::Halves;
 use super::kernel::{Tactics, Work};
-use super::picture::mapped;
 use crate::number::{Width, vectorised_lanes};
 use crate::sampling::{Choice, Points, Stream};
+use crate::threads::mapped;
 use std::cell::Cell;
 
 /// The most pixels that are asked; of larger pictures one in every few columns and rows.

@@ -2,8 +2,6 @@
 
 use super::{Teller, section_at};
 use crate::block::{Block, Heading, Rank, Span, Term, Terms, Tone};
-use chapters::lecture::{LECTURE, chapter_names};
-use chapters::text::Phrase;
 use chapters::{CURRICULUM, Chapter, Step};
 
 /// What to type next, and what that does.
@@ -19,12 +17,9 @@ impl Teller<'_> {
     /// Every chapter of the lecture, written or not, in a sentence, and what to type next.
     pub fn map(&self) -> Vec<Block> {
         let intro = self.say("A lecture on the physics of rendering that proves itself.", &[]);
-        let chapter = |name: &'static str| Term {
-            name: Span::verbatim(Tone::Name, name),
-            says: vec![match CURRICULUM.iter().find(|chapter| chapter.id == name) {
-                Some(chapter) => Span::new(Tone::Plain, self.phrase(chapter.id, "says", chapter.says)),
-                None => Span::new(Tone::Dim, self.coming(name)),
-            }],
+        let chapter = |chapter: &&Chapter| Term {
+            name: Span::verbatim(Tone::Name, chapter.id),
+            says: vec![Span::new(Tone::Plain, self.phrase(chapter.id, "says", chapter.says))],
             note: None,
         };
         let next = |(command, says): &(&str, &str)| Term {
@@ -35,14 +30,9 @@ impl Teller<'_> {
         let terms = |width, items| Block::section(vec![Block::Terms(Terms { width: Some(width), items })]);
         vec![
             Block::section(vec![Block::text(0, Tone::Plain, intro)]),
-            terms(19, chapter_names().into_iter().map(chapter).collect()),
+            terms(19, CURRICULUM.iter().map(chapter).collect()),
             terms(24, NEXT.iter().map(next).collect()),
         ]
-    }
-
-    fn coming(&self, name: &str) -> Phrase {
-        let rows = LECTURE.iter().filter(|row| row.chapter == name).count().to_string();
-        self.say("to be written ({rows} rows of the lecture)", &[("rows", Phrase::verbatim(rows))])
     }
 
     /// The steps of a chapter, one line each.

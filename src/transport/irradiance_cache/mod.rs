@@ -15,12 +15,13 @@
 pub mod hemisphere;
 pub mod record;
 
-use super::picture::{DEEP, mapped};
+use super::picture::DEEP;
 use super::simple::{Numbers, both, carried, gathered};
 use super::{Stage, Vertex};
 use crate::bsdf::{Rgb, rgb};
 use crate::geometry::Ray;
 use crate::sampling::{Choice, Points, balance};
+use crate::threads::mapped;
 use hemisphere::{Cells, Seen};
 use record::{Cache, Record};
 use std::f64::consts::FRAC_1_PI;

@@ -27,6 +27,7 @@ mod photons;
 mod pilot;
 mod polarised;
 mod prism;
+mod radiosity;
 
 /// The chance that any one of these tests fails though nothing is wrong.
 const SIGNIFICANCE: f64 = 1e-4;
