@@ -87,18 +87,18 @@ impl Book {
     }
 
     fn at(path: PathBuf) -> (Self, Memory, Option<String>) {
-        let ignored = |why: String| Some(format!("{}: {why}; nothing is remembered from before", path.display()));
+        let ignored = |why: String| Some(format!("what was remembered {why} and is ignored: {}", path.display()));
         let (memory, note, is_ours) = match fs::read_to_string(&path) {
             Ok(text) => match read(&text) {
                 Ok(memory) => (memory, None, true),
-                Err(Flaw::Damaged) => (Memory::default(), ignored("damaged".into()), true),
-                Err(Flaw::Foreign) => (Memory::default(), ignored("not written by this version".into()), false),
+                Err(Flaw::Damaged) => (Memory::default(), ignored("is damaged".into()), true),
+                Err(Flaw::Foreign) => (Memory::default(), ignored("is of another version".into()), false),
             },
             Err(error) if error.kind() == ErrorKind::NotFound => (Memory::default(), None, true),
             Err(error) if error.kind() == ErrorKind::InvalidData => {
-                (Memory::default(), ignored("damaged".into()), true)
+                (Memory::default(), ignored("is damaged".into()), true)
             }
-            Err(error) => (Memory::default(), ignored(error.to_string()), false),
+            Err(error) => (Memory::default(), ignored(format!("cannot be read ({error})")), false),
         };
         (Self { path: is_ours.then_some(path) }, memory, note)
     }

@@ -44,8 +44,6 @@ pub enum Event {
     Resize(usize, usize),
     /// Some work is done, or part of it.
     Done(Finished),
-    /// A tenth of a second has passed.
-    Tick,
     /// Nobody can press keys any more.
     Gone,
 }

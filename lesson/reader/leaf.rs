@@ -391,8 +391,9 @@ impl Leaf {
                 blocks
             }
             State::Lost => vec![title, Block::text(2, Tone::Bad, Phrase::verbatim("could not be judged"))],
+            State::Running(_, 0) => vec![title, Block::text(2, Tone::Dim, Phrase::verbatim("waits for its turn …"))],
             State::Running(done, of) => {
-                let filled = if of == 0 { 0 } else { BAR * done / of };
+                let filled = BAR * done / of;
                 let bar = format!("running {}{} {done} of {of}", "█".repeat(filled), "░".repeat(BAR - filled));
                 vec![title, Block::text(2, Tone::Plain, Phrase::verbatim(bar))]
             }

@@ -79,15 +79,17 @@ pub fn serve(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> {
             }
         }
         screen.show(&reader.screen()).map_err(Stop::writing)?;
-        let event = match arrivals.recv_timeout(TICK) {
-            Ok(event) => event,
-            Err(RecvTimeoutError::Timeout) => Event::Tick,
-            Err(RecvTimeoutError::Disconnected) => Event::Gone,
+        let event = loop {
+            code = interrupt.code();
+            if code.is_some() {
+                break 'open;
+            }
+            match arrivals.recv_timeout(TICK) {
+                Ok(event) => break event,
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => break Event::Gone,
+            }
         };
-        code = interrupt.code();
-        if code.is_some() {
-            break;
-        }
         if let Event::Resize(..) = event {
             screen.forget();
         }

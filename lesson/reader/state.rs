@@ -52,7 +52,8 @@ pub struct Line {
 /// What keys mean.
 enum Mode {
     Read,
-    Help,
+    /// The keys, from this row on.
+    Help(usize),
     GoTo(Contents),
     Search(String),
     Answer(String),
@@ -194,7 +195,6 @@ impl Reader {
                     self.set();
                 }
             }
-            Event::Tick => {}
         }
         self.remember();
     }
@@ -203,7 +203,20 @@ impl Reader {
         self.note = None;
         match std::mem::replace(&mut self.mode, Mode::Read) {
             Mode::Read => self.read(key),
-            Mode::Help => {}
+            Mode::Help(top) => {
+                let last = help(self.look().width).len().saturating_sub(self.height());
+                match key {
+                    Key::Down | Key::PageDown | Key::Char(' ') | Key::Enter if top < last => {
+                        let rows = if key == Key::Down { 1 } else { self.height() - 1 };
+                        self.mode = Mode::Help((top + rows).min(last));
+                    }
+                    Key::Up | Key::PageUp if top > 0 => {
+                        let rows = if key == Key::Up { 1 } else { self.height() - 1 };
+                        self.mode = Mode::Help(top.saturating_sub(rows));
+                    }
+                    _ => {}
+                }
+            }
             Mode::GoTo(mut contents) => match contents.press(key, &self.leaves) {
                 Choice::Open => self.mode = Mode::GoTo(contents),
                 Choice::Go(leaf) => self.go(leaf, 0),
@@ -259,12 +272,12 @@ impl Reader {
             Key::Char('/') => self.mode = Mode::Search(String::new()),
             Key::Char('.') => self.next_hit(1),
             Key::Char(',') => self.next_hit(-1),
-            Key::Char('?' | 'h') => self.mode = Mode::Help,
+            Key::Char('?' | 'h') => self.mode = Mode::Help(0),
             Key::Escape => self.search = None,
             Key::Char('u') => {
                 self.details.units = !self.details.units;
-                let (now, what) = if self.details.units { ("with", "shown") } else { ("without", "hidden") };
-                self.note = Some(format!("derivations {now} units: {what} line by line; d unfolds them"));
+                let now = if self.details.units { "with" } else { "without" };
+                self.note = Some(format!("derivations (d) {now} the unit of every line"));
                 self.set();
             }
             Key::Char('f') => self.next_figure(),
@@ -572,6 +585,9 @@ impl Reader {
                 found.iter().position(|(leaf, _)| *leaf >= self.at).or((!found.is_empty()).then_some(0))
             {
                 // From where one is; the first hit of this step that is not above the screen.
+                if found[first].0 == self.at {
+                    self.skip();
+                }
                 self.search = Some(Search { words: words.to_owned(), found, at: first });
                 let here = self.own_hits();
                 let below = here.iter().position(|hit| hit.first().is_some_and(|(row, _)| *row >= self.top));
@@ -634,7 +650,7 @@ impl Reader {
         let margin = (columns - width.min(columns)) / 2;
         let plain = |row: Row| Line { row, margin, marks: Vec::new(), is_bar: false };
         let mut lines: Vec<Line> = match &self.mode {
-            Mode::Help => help(width).into_iter().map(plain).collect(),
+            Mode::Help(top) => help(width).into_iter().skip(*top).map(plain).collect(),
             Mode::GoTo(contents) => {
                 let is_seen = |leaf: &Leaf| self.memory.visited.contains(&leaf.address());
                 contents.rows(&self.leaves, is_seen, width, height).into_iter().map(plain).collect()
@@ -701,7 +717,8 @@ impl Reader {
             (Mode::Search(words), ..) => format!("/{words}▏"),
             (Mode::Answer(text), ..) => format!("answer: {text}▏  Enter gives it, Esc not"),
             (Mode::GoTo(_), ..) => "type to filter  ↑↓ Enter goes  Esc closes".into(),
-            (Mode::Help, ..) => "any key goes back".into(),
+            (Mode::Help(top), ..) if top + self.height() < help(self.look().width).len() => "space: more".into(),
+            (Mode::Help(_), ..) => "any key goes back".into(),
             (Mode::Set(_), ..) => "↑↓ which  ←→ turn (shift: far)  type a value  ⌫ default  Esc".into(),
             (_, Some(note), _) => note.clone(),
             (_, _, Some(search)) => {

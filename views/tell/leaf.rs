@@ -2,7 +2,7 @@
 
 use super::{Teller, prose};
 use crate::block::{Block, Figure, Picture, Span, Tone};
-use crate::report::StepReport;
+use crate::report::{StatementReport, StepReport};
 use chapters::text::Phrase;
 use chapters::vocabulary::{self, Item, Reply};
 use chapters::{Chapter, Step};
@@ -45,6 +45,26 @@ impl Evidence {
         }
     }
 }
+
+/// The equations that steps are about where others come first, found by reading.
+const KEYS: [(&str, &str); 16] = [
+    ("maxwell/equations", "ampere_maxwell"),
+    ("maxwell/surface_current", "carrying"),
+    ("plane-wave/dalembert", "solution"),
+    ("plane-wave/wave_equation", "wave_e"),
+    ("plane-wave/transverse", "impedance"),
+    ("poynting/mean", "half"),
+    ("poynting/phasor", "phasors"),
+    ("fresnel/snell", "snell"),
+    ("fresnel/films", "airy"),
+    ("fresnel/schlick", "schlick"),
+    ("fresnel/metals", "normal_reflectance"),
+    ("fresnel/dip", "place"),
+    ("brdf/definition", "of_irradiance"),
+    ("brdf/mirror", "delta"),
+    ("path-tracing/one_ray", "estimate"),
+    ("rendering-equation/series", "neumann"),
+];
 
 impl Teller<'_> {
     /// The heading of a step and its claim.
@@ -100,9 +120,11 @@ impl Teller<'_> {
         self.text(chapter, step, found).into_iter().find(|block| matches!(block, Block::Paragraph(_)))
     }
 
-    /// The equation that a step is about: the last of those that it states, to which the others lead.
+    /// The equation that a step is about: the first that it states, unless that only leads to it.
     pub fn key(&self, found: &StepReport) -> Option<Block> {
-        found.statements.iter().rev().find(|statement| !statement.is_struck_out).map(|key| self.formula(key))
+        let named = KEYS.iter().find(|(step, _)| *step == found.address).map(|(step, key)| format!("{step}/{key}"));
+        let is_key = |statement: &&StatementReport| named.as_ref().is_none_or(|key| *key == statement.address);
+        found.statements.iter().find(is_key).map(|key| self.formula(key))
     }
 
     /// What the short way leaves out.
@@ -113,5 +135,19 @@ impl Teller<'_> {
 
     fn claim(&self, found: &StepReport) -> Block {
         Block::text(0, Tone::Emphasis, self.phrase(&found.address, "says", found.says))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_key_equation_is_one_of_its_steps() {
+        for (address, key) in KEYS {
+            let own = chapters::steps().find(|(chapter, step)| address == format!("{}/{}", chapter.id, step.id));
+            let step = own.unwrap_or_else(|| panic!("no step {address}")).1;
+            assert!(step.statements.iter().any(|statement| statement.id == key), "{address}/{key}");
+        }
     }
 }
