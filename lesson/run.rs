@@ -8,7 +8,7 @@ use chapters::vocabulary::{Item, Part};
 use chapters::{Chapter, Step};
 use rayon::prelude::*;
 use std::time::Instant;
-use views::report::entry::{Entry, judge, unjudged};
+use views::report::entry::{Entry, judge, unjudged, unread};
 use views::report::*;
 
 /// Runs `parts` of the `selection`: everything but the races in parallel, each race alone.
@@ -69,10 +69,10 @@ impl Job<'_> {
     }
 }
 
-/// A step of which only its equations and its numbers are there.
+/// A step of which only its equations are there.
 pub fn stated(chapter: &Chapter, step: &'static Step, setting: &Setting) -> StepReport {
     let address = format!("{}/{}", chapter.id, step.id);
-    let mut report = unjudged(step, address.clone(), setting);
+    let mut report = unread(step, address.clone(), setting);
     for item in step.items().filter(|item| matches!(item, Item::Statement(_))) {
         let place = format!("{address}/{}", item.id());
         report.enter(judge(item, step.rows_of(&item), setting, place, &Watch::started(), &|_| true));

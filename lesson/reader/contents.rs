@@ -68,7 +68,7 @@ impl Contents {
                 };
                 self.at = lines.iter().position(|line| !line.is_chapter || is_named(line)).unwrap_or(0);
             }
-            Key::Left { .. } | Key::Right { .. } | Key::Interrupt => {}
+            Key::Left { .. } | Key::Right { .. } | Key::Tab | Key::Interrupt => {}
         }
         Choice::Open
     }

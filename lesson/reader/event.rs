@@ -13,6 +13,8 @@ pub enum Key {
     Escape,
     /// Backspace.
     Backspace,
+    /// The tabulator.
+    Tab,
     /// Arrow up.
     Up,
     /// Arrow down.

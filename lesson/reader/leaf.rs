@@ -23,13 +23,17 @@ pub struct Leaf {
     pub setting: Setting,
     /// How often the setting was changed.
     edition: u32,
-    /// Its equations and numbers, once somebody has looked, and what was found.
+    /// Its equations, once somebody has looked, its numbers, once they are there, and what was found.
     report: Option<StepReport>,
+    /// The setting that its numbers belong to, by how often it was changed, and the one that they are asked for.
+    read: (Option<u32>, Option<u32>),
     /// What was answered, question by question.
     pub answers: Vec<Option<Given>>,
     /// Whether the reader went on without answering.
     pub skipped: bool,
     folds: [Fold; 4],
+    /// Whether all figures are shown, not only the first.
+    has_all_figures: bool,
     figures: Vec<Drawing>,
     plots: Vec<Drawing>,
 }
@@ -110,9 +114,11 @@ impl Leaf {
             setting,
             edition: 0,
             report: None,
+            read: (None, None),
             answers: vec![None; step.questions.len()],
             skipped: false,
             folds: Default::default(),
+            has_all_figures: false,
             figures: step.exhibit.figures.iter().map(|_| Drawing::default()).collect(),
             plots: step.races.iter().map(|_| Drawing::default()).collect(),
         }
@@ -158,6 +164,7 @@ impl Leaf {
     pub fn is_busy(&self) -> bool {
         let drawn = self.figures.iter().chain(&self.plots);
         self.folds.iter().any(|fold| matches!(fold.state, State::Running(..)))
+            || self.read.1.is_some()
             || drawn.into_iter().any(|drawing| drawing.asked.is_some())
     }
 
@@ -171,7 +178,9 @@ impl Leaf {
     pub fn set(&mut self, setting: Setting) -> Vec<Task> {
         self.setting = setting;
         self.edition += 1;
-        self.report = None;
+        // The old numbers stay until the new ones are there.
+        let readout = self.report.take().map(|report| report.readout);
+        self.report().readout = readout.unwrap_or_default();
         self.figures.iter_mut().chain(&mut self.plots).for_each(|drawing| drawing.is_lost = false);
         let again = |kind: &Evidence| {
             self.folds[*kind as usize].state = State::Unknown;
@@ -194,6 +203,10 @@ impl Leaf {
             Outcome::Judged { kind, edition, found } if edition == self.edition => {
                 self.folds[kind as usize].state = if found.is_some() { State::Found } else { State::Lost };
                 found.into_iter().flatten().for_each(|entry| self.enter(entry));
+            }
+            Outcome::Read { edition, readout } => {
+                self.read = (Some(edition), None);
+                self.report().readout = readout.unwrap_or_default();
             }
             Outcome::Drawn { which, order, drawn } => {
                 let drawing = match which {
@@ -236,7 +249,7 @@ impl Leaf {
             return Vec::new();
         }
         let order = Order { edition: self.edition, columns: look.width, rows: picture_rows(look) };
-        let shown = if look.short { 1 } else { self.figures.len() };
+        let shown = self.shown_figures();
         let figures = self.step.exhibit.figures.iter().zip(&mut self.figures).take(shown).enumerate();
         let of_figures = figures.filter_map(|(at, (figure, drawing))| {
             let source = match &drawing.plot {
@@ -252,11 +265,29 @@ impl Leaf {
             drawing.wants(order).then_some((Which::Race(at), source))
         });
         let draw = |(which, source)| Task::Draw { which, source, order, is_coloured: look.is_coloured };
-        of_figures.chain(of_races).map(draw).map(|task| Job { leaf: place, task }).collect()
+        let mut tasks: Vec<Task> = of_figures.chain(of_races).map(draw).collect();
+        if !look.short && self.step.readout.is_some() && self.read.0 != Some(self.edition) && self.read.1.is_none() {
+            self.read.1 = Some(self.edition);
+            tasks.insert(0, Task::Read { step: self.step, setting: self.setting.clone(), edition: self.edition });
+        }
+        tasks.into_iter().map(|task| Job { leaf: place, task }).collect()
+    }
+
+    /// How many of its figures are on the page.
+    fn shown_figures(&self) -> usize {
+        if self.has_all_figures { self.figures.len() } else { self.figures.len().min(1) }
+    }
+
+    /// Shows all its figures; whether some were folded away.
+    pub fn unfold_figures(&mut self) -> bool {
+        let folded = self.shown_figures() < self.figures.len();
+        self.has_all_figures = true;
+        folded
     }
 
     /// Nobody draws for this step any more.
     pub fn forget(&mut self) {
+        self.read.1 = None;
         self.figures.iter_mut().chain(&mut self.plots).for_each(|drawing| drawing.asked = None);
     }
 
@@ -290,9 +321,13 @@ impl Leaf {
             parts.add(Name::Question(at), true, &self.question(&teller, report, at, question));
         }
         if !look.short {
-            parts.add(Name::Numbers, true, &[teller.numbers(report)]);
+            let mut numbers = vec![teller.numbers(report)];
+            if self.read.1.is_some() && report.readout.is_empty() {
+                numbers.push(Block::text(4, Tone::Dim, Phrase::verbatim("computing …")));
+            }
+            parts.add(Name::Numbers, false, &[Block::Group(numbers)]);
         }
-        let shown = if look.short { 1 } else { self.figures.len() };
+        let shown = self.shown_figures();
         for (at, figure) in self.step.exhibit.figures.iter().enumerate().take(shown) {
             let picture = Picture::Cells(self.figures[at].shown(look, self.edition));
             parts.add(Name::Figure(at), true, &[teller.shown(report, figure, picture)]);
@@ -325,8 +360,10 @@ impl Leaf {
                 blocks.push(teller.reply(&address, question.reply(&self.setting, given)));
             }
             None if self.skipped => blocks.push(note(Tone::Dim, "a answers it".into())),
-            None if options.is_empty() => blocks.push(note(Tone::Dim, "Type a number; space goes on without.".into())),
-            None => blocks.push(note(Tone::Dim, format!("1 to {} answers; space goes on without.", options.len()))),
+            None if options.is_empty() => {
+                blocks.push(note(Tone::Dim, "Type a number, or press space to go on without.".into()))
+            }
+            None => blocks.push(note(Tone::Dim, format!("Press 1 to {}, or space to go on without.", options.len()))),
         }
         vec![Block::Group(blocks)]
     }
@@ -334,6 +371,19 @@ impl Leaf {
     /// What there is of evidence, in a line: the keys that unfold it, and what is known of it.
     fn menu(&self, report: &StepReport) -> Block {
         let mut spans = Vec::new();
+        let item = |spans: &mut Vec<Span>, sign: Span, text: &str, key: char| {
+            if !spans.is_empty() {
+                spans.push(Span::verbatim(Tone::Dim, "  · "));
+            }
+            // One word, so that a key stays with what it opens.
+            let text = Span::plain(format!("{text} ").replace(' ', "\u{a0}"));
+            spans.extend([sign, text, Span::verbatim(Tone::Name, format!("[{key}]"))]);
+        };
+        match self.figures.len() - self.shown_figures() {
+            0 => {}
+            1 => item(&mut spans, Span::plain(""), "1 more figure", 'f'),
+            more => item(&mut spans, Span::plain(""), &format!("{more} more figures"), 'f'),
+        }
         for kind in Evidence::ALL {
             let (items, (one, several)) = (self.count(kind), kind.nouns());
             if items == 0 {
@@ -342,7 +392,6 @@ impl Leaf {
             let fold = self.folds[kind as usize];
             let (verdicts, cases) = found(report, kind);
             let broken = verdicts.iter().filter(|verdict| **verdict == Verdict::Failed).count();
-            let key = key(kind);
             let count = match (kind, fold.state) {
                 // How many cases a family has is known when they have run.
                 (Evidence::Extremes, State::Found) => format!("{cases} {several}"),
@@ -355,15 +404,7 @@ impl Leaf {
                 _ => Span::plain(""),
             };
             let running = if let State::Running(..) = fold.state { " …" } else { "" };
-            if !spans.is_empty() {
-                spans.push(Span::verbatim(Tone::Dim, "  · "));
-            }
-            spans.extend([
-                sign,
-                // One word, so that a key stays with what it opens.
-                Span::plain(format!("{}{running} ", count.replace(' ', "\u{a0}"))),
-                Span::verbatim(Tone::Name, format!("[{key}]")),
-            ]);
+            item(&mut spans, sign, &format!("{count}{running}"), key(kind));
         }
         if spans.is_empty() {
             spans.push(Span::verbatim(Tone::Dim, "This step tells and shows; its claims are checked in others."));
@@ -435,9 +476,10 @@ fn found(report: &StepReport, kind: Evidence) -> (Vec<Verdict>, usize) {
     }
 }
 
-/// Rows of a picture: as many as fit under what is said of it, but no more than its width calls for.
+/// Rows of a picture: less than a screen, so that what it belongs to stands beside it, and no more than its width calls
+/// for.
 fn picture_rows(look: &Look) -> usize {
-    look.height.saturating_sub(3).min(look.width * 3 / 8).max(8)
+    (look.height * 5 / 8).min(look.width * 3 / 8).max(8)
 }
 
 impl Drawing {

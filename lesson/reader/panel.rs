@@ -102,7 +102,7 @@ impl Panel {
         if let Some(fault) = &self.fault {
             page.line(2, Tone::Bad, fault);
         } else if let Some((parameter, _)) = entries.get(at) {
-            page.cut(2, &[(Tone::Dim, &parameter.domain())]);
+            page.line(2, Tone::Dim, &parameter.domain());
         }
         let below = page.into_rows();
         let room = most.saturating_sub(below.len()).max(1).min(entries.len());

@@ -240,8 +240,13 @@ impl Reader {
                     self.mode = Mode::Answer(text);
                 }
             },
+            Mode::Set(panel) if key == Key::Tab => {
+                self.mode = Mode::Set(panel);
+                self.turn_over();
+            }
             Mode::Set(mut panel) => match panel.press(key, &self.leaves[self.at].setting) {
-                Turn::Close => {}
+                // Figures have the whole screen again.
+                Turn::Close => self.set(),
                 Turn::Stay => self.mode = Mode::Set(panel),
                 Turn::Set(setting) => {
                     self.mode = Mode::Set(panel);
@@ -287,6 +292,7 @@ impl Reader {
             Key::Char('s') => {
                 self.skip();
                 self.mode = Mode::Set(Panel::default());
+                self.set();
                 self.show(|name| name == Name::Numbers);
             }
             Key::Char('a') if self.leaves[self.at].skipped => {
@@ -307,15 +313,20 @@ impl Reader {
                 Some(kind) => self.unfold(kind),
                 None => self.note = Some("? shows the keys".into()),
             },
-            Key::Left { .. } | Key::Right { .. } | Key::Interrupt => {}
+            Key::Left { .. } | Key::Right { .. } | Key::Tab | Key::Interrupt => {}
         }
     }
 
-    fn look(&self) -> Look {
+    /// Columns of a page.
+    fn width(&self) -> usize {
         let (columns, _) = self.size;
         let width = if columns < 60 { columns } else { (columns - 4).min(WIDEST) };
+        width.max(LEAST.0)
+    }
+
+    fn look(&self) -> Look {
         Look {
-            width: width.max(LEAST.0),
+            width: self.width(),
             height: self.height(),
             is_coloured: self.is_coloured,
             short: self.short,
@@ -323,9 +334,29 @@ impl Reader {
         }
     }
 
-    /// Rows for the page: all but the bar.
+    /// Rows for the page: all but the bar and the panel.
     fn height(&self) -> usize {
-        self.size.1.saturating_sub(1).max(1)
+        let rows = self.size.1.saturating_sub(1).max(1);
+        match &self.mode {
+            Mode::Set(panel) => rows.saturating_sub(self.panel(panel).len() + 1).max(1),
+            _ => rows,
+        }
+    }
+
+    /// The parameters, as they stand under the page.
+    fn panel(&self, panel: &Panel) -> Vec<Row> {
+        panel.rows(&self.leaves[self.at].setting, self.width(), self.size.1 / 2 - 2)
+    }
+
+    /// From the numbers to the first figure and back, while parameters are turned.
+    fn turn_over(&mut self) {
+        let start = |name: Name| {
+            let at = self.sheet.parts.iter().position(|part| part.name == name)?;
+            Some(self.sheet.starts[at])
+        };
+        let (numbers, figure) = (start(Name::Numbers), start(Name::Figure(0)));
+        let other = if Some(self.top) == figure { numbers } else { figure };
+        self.top = other.unwrap_or(self.top);
     }
 
     fn is_too_small(&self) -> bool {
@@ -461,12 +492,16 @@ impl Reader {
             });
         if let Some((start, _)) = torn {
             next = *start;
-        } else if let Some(gap) = (next.saturating_sub(3)..next).rev().find(|row| self.sheet.rows[*row].is_empty()) {
+        } else if let Some(gap) = (next.saturating_sub(2)..next).rev().find(|row| self.sheet.rows[*row].is_empty()) {
             // A paragraph of which only the first lines were seen is read from its start.
             next = gap + 1;
         }
         while self.sheet.rows.get(next).is_some_and(Row::is_empty) {
             next += 1;
+        }
+        // A few rows more do not make another screen.
+        if next + self.height() / 3 > self.sheet.rows.len() {
+            next = self.last_top().max(self.top + 1);
         }
         self.top = next.min(self.sheet.rows.len() - 1);
     }
@@ -552,6 +587,9 @@ impl Reader {
 
     fn next_figure(&mut self) {
         self.skip();
+        if self.leaves[self.at].unfold_figures() {
+            self.set();
+        }
         let figures =
             || self.sheet.parts.iter().zip(&self.sheet.starts).filter(|(part, _)| matches!(part.name, Name::Figure(_)));
         let next = figures().find(|(_, start)| **start > self.top).or_else(|| figures().next());
@@ -656,15 +694,15 @@ impl Reader {
                 contents.rows(&self.leaves, is_seen, width, height).into_iter().map(plain).collect()
             }
             Mode::Set(panel) => {
-                let panel = panel.rows(&self.leaves[self.at].setting, width, height / 2);
-                let mut lines = self.page(height.saturating_sub(panel.len() + 1), margin);
+                let mut lines = self.page(height, margin);
+                let panel = self.panel(panel);
                 lines.push(plain(Row::Text(vec![(Tone::Dim, "─".repeat(width))])));
                 lines.extend(panel.into_iter().map(plain));
                 lines
             }
             Mode::Read | Mode::Search(_) | Mode::Answer(_) => self.page(height, margin),
         };
-        lines.truncate(height);
+        lines.truncate(rows - 1);
         lines.resize(rows - 1, plain(Row::Text(Vec::new())));
         lines.push(self.bar());
         lines
@@ -719,7 +757,7 @@ impl Reader {
             (Mode::GoTo(_), ..) => "type to filter  ↑↓ Enter goes  Esc closes".into(),
             (Mode::Help(top), ..) if top + self.height() < help(self.look().width).len() => "space: more".into(),
             (Mode::Help(_), ..) => "any key goes back".into(),
-            (Mode::Set(_), ..) => "↑↓ which  ←→ turn (shift: far)  type a value  ⌫ default  Esc".into(),
+            (Mode::Set(_), ..) => "↑↓ ←→ (shift: far) or type  Tab figure  Esc".into(),
             (_, Some(note), _) => note.clone(),
             (_, _, Some(search)) => {
                 format!("{} of {} “{}”  . next  , before  Esc ends", search.at + 1, search.found.len(), search.words)
@@ -788,7 +826,7 @@ pub const KEYS: [(&str, &str); 19] = [
     ("g", "go to a chapter or a step: type a part of its name"),
     ("/", "search the chapter's text"),
     (".  ,", "the next place found, the one before"),
-    ("f", "the next figure of the step"),
+    ("f", "the next figure of the step; first, all of them"),
     ("s", "settings: turn a parameter and see what changes"),
     ("1 2 3 …", "answer a question; space goes on without"),
     ("a", "answer a question that you have passed"),
@@ -811,11 +849,12 @@ fn help(width: usize) -> Vec<Row> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::work::{Finished, Order, Outcome, Task};
+    use super::super::work::{Finished, Order, Outcome, Source, Task};
     use super::*;
     use chapters::parameter::Setting;
     use std::sync::Arc;
     use views::plot;
+    use views::report::entry::readout;
 
     fn reader(at: &str, size: (usize, usize)) -> Reader {
         let leaves: Vec<Leaf> = chapters::steps()
@@ -854,19 +893,22 @@ mod tests {
         reader.screen().iter().map(|line| line.row.text() + "\n").collect()
     }
 
-    /// Draws what is wanted, as the crew would.
+    /// Draws and reads what is wanted, as the crew would.
     fn draw(reader: &mut Reader) {
         for effect in reader.effects() {
-            let Effect::Do(Job { leaf, task: Task::Draw { which, source, order, is_coloured } }) = effect else {
-                continue;
+            let Effect::Do(Job { leaf, task }) = effect else { continue };
+            let result = match task {
+                Task::Draw { which, source: Source::Figure(figure, setting), order, is_coloured } => {
+                    let plot = Arc::new((figure.plot)(&setting));
+                    let cells = plot::cells(&plot, order.columns, order.rows, is_coloured);
+                    Outcome::Drawn { which, order, drawn: Some((plot, cells)) }
+                }
+                Task::Read { step, setting, edition } => {
+                    Outcome::Read { edition, readout: Some(readout(step, &setting)) }
+                }
+                _ => continue,
             };
-            let super::super::work::Source::Figure(figure, setting) = source else { continue };
-            let plot = Arc::new((figure.plot)(&setting));
-            let cells = plot::cells(&plot, order.columns, order.rows, is_coloured);
-            reader.take(Event::Done(Finished {
-                leaf,
-                result: Outcome::Drawn { which, order, drawn: Some((plot, cells)) },
-            }));
+            reader.take(Event::Done(Finished { leaf, result }));
         }
     }
 

@@ -15,7 +15,8 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, RwLock};
 use std::thread;
 use views::block::Cells;
 use views::plot;
-use views::report::entry::{Entry, judge};
+use views::report::QuantityReport;
+use views::report::entry::{Entry, judge, readout};
 use views::tell::Evidence;
 
 /// Threads that draw and judge: one may be busy with something long while another draws what is looked at.
@@ -64,6 +65,8 @@ pub struct Job {
 pub enum Task {
     /// A picture is drawn.
     Draw { which: Which, source: Source, order: Order, is_coloured: bool },
+    /// The step's quantities are computed.
+    Read { step: &'static Step, setting: Setting, edition: u32 },
     /// Evidence is judged.
     Judge { chapter: &'static Chapter, step: &'static Step, kind: Evidence, setting: Setting, edition: u32 },
 }
@@ -82,6 +85,8 @@ pub struct Finished {
 pub enum Outcome {
     /// A picture, or nothing if drawing it failed.
     Drawn { which: Which, order: Order, drawn: Option<(Arc<Plot>, Cells)> },
+    /// The step's quantities, or nothing if computing them failed.
+    Read { edition: u32, readout: Option<Vec<QuantityReport>> },
     /// So many parts of a kind of evidence are done.
     Progress { kind: Evidence, edition: u32, done: usize, of: usize },
     /// Everything that was found of a kind of evidence, in order; nothing if judging it failed.
@@ -132,11 +137,11 @@ impl Shared {
         self.jobs.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Waits for a job: pictures first, they are looked at.
+    /// Waits for a job: numbers and pictures first, they are looked at.
     fn next(&self) -> Job {
         let mut jobs = self.lock();
         loop {
-            let first = jobs.iter().position(|job| matches!(job.task, Task::Draw { .. })).unwrap_or(0);
+            let first = jobs.iter().position(|job| !matches!(job.task, Task::Judge { .. })).unwrap_or(0);
             if let Some(job) = jobs.remove(first) {
                 return job;
             }
@@ -163,6 +168,11 @@ impl Job {
                     (plot, cells)
                 }));
                 tell(Outcome::Drawn { which, order, drawn: drawn.ok() });
+            }
+            Task::Read { step, setting, edition } => {
+                let _shared = quiet.read();
+                let readout = catch_unwind(AssertUnwindSafe(|| readout(step, &setting)));
+                tell(Outcome::Read { edition, readout: readout.ok() });
             }
             Task::Judge { chapter, step, kind, setting, edition } => {
                 let told = |done, of| tell(Outcome::Progress { kind, edition, done, of });

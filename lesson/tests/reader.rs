@@ -219,7 +219,7 @@ fn a_reader_goes_sets_races_leaves_and_comes_back() {
 fn a_question_is_answered_and_remembered() {
     let state = folder("reader-question");
     let mut terminal = Terminal::open("fresnel brewster", (80, 24), &state);
-    terminal.shows("answers; space goes on");
+    terminal.shows("or space to go on without");
     terminal.press("1");
     terminal.shows("Your answer: 1)");
     terminal.press("q");

@@ -18,8 +18,12 @@ use unicode_width::UnicodeWidthChar;
 const COLUMN: f64 = 8.0;
 /// Pixels of the sheet to a row: twice as high as a column is wide, as terminals have it.
 const ROW: f64 = 16.0;
+/// Columns that a panel with axes needs at least to stand beside another.
+const BESIDE: usize = 36;
 /// Width at least of a line that carries something [pixels of the terminal].
 const VISIBLE: f64 = 1.0;
+/// Width of the lines around it.
+const THIN: f64 = 0.5;
 /// Width of the lines behind it.
 const FAINT: f64 = 0.3;
 /// Radius at least of a mark.
@@ -29,8 +33,11 @@ const MARK: f32 = 0.7;
 /// colours, each half of a cell is a pixel; without, a cell has eight dots.
 pub fn cells(plot: &Plot, columns: usize, rows: usize, is_coloured: bool) -> Cells {
     let has_axes = plot.panels.iter().any(|panel| !matches!(panel, Panel::Picture(_)));
-    // Panels that are read stand under each other; pictures are looked at side by side.
-    let (across, down) = if has_axes { (1, plot.panels.len()) } else { (plot.columns.max(1), 1) };
+    // Panels that are read stand under each other unless there is room for two; pictures are looked at side by side.
+    let beside = if has_axes { columns / BESIDE } else { usize::MAX };
+    let across = plot.columns.min(beside).clamp(1, plot.panels.len().max(1));
+    let across = if has_axes { across.min(2) } else { across };
+    let down = if has_axes { plot.panels.len().div_ceil(across) } else { 1 };
     let width = columns as f64 * COLUMN - (across + 1) as f64 * MARGIN;
     let title = type_::wrap(&plot.title, TITLE, columns as f64 * COLUMN - 4.0 * MARGIN);
     let height = rows as f64 * ROW - 3.0 * MARGIN - block_height(title.len(), TITLE);
@@ -77,7 +84,11 @@ fn raster(sheet: &Sheet, scale: f64, width: usize, height: usize) -> Vec<[u8; 3]
                 fill(&mut pixmap, PathBuilder::from_circle(*x, *y, radius), paint, transform);
             }
             Item::Stroke { path, paint, width, dashes } => {
-                let least = if matches!(paint.colour, Colour::Grid | Colour::Hatch) { FAINT } else { VISIBLE };
+                let least = match paint.colour {
+                    Colour::Grid | Colour::Hatch => FAINT,
+                    Colour::Ink | Colour::Edge => THIN,
+                    _ => VISIBLE,
+                };
                 let width = width.max((least / scale) as f32);
                 // A stroke shorter than a pixel would be a fainter line.
                 let pixel = 1.0 / scale as f32;
@@ -122,7 +133,9 @@ fn paste(pixmap: &mut Pixmap, image: &Image, scale: f64) {
 
 /// Sets a line of text where there is room for all of it: two that overlap could neither be read.
 fn write(cells: &mut [Cell], taken: &mut [bool], columns: usize, text: &Text, shrink: f64) {
-    let letters: Vec<char> = Phrase::parse(&text.label).to_string().chars().filter(|c| c.width() == Some(1)).collect();
+    // Scripts that have no letters of their own keep their sign, not their brackets.
+    let label = Phrase::parse(&text.label).to_string().replace(['{', '}'], "");
+    let letters: Vec<char> = label.chars().filter(|letter| letter.width() == Some(1)).collect();
     let (count, rows) = (letters.len(), cells.len() / columns);
     let long = type_::width(&text.label, f64::from(text.size)) * shrink;
     let half_height = 0.36 * f64::from(text.size);
@@ -137,20 +150,28 @@ fn write(cells: &mut [Cell], taken: &mut [bool], columns: usize, text: &Text, sh
             Across::Right => (start + long) / unit - count,
         }
     };
-    let places: Vec<usize> = if text.upwards {
-        let top = ((y - long / 2.0) / ROW - count as f64 / 2.0).round();
-        let top = top.min(rows.saturating_sub(count) as f64).max(0.0) as usize;
-        let column = ((x / COLUMN) as usize).min(columns - 1);
-        (top..rows).take(count).map(|row| row * columns + column).collect()
-    } else {
-        let first = begin(x, COLUMN).round().min(columns.saturating_sub(count) as f64).max(0.0) as usize;
-        let row = ((y / ROW).max(0.0) as usize).min(rows - 1);
+    let in_row = |row: usize, first: usize| -> Vec<usize> {
         (first..columns).take(count).map(|column| row * columns + column).collect()
     };
+    let row = ((y / ROW).max(0.0) as usize).min(rows - 1);
     let is_free = |at: &usize| {
         let beside = [at.checked_sub(1), Some(at + 1)].into_iter().flatten();
-        let beside = beside.filter(|other| other / columns == at / columns && !text.upwards);
+        let beside = beside.filter(|other| other / columns == at / columns);
         !taken[*at] && beside.filter_map(|other| taken.get(other)).all(|taken| !taken)
+    };
+    let is_blank = |at: &usize| {
+        let cell = &cells[*at];
+        cell.symbol == ' ' || (cell.ink, cell.paper) == (Some([0xff; 3]), Some([0xff; 3]))
+    };
+    let places = if text.upwards {
+        // Terminals cannot turn letters: what runs along an axis stands over its end, in the first row that is free.
+        let over = ((y - long / 2.0) / ROW).max(0.0) as usize;
+        let first = ((x / COLUMN).max(2.0) as usize - 1).min(columns.saturating_sub(count));
+        let mut free = (0..=over.min(rows - 1)).rev().map(|row| in_row(row, first));
+        free.find(|places| places.iter().all(|at| is_free(at) && is_blank(at))).unwrap_or_default()
+    } else {
+        let first = begin(x, COLUMN).round().min(columns.saturating_sub(count) as f64).max(0.0) as usize;
+        in_row(row, first)
     };
     if places.len() < count || !places.iter().all(is_free) {
         return;
@@ -211,7 +232,7 @@ mod tests {
             let text = text(&cells);
             assert!(text.iter().all(|row| row.chars().count() <= columns), "{text:?}");
             assert!(text.len() <= rows && 2 * text.len() > rows, "{} of {rows} rows", text.len());
-            for word in ["Title", "across", "falls"] {
+            for word in ["Title", "across", "falls", "up"] {
                 assert!(text.iter().any(|row| row.contains(word)), "{word}: {text:#?}");
             }
             assert!(cells.rows().flatten().all(|cell| cell.ink.is_some() && cell.paper.is_some()));
