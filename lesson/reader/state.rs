@@ -983,7 +983,7 @@ mod tests {
 
     #[test]
     fn a_setting_answers_at_once_and_asks_for_what_takes_longer() {
-        let mut reader = reader("fresnel/energy", (80, 24));
+        let mut reader = reader("fresnel/brewster", (80, 24));
         press(&mut reader, " e");
         draw(&mut reader);
         press(&mut reader, "s");

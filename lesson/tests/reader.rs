@@ -261,8 +261,8 @@ fn small_terminals_are_told_and_dumb_ones_get_everything_at_once() {
 #[test]
 fn without_colours_nothing_is_coloured() {
     let state = folder("reader-plain");
-    let mut terminal = Terminal::with("fresnel energy", (80, 24), &state, &[("NO_COLOR", "1")]);
-    terminal.until("the page", |terminal| terminal.bar().contains("fresnel/energy"));
+    let mut terminal = Terminal::with("fresnel r_s", (80, 24), &state, &[("NO_COLOR", "1")]);
+    terminal.until("the page", |terminal| terminal.bar().contains("fresnel/r_s"));
     let before = terminal.screen();
     terminal.press("f");
     terminal.until("the figure", |terminal| terminal.screen() != before && !terminal.screen().contains("drawing"));

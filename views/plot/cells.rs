@@ -66,7 +66,9 @@ pub fn cells(plot: &Plot, columns: usize, rows: usize, is_coloured: bool) -> Cel
     let texts = sheet.items.iter().filter_map(|item| if let Item::Text(text) = item { Some(text) } else { None });
     // What is large stands for more than what is small.
     let mut texts: Vec<_> = texts.collect();
-    texts.sort_by(|a, b| b.size.total_cmp(&a.size));
+    // Of a turned text in several lines the last one stands lowest, and the others over it.
+    let turned = |text: &Text| if text.upwards { -text.start[0] } else { 0.0 };
+    texts.sort_by(|a, b| b.size.total_cmp(&a.size).then(turned(a).total_cmp(&turned(b))));
     texts.iter().for_each(|text| write(&mut cells, &mut taken, columns, text, shrink));
     Cells::new(columns, cells)
 }
