@@ -33,9 +33,9 @@ Examples:
 
 On a terminal a chapter opens in a reader, full screen: space goes on, b back,
 g to another step, / searches, s turns the parameters, d e x r unfold the
-evidence, ? shows all keys, q leaves. It remembers your place. Elsewhere, or with
---plain, everything comes at once, the evidence of a whole chapter in one line an
-item; --check shows what was found, --unfold all of it.
+evidence, ? shows all keys, q leaves. It remembers your place. Elsewhere, or
+with --plain, everything comes at once, the evidence of a whole chapter in a
+line an item; --check shows what was found, --unfold all of it.
 
 Exit status: 0 if everything holds, 1 if a check broke, 2 if it could not run.
 
