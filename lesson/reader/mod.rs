@@ -49,12 +49,12 @@ pub fn serve(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> {
     let last = leaves.iter().position(|leaf| leaf.chapter.id == memory.last);
     // Of the whole lecture the chapter is taken up that was read last.
     let at = if lesson.is_all() { last.unwrap_or(first) } else { first };
-    let (columns, rows) = crossterm::terminal::size().map_err(|error| Stop::at("terminal", error))?;
+    let mut size = crossterm::terminal::size().map_err(|error| Stop::at("terminal", error))?;
     let colours = Colours::of_terminal();
     let start = Start {
         at,
         resume: whole,
-        size: (columns.into(), rows.into()),
+        size: (size.0.into(), size.1.into()),
         is_coloured: colours != Colours::None,
         short: lesson.short,
         details: lesson.details,
@@ -86,11 +86,18 @@ pub fn serve(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> {
             }
             match arrivals.recv_timeout(TICK) {
                 Ok(event) => break event,
-                Err(RecvTimeoutError::Timeout) => {}
+                // A terminal may change its size before anybody listens, and some never say so.
+                Err(RecvTimeoutError::Timeout) => {
+                    let now = crossterm::terminal::size().ok().filter(|now| *now != size);
+                    if let Some((columns, rows)) = now {
+                        break Event::Resize(columns.into(), rows.into());
+                    }
+                }
                 Err(RecvTimeoutError::Disconnected) => break Event::Gone,
             }
         };
-        if let Event::Resize(..) = event {
+        if let Event::Resize(columns, rows) = event {
+            size = (columns as u16, rows as u16);
             screen.forget();
         }
         reader.take(event);
