@@ -279,6 +279,7 @@ fn tone(verdict: Verdict) -> Tone {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::block::Choice;
 
     fn shown(block: Block) -> String {
         let mut page = Page::new(60, false);

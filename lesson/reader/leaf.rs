@@ -344,7 +344,7 @@ impl Leaf {
         let address = format!("{}/{}", report.address, question.id);
         let asked = ask(question, &self.setting, address.clone());
         let mut blocks = Vec::new();
-        if matches!(self.answers[at], None if !self.skipped) {
+        if self.answers[at].is_none() && !self.skipped {
             blocks.extend(teller.setting(report));
         }
         blocks.push(teller.question(&views::report::QuestionReport { address: String::new(), ..asked }, false));

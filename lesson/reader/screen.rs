@@ -269,7 +269,7 @@ mod tests {
     #[test]
     fn what_was_searched_for_is_marked_and_without_colours_nothing_is_coloured() {
         let row = Row::Text(vec![(Tone::Bad, "ab".to_owned()), (Tone::Plain, "cd".to_owned())]);
-        let line = Line { row, margin: 1, marks: vec![1..3], is_bar: false };
+        let line = Line { row, margin: 1, marks: std::iter::once(1..3).collect(), is_bar: false };
         let text = paint(&line, Colours::True);
         assert_eq!(text, " \x1b[1;31ma\x1b[0m\x1b[1;31;7mb\x1b[0m\x1b[7mc\x1b[0md");
         assert_eq!(paint(&line, Colours::None), " \x1b[1ma\x1b[0m\x1b[1;7mb\x1b[0m\x1b[7mc\x1b[0md");
