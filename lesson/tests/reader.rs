@@ -271,7 +271,7 @@ fn without_colours_nothing_is_coloured() {
     terminal.press("f");
     terminal.until("the figure", |terminal| terminal.screen() != before && !terminal.screen().contains("drawing"));
     let screen = terminal.parser.screen();
-    let cells = (0..24).flat_map(|row| (0..80).filter_map(move |column| Some((row, column))));
+    let cells = (0..24).flat_map(|row| (0..80).map(move |column| (row, column)));
     for cell in cells.filter_map(|(row, column)| screen.cell(row, column)) {
         assert_eq!((cell.fgcolor(), cell.bgcolor()), (vt100::Color::Default, vt100::Color::Default));
     }
