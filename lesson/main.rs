@@ -4,10 +4,12 @@ mod cli;
 mod eval;
 mod figures;
 mod film;
+mod interrupt;
 mod memory;
 mod out;
 mod progress;
 mod prove;
+mod reader;
 mod render;
 mod run;
 mod scene;
@@ -51,6 +53,7 @@ fn serve(request: Request) -> Result<ExitCode, Stop> {
         Request::EvalLines { function } => return eval::lines(&function),
         Request::Functions { json: true } => out::print(eval::list_json().as_bytes())?,
         Request::Functions { json: false } => out::show(&teller.functions(eval::functions()))?,
+        Request::Progress => reader::bookmark::progress()?,
         Request::Prove(question) => return prove::serve(&question),
         Request::Scenes => out::show(&scene::list())?,
         Request::Keys => out::show(&scene::keys())?,

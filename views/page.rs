@@ -2,6 +2,7 @@
 
 pub use crate::block::Tone;
 
+use crate::block::{Cell, Cells};
 use equation::face::Block;
 use unicode_width::UnicodeWidthStr;
 
@@ -11,64 +12,73 @@ const LAST_CELL: usize = 16;
 /// A piece of text, letter by letter, and what it means.
 pub type Span<'a> = (Tone, &'a str);
 
+/// A row of a page that has been set.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Row {
+    /// Pieces of text, each in another tone than the one before.
+    Text(Vec<(Tone, String)>),
+    /// A row of a picture.
+    Picture(Vec<Cell>),
+}
+
+impl Row {
+    /// Whether there is nothing to see.
+    pub fn is_empty(&self) -> bool {
+        match self {
+            Self::Text(pieces) => pieces.is_empty(),
+            Self::Picture(cells) => cells.is_empty(),
+        }
+    }
+
+    /// Its letters alone.
+    pub fn text(&self) -> String {
+        match self {
+            Self::Text(pieces) => pieces.iter().map(|(_, text)| text.as_str()).collect(),
+            Self::Picture(cells) => cells.iter().map(|cell| cell.symbol).collect(),
+        }
+    }
+}
+
 /// A page that is being set.
 #[derive(Debug)]
 pub struct Page {
     width: usize,
     colour: bool,
-    text: String,
-    /// Where sections begin [byte].
-    sections: Vec<usize>,
+    rows: Vec<Row>,
 }
 
 impl Page {
     /// A page of `width` columns (40 to 100 are used).
     pub fn new(width: usize, colour: bool) -> Self {
-        Self { width: width.clamp(40, 100), colour, text: String::new(), sections: Vec::new() }
+        Self { width: width.clamp(40, 100), colour, rows: Vec::new() }
     }
 
     /// The page so far.
     pub fn into_text(self) -> String {
-        self.text
+        let shown = |row: &Row| match row {
+            Row::Text(pieces) if self.colour => pieces.iter().map(|(tone, text)| painted(*tone, text)).collect(),
+            row => row.text(),
+        };
+        self.rows.iter().map(|row| shown(row) + "\n").collect()
     }
 
-    /// The page so far as screens of at most `height` lines: a section that does not fit under the one before it
-    /// begins a new screen, unless it is longer than a screen; such a one breaks where lines are empty.
-    pub fn into_screens(self, height: usize) -> Vec<String> {
-        let ends = self.sections.iter().copied().skip(1).chain([self.text.len()]);
-        let starts = self.sections.iter().copied();
-        let mut screens: Vec<Vec<&str>> = Vec::new();
-        for (start, end) in starts.zip(ends) {
-            let mut rest: Vec<&str> = self.text[start..end].trim_end().lines().collect();
-            if let Some(last) = screens.last_mut() {
-                let room = height.saturating_sub(last.len() + 1);
-                if rest.len() <= room || (rest.len() > height && room > height / 2) {
-                    let tail = rest.split_off(breaking(&rest, room));
-                    last.push("");
-                    last.append(&mut rest);
-                    rest = tail;
-                }
-            }
-            while !rest.is_empty() {
-                let tail = rest.split_off(breaking(&rest, height.max(1)));
-                screens.push(std::mem::replace(&mut rest, tail));
-            }
-        }
-        screens.iter().map(|lines| lines.join("\n").trim_matches('\n').to_owned() + "\n").collect()
-    }
-
-    /// Begins a section: what belongs together on a screen.
-    pub fn section(&mut self) {
-        self.gap();
-        if self.sections.last() != Some(&self.text.len()) {
-            self.sections.push(self.text.len());
-        }
+    /// The page so far, row by row.
+    pub fn into_rows(self) -> Vec<Row> {
+        self.rows
     }
 
     /// An empty line, unless there is one already.
     pub fn gap(&mut self) {
-        if !self.text.is_empty() && !self.text.ends_with("\n\n") {
-            self.text.push('\n');
+        if self.rows.last().is_some_and(|row| !row.is_empty()) {
+            self.rows.push(Row::Text(Vec::new()));
+        }
+    }
+
+    /// A picture at column `indent`.
+    pub fn picture(&mut self, indent: usize, cells: &Cells) {
+        let margin = Cell { symbol: ' ', ink: None, paper: None };
+        for row in cells.rows() {
+            self.rows.push(Row::Picture([&vec![margin; indent][..], row].concat()));
         }
     }
 
@@ -76,16 +86,13 @@ impl Page {
     /// touch stay together.
     pub fn wrap(&mut self, first: usize, rest: usize, spans: &[Span]) {
         let rest = rest.min(self.width - LAST_CELL);
-        let mut line = Line { page: self, column: first, tone: Tone::Plain };
-        line.page.spaces(first);
+        let mut line = Line::at(self, first);
         let mut empty = true;
         for word in words(spans) {
             let wide: usize = word.iter().map(|(_, text)| text.width()).sum();
             let blank = word.iter().all(|(_, text)| text.trim_start().is_empty());
             if !empty && !blank && line.column + wide > line.page.width {
-                line.end();
-                line.page.spaces(rest);
-                line.column = rest;
+                line.turn(rest);
                 word.iter().for_each(|(tone, text)| line.put(*tone, text.trim_start()));
             } else {
                 word.iter().for_each(|(tone, text)| line.put(*tone, text));
@@ -99,8 +106,7 @@ impl Page {
     pub fn cut(&mut self, indent: usize, spans: &[Span]) {
         let wide: usize = indent + spans.iter().map(|(_, text)| text.width()).sum::<usize>();
         let room = if wide > self.width { self.width - 1 } else { self.width };
-        let mut line = Line { page: self, column: indent, tone: Tone::Plain };
-        line.page.spaces(indent);
+        let mut line = Line::at(self, indent);
         for &(tone, text) in spans {
             let fits = |end: &usize| line.column + text[..*end].width() <= room;
             let ends = text.char_indices().map(|(at, _)| at).chain([text.len()]);
@@ -127,8 +133,7 @@ impl Page {
             return self.wrap(indent, indent + 2, &[(Tone::Equation, flat), (Tone::Dim, gap), (Tone::Dim, beside)]);
         }
         for (at, row) in block.rows().iter().enumerate() {
-            let mut line = Line { page: self, column: indent, tone: Tone::Plain };
-            line.page.spaces(indent);
+            let mut line = Line::at(self, indent);
             line.put(Tone::Equation, row);
             if at == block.baseline() {
                 line.put(Tone::Dim, gap);
@@ -140,8 +145,8 @@ impl Page {
 
     /// A line that is not wrapped, because a script may want it whole.
     pub fn verbatim(&mut self, text: &str) {
-        self.text.push_str(text);
-        self.text.push('\n');
+        let row = |line: &str| Row::Text(vec![(Tone::Plain, line.to_owned())]);
+        self.rows.extend(text.lines().map(row));
     }
 
     /// Cells padded to `widths` (right-aligned where negative), at column `indent`; the last one is wrapped, or all as
@@ -169,23 +174,6 @@ impl Page {
             return self.wrap(indent, indent + 2, &stacked.collect::<Vec<_>>());
         }
         self.wrap(indent, column, &spans);
-    }
-
-    fn spaces(&mut self, count: usize) {
-        self.text.extend(std::iter::repeat_n(' ', count));
-    }
-
-    /// Changes the colour from one tone's to another's.
-    fn paint(&mut self, from: Tone, to: Tone) {
-        if !self.colour || from == to {
-            return;
-        }
-        if from != Tone::Plain {
-            self.text.push_str("\x1b[0m");
-        }
-        if to != Tone::Plain {
-            self.text.push_str(&format!("\x1b[{}m", ansi(to)));
-        }
     }
 }
 
@@ -225,36 +213,59 @@ fn is_within_number(text: &str, at: usize) -> bool {
 struct Line<'a> {
     page: &'a mut Page,
     column: usize,
-    tone: Tone,
+    pieces: Vec<(Tone, String)>,
 }
 
-impl Line<'_> {
+impl<'a> Line<'a> {
+    /// An empty one that starts at a column.
+    fn at(page: &'a mut Page, column: usize) -> Self {
+        let mut line = Self { page, column: 0, pieces: Vec::new() };
+        line.put(Tone::Plain, &" ".repeat(column));
+        line
+    }
+
     fn put(&mut self, tone: Tone, text: &str) {
-        self.page.paint(self.tone, tone);
-        self.tone = tone;
-        self.page.text.push_str(text);
         self.column += text.width();
+        match self.pieces.last_mut() {
+            Some((last, before)) if *last == tone => before.push_str(text),
+            _ if text.is_empty() => {}
+            _ => self.pieces.push((tone, text.to_owned())),
+        }
     }
 
-    /// Ends the line: no spaces at its end, no colour beyond it.
-    fn end(&mut self) {
-        self.page.text.truncate(self.page.text.trim_end_matches(' ').len());
-        self.page.paint(self.tone, Tone::Plain);
-        self.tone = Tone::Plain;
-        self.page.text.push('\n');
+    /// Ends the line and begins the next at a column.
+    fn turn(&mut self, column: usize) {
+        self.shed();
+        self.column = 0;
+        self.put(Tone::Plain, &" ".repeat(column));
+    }
+
+    /// Ends the line.
+    fn end(mut self) {
+        self.shed();
+    }
+
+    /// Puts the line on the page, without spaces at its end.
+    fn shed(&mut self) {
+        let mut pieces = std::mem::take(&mut self.pieces);
+        while let Some((_, last)) = pieces.last_mut() {
+            last.truncate(last.trim_end_matches(' ').len());
+            if !last.is_empty() {
+                break;
+            }
+            pieces.pop();
+        }
+        self.page.rows.push(Row::Text(pieces));
     }
 }
 
-/// Where to break `lines` so that a screen of `height` is filled: after the last empty line of its second half, if any.
-fn breaking(lines: &[&str], height: usize) -> usize {
-    if lines.len() <= height {
-        return lines.len();
-    }
-    ((height / 2).max(1)..height).rev().find(|at| lines[*at].is_empty()).unwrap_or(height)
+/// A piece of text in the colours of its tone.
+fn painted(tone: Tone, text: &str) -> String {
+    if tone == Tone::Plain { text.to_owned() } else { format!("\x1b[{}m{text}\x1b[0m", ansi(tone)) }
 }
 
 /// The "select graphic rendition" parameters of ECMA-48 for a tone.
-fn ansi(tone: Tone) -> &'static str {
+pub fn ansi(tone: Tone) -> &'static str {
     match tone {
         Tone::Plain => "",
         Tone::Heading => "1;4",
@@ -348,25 +359,5 @@ mod tests {
         let cells = [(Tone::Plain, "textbook"), (Tone::Plain, "1.2345678901234567"), (Tone::Plain, "some 12 digits")];
         page.row(8, &[9, 25, 0], &cells);
         assert_eq!(page.into_text(), "        textbook  1.2345678901234567\n          some 12 digits\n");
-    }
-
-    #[test]
-    fn screens_keep_sections_whole_and_lose_no_line() {
-        let mut page = Page::new(40, false);
-        for section in 0..4 {
-            page.section();
-            for line in 0..=3 * section {
-                page.line(0, Tone::Plain, &format!("{section}.{line}"));
-                if line % 4 == 3 {
-                    page.gap();
-                }
-            }
-        }
-        let text = page.text.clone();
-        let screens = page.into_screens(6);
-        assert!(screens.iter().all(|screen| screen.lines().count() <= 6), "{screens:?}");
-        assert_eq!(screens[0], "0.0\n\n1.0\n1.1\n1.2\n1.3\n");
-        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
-        assert_eq!(words(&screens.concat()), words(&text));
     }
 }

@@ -1,8 +1,8 @@
 //! Blocks on a page of fixed pitch: a terminal, or a file of plain text.
 
 use crate::block::{
-    Answers, Block, Case, Cases, Choice, Face, Figure, Heading, Judged, Line, Lines, List, Paragraph, Picture,
-    Quantity, Question, Rank, Span, Table, Terms, Tone,
+    Answers, Block, Case, Cases, Face, Figure, Heading, Judged, Line, Lines, List, Paragraph, Picture, Quantity,
+    Question, Rank, Span, Table, Terms, Tone,
 };
 use crate::page::{self, Page};
 use crate::report::Verdict;
@@ -18,7 +18,7 @@ pub fn set(page: &mut Page, words: Words, blocks: &[Block]) {
 fn show(page: &mut Page, words: Words, block: &Block) {
     match block {
         Block::Section(section) => {
-            page.section();
+            page.gap();
             for block in &section.blocks {
                 show(page, words, block);
                 page.gap();
@@ -237,6 +237,7 @@ fn picture(page: &mut Page, figure: &Figure) {
     line(page, 2, Tone::Plain, &figure.says);
     match &figure.picture {
         Picture::File(path) => page.verbatim(path),
+        Picture::Cells(cells) => page.picture(0, cells),
         Picture::Svg(_) | Picture::Absent => page.line(4, Tone::Address, &figure.address),
     }
 }
@@ -247,8 +248,8 @@ fn ask(page: &mut Page, words: Words, question: &Question) {
     match &question.answers {
         Answers::Choices(choices) => {
             for (at, choice) in choices.iter().enumerate() {
-                let letter = Span::verbatim(Tone::Strong, format!("{}) ", Choice::letter(at)));
-                wrap(page, 4, 7, &[letter, Span::new(Tone::Plain, choice.says.clone())]);
+                let number = Span::verbatim(Tone::Strong, format!("{}) ", at + 1));
+                wrap(page, 4, 7, &[number, Span::new(Tone::Plain, choice.says.clone())]);
                 if question.open {
                     let tone = if choice.right { Tone::Good } else { Tone::Bad };
                     let word = words.tell(if choice.right { "right" } else { "wrong" }, &[]) + ": ";
@@ -278,6 +279,7 @@ fn tone(verdict: Verdict) -> Tone {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::block::Choice;
 
     fn shown(block: Block) -> String {
         let mut page = Page::new(60, false);
@@ -301,10 +303,10 @@ mod tests {
 
     #[test]
     fn questions_keep_their_answers_until_they_are_opened() {
-        assert_eq!(shown(question(false)), "  ? Which fades?\n    a) Rₛ\n    b) Rₚ\n    the answer: lesson c/s/q\n");
+        assert_eq!(shown(question(false)), "  ? Which fades?\n    1) Rₛ\n    2) Rₚ\n    the answer: lesson c/s/q\n");
         assert_eq!(
             shown(question(true)),
-            "  ? Which fades?\n    a) Rₛ\n       wrong: It grows.\n    b) Rₚ\n       right: At θ_B.\n    c/s/q\n"
+            "  ? Which fades?\n    1) Rₛ\n       wrong: It grows.\n    2) Rₚ\n       right: At θ_B.\n    c/s/q\n"
         );
     }
 

@@ -173,6 +173,11 @@ fn suffix(text: &str, unit: &str) -> Option<(&'static str, f64)> {
     suffixes(unit).iter().copied().find(|(suffix, _)| number(suffix))
 }
 
+/// The suffix that a quantity in `unit` carries and its size in it; nothing and 1 of a bare one.
+pub(super) fn suffix_of(text: &str, unit: &str) -> (&'static str, f64) {
+    suffix(text, unit).unwrap_or(("", 1.0))
+}
+
 /// The size of the suffix `bare` in `unit`; 1 of none.
 fn size(bare: &str, unit: &str) -> f64 {
     suffixes(unit).iter().find(|(suffix, _)| *suffix == bare).map_or(1.0, |(_, factor)| *factor)

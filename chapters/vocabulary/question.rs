@@ -141,13 +141,12 @@ impl Question {
         let by_words = || options.iter().position(|option| option.eq_ignore_ascii_case(text));
         let by_number = || text.parse::<usize>().ok()?.checked_sub(1);
         let by_letter = || ('a'..='z').position(|letter| text.eq_ignore_ascii_case(letter.encode_utf8(&mut [0])));
-        let last = char::from(b'a' + options.len().clamp(1, 26) as u8 - 1);
         by_number()
             .or_else(by_letter)
             .filter(|at| *at < options.len())
             .or_else(by_words)
             .map(Given::Option)
-            .ok_or_else(|| fault(format!("valid: a to {last}")))
+            .ok_or_else(|| fault(format!("valid: 1 to {}", options.len())))
     }
 
     /// The right answer at the setting.
@@ -298,7 +297,7 @@ mod tests {
         assert_eq!(asked.read("3"), Ok(Given::Option(2)));
         assert_eq!([asked.read(" Zero"), asked.read("B")], [Ok(Given::Option(1)), Ok(Given::Option(1))]);
         for bad in ["0", "4", "d", "", "-1", "1.5", "99999999999999999999"] {
-            assert!(asked.read(bad).unwrap_err().message.ends_with("valid: a to c"), "{bad}");
+            assert!(asked.read(bad).unwrap_err().message.ends_with("valid: 1 to 3"), "{bad}");
         }
         let angle = Answer::Number { unit: "rad", tolerance: 0.0, right: |_| 1.0, slips: &[] };
         let asked = question("angle", "Which angle?", angle, "so");

@@ -15,7 +15,9 @@ const EXAMPLES: &str = "\
 Examples:
   lesson                                   the chapters, and what to type next
   lesson contents fresnel                  the steps of a chapter, one line each
-  lesson fresnel                           walk through a chapter
+  lesson fresnel                           read a chapter, where you left it
+  lesson fresnel --short                   the ten-minute way through it
+  lesson progress                          how much of each chapter you have read
   lesson fresnel brewster                  one step
   lesson fresnel brewster --help           what it has, and what can be set
   lesson fresnel/energy/r_plus_t           one check, by its address
@@ -29,10 +31,11 @@ Examples:
   lesson prove \"sin(a)^2 - sin(b)^2\" \"sin(a+b)*sin(a-b)\"
   lesson coverage                          which rows have what evidence
 
-On a terminal the walk is read screen by screen: Enter (or n, space) for the
-next, b for the one before, p to plot the step's figures, ? for the keys, q to
-leave. Elsewhere a whole chapter shows its evidence in one line an item; --check
-shows what was found, --unfold all of it.
+On a terminal a chapter opens in a reader, full screen: space goes on, b back,
+g to another step, / searches, s turns the parameters, d e x r unfold the
+evidence, ? shows all keys, q leaves. It remembers your place. Elsewhere, or
+with --plain, everything comes at once, the evidence of a whole chapter in a
+line an item; --check shows what was found, --unfold all of it.
 
 Exit status: 0 if everything holds, 1 if a check broke, 2 if it could not run.
 

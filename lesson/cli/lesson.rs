@@ -52,6 +52,9 @@ pub struct LessonArgs {
     /// Everything at once, on a terminal too, and no questions that wait for an answer.
     #[arg(long)]
     plain: bool,
+    /// The ten-minute way through a chapter: of each step its claim, how its text begins, its key equation and a figure.
+    #[arg(long, conflicts_with_all = ["check", "stress", "race", "plot", "json", "units", "unfold"])]
+    short: bool,
     /// The report as one JSON document on standard output.
     #[arg(long)]
     json: bool,
@@ -73,6 +76,7 @@ impl LessonArgs {
             || self.units
             || self.unfold
             || self.plain
+            || self.short
             || self.json
             || self.unstable;
         !flags && self.set.is_empty() && self.out.is_none() && self.format.is_none()
@@ -98,6 +102,7 @@ impl LessonArgs {
             changes: self.set.into_iter().chain(beyond).collect(),
             details: Details { units: self.units, unfold: self.unfold },
             plain: self.plain,
+            short: self.short,
             json: self.json,
         }))
     }

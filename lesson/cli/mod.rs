@@ -54,6 +54,8 @@ pub enum Request {
     EvalLines { function: String },
     /// What can be called.
     Functions { json: bool },
+    /// How much of each chapter was read.
+    Progress,
     /// Whether one expression or equation leads to another.
     Prove(Question),
     /// The lecture's scenes.
@@ -93,8 +95,17 @@ pub struct Lesson {
     pub details: Details,
     /// Everything at once, on a terminal too.
     pub plain: bool,
+    /// The short way.
+    pub short: bool,
     /// One JSON document instead of text.
     pub json: bool,
+}
+
+impl Lesson {
+    /// Whether the whole lecture was asked for.
+    pub fn is_all(&self) -> bool {
+        matches!(&self.words[..], [word] if word.eq_ignore_ascii_case("all"))
+    }
 }
 
 /// Where figures go if nothing else is said.
@@ -117,6 +128,7 @@ pub fn parse() -> Result<Request, Stop> {
         None => cli.lesson.into_request(),
         Some(Command::Contents { chapter, .. }) => Ok(Request::Contents { chapter }),
         Some(Command::Coverage { json, .. }) => Ok(Request::Coverage { json }),
+        Some(Command::Progress { .. }) => Ok(Request::Progress),
         Some(Command::Eval(eval)) => eval.into_request(),
         Some(Command::Prove(prove)) => Ok(Request::Prove(prove.into())),
         Some(Command::Render(render)) => render.into_request(),
@@ -166,6 +178,11 @@ enum Command {
         /// As one JSON document.
         #[arg(long)]
         json: bool,
+        #[command(flatten)]
+        help: HelpArg,
+    },
+    /// How many steps of each chapter you have seen in the reader, and where you were.
+    Progress {
         #[command(flatten)]
         help: HelpArg,
     },

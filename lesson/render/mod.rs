@@ -6,7 +6,6 @@ mod error_map;
 mod explain;
 mod exr;
 mod goal;
-mod interrupt;
 mod pictures;
 mod preview;
 mod race;

@@ -3,11 +3,11 @@
 use super::archive::{self, Archive};
 use super::clock::{Spent, Watch};
 use super::goal::{Done, Goal};
-use super::interrupt::Interrupt;
 use super::pictures::{About, Kind, Picture};
 use super::preview::{self, Preview};
 use super::stats::Round;
 use super::{Job, deviation, error_told, percent};
+use crate::interrupt::Interrupt;
 use crate::memory;
 use crate::out;
 use crate::stop::Stop;

@@ -3,9 +3,11 @@
 //! Blocks say what something is. A page of fixed pitch needs a little more where a paragraph could stand in several
 //! columns; that is an [`Inset`], which other media leave alone.
 
+mod cells;
 mod question;
 mod span;
 
+pub use cells::{Cell, Cells};
 pub use question::{Answers, Choice, Question};
 pub use span::{Span, Tone};
 
@@ -63,7 +65,7 @@ pub enum Block {
     Question(Question),
 }
 
-/// What belongs together: on a terminal, the lines that a screen should hold.
+/// What belongs together.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Section {
     /// What it is about, if it has an address.
@@ -338,6 +340,8 @@ pub enum Picture {
     File(String),
     /// Here, as an element of SVG.
     Svg(String),
+    /// Here, in the cells of a terminal.
+    Cells(Cells),
     /// Nowhere yet.
     Absent,
 }

@@ -62,10 +62,3 @@ impl Answers {
         }
     }
 }
-
-impl Choice {
-    /// The letter that the choice `at` is called by: a, b, c …
-    pub fn letter(at: usize) -> char {
-        (b'a'..=b'z').nth(at).map_or('?', char::from)
-    }
-}

@@ -328,7 +328,7 @@ impl Writer<'_> {
                         svg.strip_prefix("<?xml").and_then(|rest| rest.split_once("?>")).map_or(svg, |(_, svg)| svg);
                     writer.line(format!("<div role=\"img\" aria-label=\"{says}\">{}</div>", svg.trim()));
                 }
-                Picture::Absent => {}
+                Picture::Cells(_) | Picture::Absent => {}
             }
             writer.line(format!("<figcaption>{}</figcaption>", phrase(&figure.says)));
         });

@@ -6,6 +6,8 @@
 
 mod axes;
 mod canvas;
+#[cfg(feature = "png")]
+mod cells;
 mod chart;
 mod diagram;
 mod encode;
@@ -27,6 +29,9 @@ mod svg;
 mod tests;
 mod text;
 mod ticks;
+
+#[cfg(feature = "png")]
+pub use cells::cells;
 
 use axes::Axes;
 use canvas::{Across, Anchor, Canvas, Down, Frame, Place, Usual};
@@ -75,7 +80,11 @@ pub fn colours() -> impl Iterator<Item = (String, String)> {
 /// The figure on a sheet.
 fn draw<C: Canvas>(plot: &Plot) -> Sheet {
     let columns = columns(plot);
-    let usual = if columns == 1 { ALONE } else { AMONG };
+    draw_as::<C>(plot, columns, if columns == 1 { ALONE } else { AMONG })
+}
+
+/// The figure on a sheet, its panels in so many columns and of a usual size.
+fn draw_as<C: Canvas>(plot: &Plot, columns: usize, usual: (f64, f64)) -> Sheet {
     let sizes: Vec<(f64, f64)> = plot.panels.iter().map(|panel| size(panel, usual)).collect();
     let widths: Vec<f64> =
         (0..columns).map(|column| largest(sizes.iter().skip(column).step_by(columns).map(|size| size.0))).collect();

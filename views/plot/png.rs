@@ -27,7 +27,7 @@ pub fn write(sheet: &Sheet) -> Vec<u8> {
     encode::png(width, height, &opaque)
 }
 
-fn built(path: &Path) -> Option<tiny_skia::Path> {
+pub(super) fn built(path: &Path) -> Option<tiny_skia::Path> {
     let ([x, y], rest) = path.points.split_first()?;
     let mut built = PathBuilder::new();
     built.move_to(*x, *y);
@@ -45,13 +45,20 @@ fn shaded(paint: &Paint) -> tiny_skia::Paint<'static> {
     shaded
 }
 
-fn fill(pixmap: &mut Pixmap, path: Option<tiny_skia::Path>, paint: &Paint, transform: Transform) {
+pub(super) fn fill(pixmap: &mut Pixmap, path: Option<tiny_skia::Path>, paint: &Paint, transform: Transform) {
     if let Some(path) = path {
         pixmap.fill_path(&path, &shaded(paint), FillRule::Winding, transform, None);
     }
 }
 
-fn stroke(pixmap: &mut Pixmap, path: &Path, paint: &Paint, width: f32, dashes: &[f32], transform: Transform) {
+pub(super) fn stroke(
+    pixmap: &mut Pixmap,
+    path: &Path,
+    paint: &Paint,
+    width: f32,
+    dashes: &[f32],
+    transform: Transform,
+) {
     let Some(path) = built(path) else { return };
     let dash = StrokeDash::new(dashes.to_vec(), 0.0);
     let line_cap = if dash.is_some() { LineCap::Butt } else { LineCap::Round };

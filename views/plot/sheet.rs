@@ -95,6 +95,8 @@ pub struct Text {
     pub size: f32,
     /// Whether it runs upwards rather than to the right.
     pub upwards: bool,
+    /// What of it stands where it was placed.
+    pub along: Across,
     /// Its colour.
     pub paint: Paint,
 }
@@ -158,7 +160,14 @@ impl Sheet {
         let (dx, dy) = if upwards { (down, -along) } else { (along, down) };
         let [x, y] = place(at);
         let start = [x + dx as f32, y + dy as f32];
-        self.items.push(Item::Text(Text { label: label.to_owned(), start, size: size as f32, upwards, paint }));
+        self.items.push(Item::Text(Text {
+            label: label.to_owned(),
+            start,
+            size: size as f32,
+            upwards,
+            along: anchor.0,
+            paint,
+        }));
     }
 
     /// Lays a picture of cells, `columns` to a row, from the top left.

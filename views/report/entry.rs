@@ -30,13 +30,18 @@ pub enum Entry {
 
 /// A step of which nothing is judged yet: its setting and its readout.
 pub fn unjudged(step: &Step, address: String, setting: &Setting) -> StepReport {
+    StepReport { readout: readout(step, setting), ..unread(step, address, setting) }
+}
+
+/// A step of which not even its readout is there, which may take a while.
+pub fn unread(step: &Step, address: String, setting: &Setting) -> StepReport {
     StepReport {
         address,
         title: step.title,
         says: step.says,
         rows: step.rows,
         setting: parameters(setting),
-        readout: readout(step, setting),
+        readout: Vec::new(),
         statements: Vec::new(),
         questions: Vec::new(),
         derivations: Vec::new(),
@@ -114,7 +119,8 @@ fn parameters(setting: &Setting) -> Vec<ParameterReport> {
     entries.collect()
 }
 
-fn readout(step: &Step, setting: &Setting) -> Vec<QuantityReport> {
+/// The step's quantities at a setting.
+pub fn readout(step: &Step, setting: &Setting) -> Vec<QuantityReport> {
     let quantities = step.readout.map(|read| read(setting)).unwrap_or_default();
     let report = quantities.into_iter().map(|quantity| QuantityReport {
         key: quantity.key,

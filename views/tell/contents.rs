@@ -6,7 +6,7 @@ use chapters::{CURRICULUM, Chapter, Step};
 
 /// What to type next, and what that does.
 const NEXT: [(&str, &str); 5] = [
-    ("lesson fresnel", "walk through a chapter"),
+    ("lesson fresnel", "read a chapter, where you left it"),
     ("lesson contents fresnel", "its steps, one line each"),
     ("lesson fresnel brewster", "one step; with --help, what it has and takes"),
     ("lesson fresnel --plot", "its figures as files, and what they cost"),

@@ -1,6 +1,6 @@
 //! A chapter and its steps as they are taught.
 
-use super::{Teller, face_of, owned, prose, section_at, tone};
+use super::{Teller, face_of, owned, section_at, tone};
 use crate::block::{
     Assignment, Block, Figure, Fold, Formula, Heading, Picture, Quantity, Rank, Span, Term, Terms, Tone,
 };
@@ -13,19 +13,24 @@ use chapters::{Chapter, Step};
 impl Teller<'_> {
     /// The heading of a chapter, and the prose before its first step.
     pub fn chapter(&self, chapter: &Chapter) -> Vec<Block> {
-        let title = self.phrase(chapter.id, "title", chapter.title);
-        let mut blocks = vec![Block::Heading(Heading {
-            rank: Rank::Chapter,
-            text: vec![Span::new(Tone::Heading, title)],
-            address: None,
-            rows: Vec::new(),
-        })];
+        let mut blocks = vec![self.title(chapter)];
         let intro = chapter.prose.split("<!-- step:").next().unwrap_or_default();
         blocks.extend(self.prose(chapter.id, intro, chapter.title));
         vec![section_at(chapter.id, blocks)]
     }
 
-    /// A step as the walk shows it: text, equations, derivations, numbers, verdicts, and where to look next. `folded`,
+    /// The heading of a chapter.
+    pub fn title(&self, chapter: &Chapter) -> Block {
+        let title = self.phrase(chapter.id, "title", chapter.title);
+        Block::Heading(Heading {
+            rank: Rank::Chapter,
+            text: vec![Span::new(Tone::Heading, title)],
+            address: None,
+            rows: Vec::new(),
+        })
+    }
+
+    /// A step as a run of the lecture shows it: text, equations, derivations, numbers, verdicts, and where to look next. `folded`,
     /// its derivations and checks have one line each.
     pub fn lecture(&self, chapter: &Chapter, step: &Step, found: &StepReport, folded: bool) -> Vec<Block> {
         let mut blocks = self.taught(chapter, step, found, folded);
@@ -67,16 +72,8 @@ impl Teller<'_> {
         vec![section_at(&found.address, blocks)]
     }
 
-    /// What opens a step: its heading, its claim and the setting.
-    pub fn opening(&self, found: &StepReport) -> Vec<Block> {
-        let says = self.phrase(&found.address, "says", found.says);
-        let mut blocks = vec![self.heading(found), Block::text(0, Tone::Emphasis, says)];
-        blocks.extend(self.setting(found));
-        vec![Block::section(blocks)]
-    }
-
     /// The parameters in force, if there are any.
-    pub(super) fn setting(&self, found: &StepReport) -> Option<Block> {
+    pub fn setting(&self, found: &StepReport) -> Option<Block> {
         let assignment = |p: &ParameterReport| Assignment { name: p.name.to_owned(), text: p.text.clone() };
         (!found.setting.is_empty()).then(|| Block::Setting(found.setting.iter().map(assignment).collect()))
     }
@@ -89,10 +86,9 @@ impl Teller<'_> {
     }
 
     fn taught(&self, chapter: &Chapter, step: &Step, found: &StepReport, folded: bool) -> Vec<Block> {
-        let says = self.phrase(&found.address, "says", found.says);
-        let mut blocks = vec![self.heading(found), Block::text(0, Tone::Emphasis, says)];
-        blocks.extend(self.prose(&found.address, prose::section(chapter.prose, step.id), step.title));
-        blocks.push(Block::section(found.statements.iter().map(|statement| self.formula(statement)).collect()));
+        let mut blocks = self.head(found);
+        blocks.extend(self.text(chapter, step, found));
+        blocks.push(Block::section(self.formulas(found)));
         blocks.extend(found.questions.iter().map(|question| Block::section(vec![self.question(question, false)])));
         if folded {
             let line = |derivation: &DerivationReport| {
@@ -114,7 +110,7 @@ impl Teller<'_> {
         blocks
     }
 
-    fn formula(&self, statement: &StatementReport) -> Block {
+    pub(super) fn formula(&self, statement: &StatementReport) -> Block {
         Block::Formula(Formula {
             address: statement.address.clone(),
             face: face_of(statement),
@@ -126,7 +122,7 @@ impl Teller<'_> {
     }
 
     /// The setting and what the program computes at it.
-    fn numbers(&self, found: &StepReport) -> Block {
+    pub fn numbers(&self, found: &StepReport) -> Block {
         let mut blocks: Vec<Block> = self.setting(found).into_iter().collect();
         let quantities = found.readout.iter().map(|quantity| Quantity {
             key: quantity.key.to_owned(),

@@ -6,6 +6,7 @@ mod derivation;
 mod findings;
 mod functions;
 mod help;
+mod leaf;
 mod lecture;
 mod proof;
 mod prose;
@@ -16,6 +17,7 @@ use crate::report::{Machine, StatementReport, StepReport, Verdict};
 use crate::words::Words;
 use chapters::text::{Catalogue, Phrase};
 
+pub use leaf::Evidence;
 pub use prose::section as prose_of;
 
 /// Tells the lecture in the words of a catalogue.

@@ -1,0 +1,131 @@
+//! The reader: the lecture on a full screen, one step at a time.
+//!
+//! | what | where |
+//! |---|---|
+//! | what happens | [`event`] |
+//! | the reader without its terminal: events in, lines and work out | [`state`] |
+//! | a step as it is known so far, set as a page | [`leaf`] |
+//! | going to a step, setting parameters, finding words | [`contents`], [`panel`], [`find`] |
+//! | what takes its time, on threads of its own | [`work`] |
+//! | the terminal | [`screen`] |
+//! | what is remembered | [`bookmark`] |
+
+pub mod bookmark;
+mod contents;
+mod event;
+mod find;
+mod leaf;
+mod panel;
+mod screen;
+mod state;
+mod work;
+
+use crate::cli::Lesson;
+use crate::interrupt::Interrupt;
+use crate::out;
+use crate::select::{Chosen, Selection};
+use crate::stop::Stop;
+use bookmark::Book;
+use chapters::parameter::Setting;
+use event::Event;
+use leaf::Leaf;
+use screen::{Colours, Screen};
+use state::{Effect, Reader, Start};
+use std::process::ExitCode;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
+use views::tell::tally;
+use work::Crew;
+
+/// How often it is looked whether somebody wants the program to end.
+const TICK: Duration = Duration::from_millis(100);
+
+/// Opens the reader at the selection, and ends with the tally of what was judged meanwhile.
+pub fn serve(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> {
+    let interrupt = Interrupt::watched();
+    let (book, memory, note) = Book::open();
+    let whole = selection.steps.len() > 1;
+    let (leaves, first) = leaves(selection);
+    let last = leaves.iter().position(|leaf| leaf.chapter.id == memory.last);
+    // Of the whole lecture the chapter is taken up that was read last.
+    let at = if lesson.is_all() { last.unwrap_or(first) } else { first };
+    let mut size = crossterm::terminal::size().map_err(|error| Stop::at("terminal", error))?;
+    let colours = Colours::of_terminal();
+    let start = Start {
+        at,
+        resume: whole,
+        size: (size.0.into(), size.1.into()),
+        is_coloured: colours != Colours::None,
+        short: lesson.short,
+        details: lesson.details,
+        memory,
+        note,
+    };
+    let mut reader = Reader::new(leaves, start);
+    let (events, arrivals) = channel();
+    let crew = Crew::hired(&events);
+    let mut screen = Screen::open(colours).map_err(|error| Stop::at("terminal", error))?;
+    screen::listen(events.clone());
+    let mut code = None;
+    let mut kept = Ok(());
+    'open: loop {
+        for effect in reader.effects() {
+            match effect {
+                Effect::Do(job) => crew.give(job),
+                Effect::TurnTo(leaf) => crew.turn_to(leaf),
+                // Whether it can be written is said once, at the end: the terminal is the reader's now.
+                Effect::Keep => kept = book.keep(&reader.memory),
+                Effect::Quit => break 'open,
+            }
+        }
+        screen.show(&reader.screen()).map_err(Stop::writing)?;
+        let event = loop {
+            code = interrupt.code();
+            if code.is_some() {
+                break 'open;
+            }
+            match arrivals.recv_timeout(TICK) {
+                Ok(event) => break event,
+                // A terminal may change its size before anybody listens, and some never say so.
+                Err(RecvTimeoutError::Timeout) => {
+                    let now = crossterm::terminal::size().ok().filter(|now| *now != size);
+                    if let Some((columns, rows)) = now {
+                        break Event::Resize(columns.into(), rows.into());
+                    }
+                }
+                Err(RecvTimeoutError::Disconnected) => break Event::Gone,
+            }
+        };
+        if let Event::Resize(columns, rows) = event {
+            size = (columns as u16, rows as u16);
+            screen.forget();
+        }
+        reader.take(event);
+        // What has come meanwhile is shown together.
+        while let Ok(event) = arrivals.try_recv() {
+            reader.take(event);
+        }
+    }
+    drop(screen);
+    let kept = kept.and(book.keep(&reader.memory));
+    if let Err(stop) = kept {
+        out::say(&format!("note: your place is not remembered: {stop}"));
+    }
+    let (all, broken) = reader.verdicts();
+    out::print(format!("{}\n", tally(all - broken, broken)).as_bytes())?;
+    Ok(code.map_or(ExitCode::from(u8::from(broken > 0)), ExitCode::from))
+}
+
+/// Every step of the lecture, with the settings of those selected, and the place of the first of these.
+fn leaves(selection: Selection) -> (Vec<Leaf>, usize) {
+    let mut chosen: Vec<Chosen> = selection.steps;
+    let first = chosen.first().map(Chosen::address);
+    let leaves = chapters::steps().map(|(chapter, step)| {
+        let is_it = |own: &Chosen| own.chapter.id == chapter.id && own.step.id == step.id;
+        let setting = chosen.iter().position(is_it).map(|at| chosen.swap_remove(at).setting);
+        Leaf::new(chapter, step, setting.unwrap_or_else(|| Setting::defaults(step.parameters())))
+    });
+    let leaves: Vec<Leaf> = leaves.collect();
+    let at = leaves.iter().position(|leaf| Some(leaf.address()) == first).unwrap_or(0);
+    (leaves, at)
+}
