@@ -163,7 +163,8 @@ fn precisely(network: &Network, light: &Light) -> Real {
 /// less than a rounding; by what is absorbed there, which each bounce takes of the pattern that is nearly even.
 fn kappa(network: &Network, light: &Light) -> f64 {
     let modes = modes(network, light);
-    let least = light.absorbed.iter().sum::<f64>() / light.absorbed.len() as f64;
+    let area: f64 = network.areas.iter().sum();
+    let least = light.absorbed.iter().zip(&network.areas).map(|(absorbed, area)| absorbed * area).sum::<f64>() / area;
     match modes.last() {
         Some(last) if least < 1e-12 => (1.0 - last.value) / least,
         _ => condition(&modes),

@@ -117,11 +117,19 @@ impl Hasher for Mixed {
 /// Ways that differ by less of the room [1] are one way: far less than a patch, far more than rounding.
 const ALIKE: f64 = 1e-10;
 
+/// Roundings of where a room lies by which ways that are alike may differ.
+const ROUNDINGS: f64 = 64.0 * f64::EPSILON;
+
 impl Known {
     fn new(patches: &Patches, faces: [usize; 2]) -> Self {
-        let reach = patches.list.iter().map(|patch| largest(patch.corner) + patch.size()).fold(0.0, f64::max);
+        let first = patches.list[0].corner;
+        let reach = |from: Triple| {
+            patches.list.iter().map(|patch| largest(minus(patch.corner, from)) + patch.size()).fold(0.0, f64::max)
+        };
+        // Of the room's own size, wherever it lies.
+        let unit = (ALIKE * reach(first)).max(ROUNDINGS * reach([0.0; 3]));
         let edges = faces.map(|face| patches.room.faces[face].patch.edges[0]);
-        Self { values: HashMap::default(), unit: ALIKE * reach, edges }
+        Self { values: HashMap::default(), unit, edges }
     }
 
     fn exchange(&mut self, one: &Patch, other: &Patch) -> (f64, Route) {
@@ -135,7 +143,7 @@ impl Known {
 /// What the patches of two faces exchange, row by row of the first.
 fn between(patches: &Patches, sight: &Sight, faces: [usize; 2]) -> (Vec<f64>, Routes) {
     let (mut known, mut routes) = (Known::new(patches, faces), Routes::default());
-    let may_be_blocked = sight.may_be_blocked(faces[0], faces[1]);
+    let others = sight.others(faces);
     let [here, there] = faces.map(|face| &patches.list[patches.of_face(face)]);
     let mut all = Vec::with_capacity(here.len() * there.len());
     for one in here {
@@ -143,12 +151,15 @@ fn between(patches: &Patches, sight: &Sight, faces: [usize; 2]) -> (Vec<f64>, Ro
             let (mut both, route) =
                 if patches.is_even() { known.exchange(one, other) } else { exchange::by_route(one, other) };
             let mut is_hidden = false;
-            if both > 0.0 && may_be_blocked {
-                let screens = sight.between(faces, [one, other]);
+            if both > 0.0 && !others.is_empty() {
+                let screens = sight.between(&others, faces, [one, other]);
                 if !screens.is_empty() {
                     let [seen, all] = exchange::by_middles(one, other, IN_PART, |a, b| Sight::is_free(&screens, a, b));
                     is_hidden = seen < all;
-                    both *= if all > 0.0 { seen / all } else { 0.0 };
+                    // Where no middle is before the other patch, rays say nothing.
+                    if all > 0.0 {
+                        both *= seen / all;
+                    }
                 }
             }
             routes.count(route, is_hidden);
@@ -156,6 +167,13 @@ fn between(patches: &Patches, sight: &Sight, faces: [usize; 2]) -> (Vec<f64>, Ro
         }
     }
     (all, routes)
+}
+
+/// What patches that see more than all there is see of it [1], 1 of all others: of a pair that is hidden in part the share is
+/// known by a few rays only, and light that grows at every bounce has no end.
+fn fullness(areas: &[f64], exchanged: &[f64]) -> Vec<f64> {
+    let rows = exchanged.chunks_exact(areas.len()).zip(areas);
+    rows.map(|(row, area)| (row.iter().sum::<f64>() / area).max(1.0)).collect()
 }
 
 /// Pairs of faces that are looked at before what was found is put in its place.
@@ -166,7 +184,11 @@ impl Network {
     /// nothing is lost; else what a patch sees of no other.
     pub fn new(areas: Vec<f64>, exchanged: &[f64], is_closed: bool) -> Self {
         let n = areas.len();
-        let factors: Vec<f64> = exchanged.iter().enumerate().map(|(at, both)| both / areas[at / n]).collect();
+        let factors: Vec<f64> = exchanged
+            .iter()
+            .enumerate()
+            .map(|(at, both)| if *both > 0.0 { both / areas[at / n] } else { 0.0 })
+            .collect();
         let lost = |row: &[f64]| if is_closed { 0.0 } else { (1.0 - row.iter().sum::<f64>()).max(0.0) };
         let lost = factors.chunks_exact(n).map(lost).collect();
         Self { areas, factors, lost }
@@ -199,6 +221,10 @@ impl Network {
                     }
                 }
             }
+        }
+        let full = fullness(&areas, &exchanged);
+        for (at, both) in exchanged.iter_mut().enumerate() {
+            *both /= full[at / n].max(full[at % n]);
         }
         (Self::new(areas, &exchanged, patches.room.is_closed), routes)
     }

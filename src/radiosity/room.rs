@@ -26,6 +26,17 @@ pub struct Room {
     pub is_closed: bool,
 }
 
+impl Face {
+    /// Columns and rows of pieces no longer than `most` [m].
+    fn counts(&self, most: f64) -> [usize; 2] {
+        let counts = self.patch.edges.map(|edge| ((length(edge) / most).ceil() as usize).max(1));
+        match self.patch.outline {
+            Outline::Parallelogram => counts,
+            Outline::Triangle => [counts[0].max(counts[1]); 2],
+        }
+    }
+}
+
 impl Room {
     /// The inside of a box from the origin to `size` [m], what of the light each face absorbs [1] and what it sends out: those
     /// at x = 0 and x = `size[0]`, then y, then z.
@@ -77,8 +88,12 @@ impl Room {
             let absorbed = reflectance.map(|share| 1.0 - share);
             faces.push(Face { patch, absorbed, emitted });
         }
-        if scene.environment.is_some() || !scene.lights.is_empty() {
-            return Err(Flaw::of("lights", "light that comes from no surface: there is no patch that sends it"));
+        let why = "is light that comes from no surface: there is no patch that sends it";
+        if scene.environment.as_ref().is_some_and(|sky| !sky.is_black()) {
+            return Err(Flaw::of("environment", why));
+        }
+        if !scene.lights.is_empty() {
+            return Err(Flaw::of("lights", why));
         }
         Ok(Self { faces, is_closed: false })
     }
@@ -112,14 +127,17 @@ impl Room {
 
     /// Every face cut into pieces no longer than `most` [m].
     pub fn cut_to(&self, most: f64) -> Patches {
-        let count = |edge: Triple| ((length(edge) / most).ceil() as usize).max(1);
-        self.cut_by(|face| {
-            let counts = face.patch.edges.map(count);
-            match face.patch.outline {
-                Outline::Parallelogram => counts,
-                Outline::Triangle => [counts[0].max(counts[1]); 2],
-            }
-        })
+        self.cut_by(|face| face.counts(most))
+    }
+
+    /// The same, but into no more than so many pieces in all, if there are not as many faces.
+    pub fn cut_within(&self, mut most: f64, pieces: usize) -> Patches {
+        let count = |face: &Face, most| face.counts(most).map(|count| count as f64).iter().product::<f64>();
+        let all = |most: f64| self.faces.iter().map(|face| count(face, most)).sum::<f64>();
+        while all(most) > pieces.max(self.faces.len()) as f64 {
+            most *= 1.1;
+        }
+        self.cut_to(most)
     }
 
     /// Every face, a parallelogram, cut into `n` × `n`, the finer the nearer to its edges: there the light of a wall bends as

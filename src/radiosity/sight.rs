@@ -6,11 +6,9 @@ use crate::number::Vector;
 use crate::scene::Triple;
 use crate::scene::triple::{largest, minus};
 
-/// The faces that may come between each two.
+/// The faces, and which of them may come between two.
 pub(super) struct Sight {
     faces: Vec<Patch>,
-    /// Row by row, the others that may hide something of one from the other.
-    others: Vec<Vec<usize>>,
     slack: f64,
 }
 
@@ -21,27 +19,18 @@ impl Sight {
     pub fn new(room: &Room) -> Self {
         let faces: Vec<Patch> = room.faces.iter().map(|face| face.patch).collect();
         let reach = faces.iter().flat_map(Patch::corners).map(largest).fold(0.0, f64::max);
-        let mut sight = Self { faces, others: Vec::new(), slack: SLACK * reach };
-        let n = sight.faces.len();
-        let all: Vec<usize> = (0..n).collect();
-        sight.others = (0..n * n)
-            .map(|at| {
-                let ends = [at / n, at % n];
-                sight.among(&all, ends, ends.map(|end| &sight.faces[end]))
-            })
-            .collect();
-        sight
+        Self { faces, slack: SLACK * reach }
     }
 
-    /// Whether any face may hide something of one from the other.
-    pub fn may_be_blocked(&self, from: usize, to: usize) -> bool {
-        !self.others[from * self.faces.len() + to].is_empty()
+    /// The others that may hide something of one face from another.
+    pub fn others(&self, ends: [usize; 2]) -> Vec<usize> {
+        let all: Vec<usize> = (0..self.faces.len()).collect();
+        self.among(&all, ends, ends.map(|end| &self.faces[end]))
     }
 
-    /// The faces that may come between patches of two of them, ready for rays.
-    pub fn between(&self, [from, to]: [usize; 2], patches: [&Patch; 2]) -> Vec<Screen> {
-        let others = &self.others[from * self.faces.len() + to];
-        let left = self.among(others, [from, to], patches);
+    /// Of these the faces that may come between patches of the two, ready for rays.
+    pub fn between(&self, others: &[usize], ends: [usize; 2], patches: [&Patch; 2]) -> Vec<Screen> {
+        let left = self.among(others, ends, patches);
         left.into_iter().map(|at| Screen::new(&self.faces[at])).collect()
     }
 
@@ -104,7 +93,7 @@ pub(super) fn lit(room: &Room) -> Vec<bool> {
     let slack = SLACK * reach;
     let screens: Vec<Screen> = room.faces.iter().map(|face| Screen::new(&face.patch)).collect();
     let sides = room.faces.iter().map(|face| face.patch).chain(room.faces.iter().map(|face| face.patch.back()));
-    let each = ((PLACES as f64 / (2.0 * fronts as f64)).sqrt() as usize).clamp(1, 5);
+    let each = ((PLACES as f64 / (2.0 * fronts as f64)).sqrt() as usize).clamp(3, 5);
     let places: Vec<(usize, Patch, Triple)> = sides
         .enumerate()
         .flat_map(|(side, patch)| (1..=each * each).map(move |k| (side, patch, place(&patch, k))))

@@ -6,9 +6,14 @@ use super::{Light, Network};
 pub fn series(network: &Network, light: &Light, terms: u32) -> Vec<f64> {
     let mut found = light.emitted.clone();
     for _ in 1..terms {
-        found = (0..network.len())
+        let next: Vec<f64> = (0..network.len())
             .map(|at| light.emitted[at] + light.reflected(at) * network.arriving(at, &found))
             .collect();
+        // What stays as it is once stays so.
+        if next == found {
+            break;
+        }
+        found = next;
     }
     found
 }

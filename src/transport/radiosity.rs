@@ -26,8 +26,8 @@ const BATCH: f64 = 65_536.0;
 const PATCHES: f64 = 256.0;
 /// The least and the most: of so many all pairs take twice 128 MiB while they are solved.
 const BOUNDS: [f64; 2] = [128.0, 4096.0];
-/// Faces of which there is an answer.
-pub const MOST_FACES: usize = 2048;
+/// Faces of which there is an answer: of every two all others are asked whether they come between.
+pub const MOST_FACES: usize = 128;
 /// Batches: the last has more samples than there are numbers for them.
 const BATCHES: u32 = 33;
 /// Patches up to which equations are solved by elimination, which keeps all digits however white the room is.
@@ -80,15 +80,17 @@ pub struct Facts {
 impl Solution {
     /// Of about so many patches, paths of at most so many edges from the patch on if that is said.
     pub fn new(room: &Room, backs: usize, count: f64, edges: Option<u32>) -> Self {
-        let patches = room.cut_to((room.area() / count).sqrt());
+        let patches = room.cut_within((room.area() / count).sqrt(), BOUNDS[1] as usize);
         let (network, routes) = Network::counted(&patches);
         let n = network.len();
         let (mut solver, mut residual) = (Solver::Direct, 0.0_f64);
         let sent_back = [0, 1, 2].map(|channel| -> Vec<f64> {
             let light = Light::of(&patches, channel);
             let (found, by, left) = solved(&network, &light, edges);
-            (solver, residual) = (by, residual.max(left));
-            found.iter().zip(&light.emitted).map(|(all, own)| (all - own).max(0.0)).collect()
+            (solver, residual) = (by, worse(residual, left));
+            // What is no number has to be seen.
+            let reflected = |(all, own): (&f64, &f64)| if all.is_nan() { *all } else { (all - own).max(0.0) };
+            found.iter().zip(&light.emitted).map(reflected).collect()
         });
         let reflected: Vec<Rgb<f64>> = (0..n).map(|at| rgb(|c| sent_back[c][at])).collect();
         let sums = (0..n).map(|at| network.row(at).iter().sum::<f64>());
@@ -108,13 +110,18 @@ impl Solution {
     }
 }
 
+/// The larger one, or what is no number.
+fn worse(one: f64, other: f64) -> f64 {
+    if one >= other || one.is_nan() { one } else { other }
+}
+
 fn solved(network: &Network, light: &Light, edges: Option<u32>) -> (Vec<f64>, Solver, f64) {
     let residual = |found: &[f64]| {
         let most = found.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let off = |at: usize| {
             (light.emitted[at] + light.reflected(at) * network.arriving(at, found) - found[at]).abs() / most
         };
-        (0..network.len()).map(off).fold(0.0, f64::max)
+        (0..network.len()).map(off).fold(0.0, worse)
     };
     let told = |found: Vec<f64>, by| {
         let left = residual(&found);
@@ -230,17 +237,20 @@ impl Radiosity {
     /// What the patch that was met sends back.
     fn sent_back(&self, solution: &Solution, hit: &Hit<f64>, is_back: bool) -> Rgb<f64> {
         let front = hit.primitive as usize;
-        let place = match self.room.faces[front].patch.outline {
-            Outline::Parallelogram => [hit.u, hit.v].map(|along| 0.5 * (along + 1.0)),
-            Outline::Triangle => [hit.u, hit.v],
-        };
-        if !is_back {
-            return solution.reflected[solution.patches.at(front, place)];
-        }
-        // Its edges are in the other order.
-        let [u, v] = place;
-        self.backs[front].map_or([0.0; 3], |back| solution.reflected[solution.patches.at(back, [v, u])])
+        let face = if is_back { self.backs[front] } else { Some(front) };
+        let place = place(self.room.faces[front].patch.outline, hit, is_back);
+        face.map_or([0.0; 3], |face| solution.reflected[solution.patches.at(face, place)])
     }
+}
+
+/// Where on a face, or on its back, it was met: shares [1] of its edges.
+pub(super) fn place(outline: Outline, hit: &Hit<f64>, is_back: bool) -> [f64; 2] {
+    let [u, v] = match outline {
+        Outline::Parallelogram => [hit.u, hit.v].map(|along| 0.5 * (along + 1.0)),
+        Outline::Triangle => [hit.u, hit.v],
+    };
+    // A back's edges are in the other order.
+    if is_back { [v, u] } else { [u, v] }
 }
 
 /// What a ray meets, and where on it.
