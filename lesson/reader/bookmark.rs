@@ -29,6 +29,9 @@ pub struct Memory {
     pub visited: BTreeSet<String>,
     /// What was answered, by the addresses of questions.
     pub answers: BTreeMap<String, Answer>,
+    /// The chapters that this reader has opened: of the others somebody else may know better.
+    #[serde(skip)]
+    pub touched: BTreeSet<String>,
 }
 
 /// A place in a chapter.
@@ -114,7 +117,10 @@ impl Book {
             whole.answers.entry(address).or_insert(answer);
         }
         for (chapter, place) in before.places {
-            whole.places.entry(chapter).or_insert(place);
+            // Where this reader has not been, another may have gone on.
+            if !memory.touched.contains(&chapter) {
+                whole.places.insert(chapter, place);
+            }
         }
         let text = serde_json::to_string_pretty(&whole).map_err(|error| Stop::at(path.display(), error))? + "\n";
         let folder = Folder::open(path.parent().unwrap_or(Path::new(".")))?;

@@ -171,7 +171,10 @@ impl Leaf {
     /// How many verdicts there are, and how many of them are that something is broken.
     pub fn verdicts(&self) -> (usize, usize) {
         let verdicts = self.report.iter().flat_map(StepReport::verdicts);
-        verdicts.fold((0, 0), |(all, broken), verdict| (all + 1, broken + usize::from(verdict == Verdict::Failed)))
+        // What could not be judged is broken.
+        let lost = self.folds.iter().filter(|fold| matches!(fold.state, State::Lost)).count();
+        verdicts
+            .fold((lost, lost), |(all, broken), verdict| (all + 1, broken + usize::from(verdict == Verdict::Failed)))
     }
 
     /// Takes another setting: its numbers are there at once, what is unfolded is judged again.
@@ -181,7 +184,9 @@ impl Leaf {
         // The old numbers stay until the new ones are there.
         let readout = self.report.take().map(|report| report.readout);
         self.report().readout = readout.unwrap_or_default();
-        self.figures.iter_mut().chain(&mut self.plots).for_each(|drawing| drawing.is_lost = false);
+        self.figures.iter_mut().for_each(|drawing| drawing.is_lost = false);
+        // The plot of a race is of the setting that it was run at.
+        self.plots.iter_mut().for_each(|drawing| *drawing = Drawing::default());
         let again = |kind: &Evidence| {
             self.folds[*kind as usize].state = State::Unknown;
             // A race is run for its seconds; whoever wants them at this setting asks again.
@@ -204,6 +209,9 @@ impl Leaf {
                 self.folds[kind as usize].state = if found.is_some() { State::Found } else { State::Lost };
                 found.into_iter().flatten().for_each(|entry| self.enter(entry));
             }
+            // Of a setting that is no longer: what is there is as good, and what is wanted is asked for again.
+            Outcome::Read { edition, .. } if edition != self.edition => self.read.1 = None,
+            Outcome::Drawn { which: Which::Race(_), order, .. } if order.edition != self.edition => {}
             Outcome::Read { edition, readout } => {
                 self.read = (Some(edition), None);
                 self.report().readout = readout.unwrap_or_default();

@@ -31,6 +31,7 @@ use event::Event;
 use leaf::Leaf;
 use screen::{Colours, Screen};
 use state::{Effect, Reader, Start};
+use std::io::{IsTerminal, stdin};
 use std::process::ExitCode;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
@@ -49,12 +50,12 @@ pub fn serve(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> {
     let last = leaves.iter().position(|leaf| leaf.chapter.id == memory.last);
     // Of the whole lecture the chapter is taken up that was read last.
     let at = if lesson.is_all() { last.unwrap_or(first) } else { first };
-    let mut size = crossterm::terminal::size().map_err(|error| Stop::at("terminal", error))?;
+    let mut size = size();
     let colours = Colours::of_terminal();
     let start = Start {
         at,
         resume: whole,
-        size: (size.0.into(), size.1.into()),
+        size,
         is_coloured: colours != Colours::None,
         short: lesson.short,
         details: lesson.details,
@@ -67,18 +68,21 @@ pub fn serve(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> {
     let mut screen = Screen::open(colours).map_err(|error| Stop::at("terminal", error))?;
     screen::listen(events.clone());
     let mut code = None;
-    let mut kept = Ok(());
+    let mut failed = None;
     'open: loop {
         for effect in reader.effects() {
             match effect {
                 Effect::Do(job) => crew.give(job),
                 Effect::TurnTo(leaf) => crew.turn_to(leaf),
                 // Whether it can be written is said once, at the end: the terminal is the reader's now.
-                Effect::Keep => kept = book.keep(&reader.memory),
+                Effect::Keep => drop(book.keep(&reader.memory)),
                 Effect::Quit => break 'open,
             }
         }
-        screen.show(&reader.screen()).map_err(Stop::writing)?;
+        if let Err(error) = screen.show(&reader.screen()) {
+            failed = Some(Stop::writing(error));
+            break 'open;
+        }
         let event = loop {
             code = interrupt.code();
             if code.is_some() {
@@ -86,18 +90,19 @@ pub fn serve(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> {
             }
             match arrivals.recv_timeout(TICK) {
                 Ok(event) => break event,
-                // A terminal may change its size before anybody listens, and some never say so.
+                // Nobody says that a terminal is gone, and some never say that they have another size.
+                Err(RecvTimeoutError::Timeout) if !stdin().is_terminal() => break Event::Gone,
                 Err(RecvTimeoutError::Timeout) => {
-                    let now = crossterm::terminal::size().ok().filter(|now| *now != size);
-                    if let Some((columns, rows)) = now {
-                        break Event::Resize(columns.into(), rows.into());
+                    let (columns, rows) = self::size();
+                    if (columns, rows) != size {
+                        break Event::Resize(columns, rows);
                     }
                 }
                 Err(RecvTimeoutError::Disconnected) => break Event::Gone,
             }
         };
         if let Event::Resize(columns, rows) = event {
-            size = (columns as u16, rows as u16);
+            size = (columns, rows);
             screen.forget();
         }
         reader.take(event);
@@ -107,13 +112,21 @@ pub fn serve(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> {
         }
     }
     drop(screen);
-    let kept = kept.and(book.keep(&reader.memory));
-    if let Err(stop) = kept {
+    if let Err(stop) = book.keep(&reader.memory) {
         out::say(&format!("note: your place is not remembered: {stop}"));
+    }
+    if let Some(stop) = failed {
+        return Err(stop);
     }
     let (all, broken) = reader.verdicts();
     out::print(format!("{}\n", tally(all - broken, broken)).as_bytes())?;
     Ok(code.map_or(ExitCode::from(u8::from(broken > 0)), ExitCode::from))
+}
+
+/// Columns and rows of the terminal; where it does not know them, what most have.
+fn size() -> (usize, usize) {
+    let known = console::Term::stdout().size_checked();
+    known.map_or((80, 24), |(rows, columns)| (columns.into(), rows.into()))
 }
 
 /// Every step of the lecture, with the settings of those selected, and the place of the first of these.

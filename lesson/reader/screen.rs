@@ -75,8 +75,9 @@ impl Screen {
             self.shown.clear();
             queue!(self.out, Clear(ClearType::All))?;
         }
+        // Cleared first: the cursor of a line that is full stays on its last letter, which clearing would take.
         for (at, line) in painted.iter().enumerate().filter(|(at, line)| self.shown.get(*at) != Some(line)) {
-            queue!(self.out, cursor::MoveTo(0, at as u16), Print(line), Clear(ClearType::UntilNewLine))?;
+            queue!(self.out, cursor::MoveTo(0, at as u16), Clear(ClearType::CurrentLine), Print(line))?;
         }
         queue!(self.out, EndSynchronizedUpdate)?;
         self.shown = painted;
@@ -91,8 +92,11 @@ impl Screen {
 
 impl Drop for Screen {
     fn drop(&mut self) {
-        let _ = self.out.flush();
-        restore();
+        // A panic has given it back already.
+        if !thread::panicking() {
+            let _ = self.out.flush();
+            restore();
+        }
     }
 }
 

@@ -346,7 +346,7 @@ impl Reader {
 
     /// The parameters, as they stand under the page.
     fn panel(&self, panel: &Panel) -> Vec<Row> {
-        panel.rows(&self.leaves[self.at].setting, self.width(), self.size.1 / 2 - 2)
+        panel.rows(&self.leaves[self.at].setting, self.width(), (self.size.1 / 2).saturating_sub(2))
     }
 
     /// From the numbers to the first figure and back, while parameters are turned.
@@ -389,7 +389,10 @@ impl Reader {
             let inside = if before == rows { share.0 } else { share.0 * rows / share.1.max(1) };
             self.top = self.sheet.starts[at] + inside;
         }
-        self.top = self.top.min(self.sheet.rows.len().saturating_sub(1));
+        // What was at the top may have been folded away.
+        if self.top >= self.sheet.rows.len() {
+            self.top = self.last_top();
+        }
     }
 
     /// The part at the top of the screen and how far into it that is.
@@ -678,6 +681,7 @@ impl Reader {
         let leaf = &self.leaves[self.at];
         let place = Place { step: leaf.step.id.to_owned(), row: self.top };
         self.memory.last = leaf.chapter.id.to_owned();
+        self.memory.touched.insert(leaf.chapter.id.to_owned());
         self.memory.places.insert(leaf.chapter.id.to_owned(), place);
     }
 

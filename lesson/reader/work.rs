@@ -99,58 +99,84 @@ pub struct Crew {
 }
 
 struct Shared {
-    jobs: Mutex<VecDeque<Job>>,
+    queue: Mutex<Queue>,
     comes: Condvar,
     /// Races are timed: whoever runs one is alone.
     quiet: RwLock<()>,
 }
 
+#[derive(Default)]
+struct Queue {
+    jobs: VecDeque<Job>,
+    /// Whether somebody judges: another hand must stay free for what is looked at.
+    is_judging: bool,
+}
+
 impl Crew {
     /// Hands that send what they have done. They work until the program ends.
     pub fn hired(events: &Sender<Event>) -> Self {
-        let shared = Arc::new(Shared { jobs: Mutex::default(), comes: Condvar::new(), quiet: RwLock::new(()) });
+        let shared = Arc::new(Shared { queue: Mutex::default(), comes: Condvar::new(), quiet: RwLock::new(()) });
         for _ in 0..HANDS {
             let (shared, events) = (Arc::clone(&shared), events.clone());
             thread::spawn(move || {
                 loop {
-                    shared.next().run(&shared.quiet, &events);
+                    let job = shared.next();
+                    let is_judging = job.judges();
+                    job.run(&shared.quiet, &events);
+                    if is_judging {
+                        shared.lock().is_judging = false;
+                        shared.comes.notify_one();
+                    }
                 }
             });
         }
         Self { shared }
     }
 
-    /// Something more to do.
+    /// Something more to do, in place of what waits to be judged at a setting that is no longer.
     pub fn give(&self, job: Job) {
-        self.shared.lock().push_back(job);
+        let mut queue = self.shared.lock();
+        if let Task::Judge { kind, .. } = job.task {
+            let is_older =
+                |old: &Job| old.leaf == job.leaf && matches!(old.task, Task::Judge { kind: its, .. } if its == kind);
+            queue.jobs.retain(|old| !is_older(old));
+        }
+        queue.jobs.push_back(job);
+        drop(queue);
         self.shared.comes.notify_one();
     }
 
     /// Pictures of other steps than this one need not be drawn.
     pub fn turn_to(&self, leaf: usize) {
-        self.shared.lock().retain(|job| job.leaf == leaf || matches!(job.task, Task::Judge { .. }));
+        self.shared.lock().jobs.retain(|job| job.leaf == leaf || matches!(job.task, Task::Judge { .. }));
     }
 }
 
 impl Shared {
-    fn lock(&self) -> MutexGuard<'_, VecDeque<Job>> {
-        self.jobs.lock().unwrap_or_else(PoisonError::into_inner)
+    fn lock(&self) -> MutexGuard<'_, Queue> {
+        self.queue.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Waits for a job: numbers and pictures first, they are looked at.
+    /// Waits for a job: numbers and pictures first, they are looked at; of what is judged one thing at a time.
     fn next(&self) -> Job {
-        let mut jobs = self.lock();
+        let mut queue = self.lock();
         loop {
-            let first = jobs.iter().position(|job| !matches!(job.task, Task::Judge { .. })).unwrap_or(0);
-            if let Some(job) = jobs.remove(first) {
+            let looked_at = queue.jobs.iter().position(|job| !job.judges());
+            let first = looked_at.or((!queue.is_judging).then_some(0));
+            if let Some(job) = first.and_then(|first| queue.jobs.remove(first)) {
+                queue.is_judging |= job.judges();
                 return job;
             }
-            jobs = self.comes.wait(jobs).unwrap_or_else(PoisonError::into_inner);
+            queue = self.comes.wait(queue).unwrap_or_else(PoisonError::into_inner);
         }
     }
 }
 
 impl Job {
+    fn judges(&self) -> bool {
+        matches!(self.task, Task::Judge { .. })
+    }
+
     /// Does it. What fails in a chapter must not end the reader.
     fn run(self, quiet: &RwLock<()>, events: &Sender<Event>) {
         let leaf = self.leaf;

@@ -19,12 +19,17 @@ use std::time::{Duration, Instant};
 /// How long anything may take before the test gives up: nothing is judged by it.
 const PATIENCE: Duration = Duration::from_secs(120);
 
+/// What every frame ends with.
+const FRAME_END: &[u8] = b"\x1b[?2026l";
+
 /// The program in a terminal.
 struct Terminal {
     child: Child,
     master: File,
     bytes: Receiver<Vec<u8>>,
     parser: vt100::Parser,
+    /// The last bytes that came: a frame is whole where it says so.
+    tail: Vec<u8>,
 }
 
 impl Terminal {
@@ -59,7 +64,7 @@ impl Terminal {
             }
         });
         let lines = |count| NonZeroU16::new(count).unwrap();
-        Self { child, master, bytes, parser: vt100::Parser::new(lines(rows), lines(columns), 0) }
+        Self { child, master, bytes, parser: vt100::Parser::new(lines(rows), lines(columns), 0), tail: Vec::new() }
     }
 
     fn screen(&self) -> String {
@@ -78,9 +83,13 @@ impl Terminal {
     /// Waits until the screen is as it should be.
     fn until(&mut self, what: &str, is_so: impl Fn(&Self) -> bool) {
         let begun = Instant::now();
-        while !is_so(self) {
+        while self.tail != FRAME_END || !is_so(self) {
             match self.bytes.recv_timeout(Duration::from_secs(1)) {
-                Ok(bytes) => self.parser.process(&bytes),
+                Ok(bytes) => {
+                    self.parser.process(&bytes);
+                    self.tail.extend(bytes);
+                    self.tail.drain(..self.tail.len().saturating_sub(FRAME_END.len()));
+                }
                 Err(_) if begun.elapsed() < PATIENCE && self.child.try_wait().unwrap().is_none() => {}
                 Err(_) => panic!("{what} did not come:\n{}", self.screen()),
             }
@@ -115,7 +124,8 @@ impl Terminal {
                 None => assert!(begun.elapsed() < PATIENCE, "does not end:\n{}", self.screen()),
             }
         };
-        while let Ok(bytes) = self.bytes.recv_timeout(Duration::from_millis(50)) {
+        // To the end of what there is: with the program its end of the terminal is closed.
+        while let Ok(bytes) = self.bytes.recv_timeout(PATIENCE) {
             self.parser.process(&bytes);
         }
         let screen = self.parser.screen();
