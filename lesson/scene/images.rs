@@ -68,6 +68,9 @@ pub fn sized([width, height]: [u32; 2]) -> Result<(), String> {
 /// What a piece of an OpenEXR file takes at least [byte]: its place in the table, and what it says of itself.
 const PIECE: usize = 16;
 
+/// Channels of an OpenEXR file: all of a piece's are made room for before any is read.
+const MOST_CHANNELS: usize = 16;
+
 /// Reads OpenEXR: `R`, `G` and `B` of the first layer that has them, at their full size.
 pub fn open_exr(bytes: &[u8]) -> Result<Image, String> {
     let told = |error: exr::error::Error| {
@@ -79,6 +82,10 @@ pub fn open_exr(bytes: &[u8]) -> Result<Image, String> {
     let side = |size: usize| u32::try_from(size).unwrap_or(u32::MAX);
     for header in &about.headers {
         sized([side(header.layer_size.0), side(header.layer_size.1)])?;
+        let channels = header.channels.list.len();
+        if channels > MOST_CHANNELS {
+            return Err(format!("has {channels} channels; valid: up to {MOST_CHANNELS}"));
+        }
         if header.chunk_count.saturating_mul(PIECE) > bytes.len() {
             return Err(format!("promises {} pieces, and has {} bytes for them", header.chunk_count, bytes.len()));
         }

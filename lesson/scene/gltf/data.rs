@@ -112,7 +112,9 @@ impl Data {
         let one = |buffer: buffer::Buffer| {
             let place = format!("buffers[{}]", buffer.index());
             let bytes = match buffer.source() {
-                buffer::Source::Bin => own.map(<[u8]>::to_vec).ok_or("is in the file, which has none")?,
+                buffer::Source::Bin => own
+                    .map(<[u8]>::to_vec)
+                    .ok_or_else(|| format!("{place}: is in the file, which has none; valid: a uri"))?,
                 buffer::Source::Uri(uri) => fetched(uri, folder, files).map_err(|why| format!("{place}: {why}"))?,
             };
             match bytes.len() >= buffer.length() {

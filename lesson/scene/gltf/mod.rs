@@ -12,7 +12,8 @@ use super::meshes::Files;
 use data::{Data, pieces};
 use gltf::accessor::Dimensions;
 use gltf::camera::Projection;
-use gltf::json::validation::{Error, Validate};
+use gltf::json::camera::Type;
+use gltf::json::validation::{Checked, Error, Validate};
 use gltf::khr_lights_punctual::Kind;
 use gltf::mesh::Mode;
 use gltf::{Document, Semantic};
@@ -74,6 +75,8 @@ struct Found {
     cameras: Vec<Camera>,
     corners: usize,
     flat: usize,
+    /// Why it cannot be a scene, though its shapes can be read.
+    unusable: Option<String>,
 }
 
 /// Rows of a matrix that takes points to points.
@@ -82,7 +85,10 @@ type Matrix = [[f64; 4]; 3];
 /// The scene of a file that is called `name`, and what the reader should know.
 pub fn scene(name: &str, path: &Path, bytes: &[u8], files: Files) -> Result<(Scene, Vec<String>), String> {
     let (document, mut reading, found) = open(path, bytes, files)?;
-    let Found { parts, lights, mut cameras, flat, .. } = found;
+    let Found { parts, lights, mut cameras, flat, unusable, .. } = found;
+    if let Some(why) = unusable {
+        return Err(why);
+    }
     let mut notes = Vec::new();
     if flat > 0 {
         notes.push(format!("{flat} triangles have no area and are left out"));
@@ -168,10 +174,11 @@ pub fn mesh(path: &Path, bytes: &[u8], files: Files, is_patterned: bool) -> Resu
 
 fn open<'f>(path: &Path, bytes: &[u8], files: Files<'f>) -> Result<(Document, Reading<'f>, Found), String> {
     let (text, own) = pieces(bytes)?;
-    let root: gltf::json::Root = gltf::json::deserialize::from_slice(text).map_err(|error| {
+    let mut root: gltf::json::Root = gltf::json::deserialize::from_slice(text).map_err(|error| {
         let told: String = error.to_string().chars().take(160).collect();
         format!("cannot be read: {told}")
     })?;
+    prepare(&mut root)?;
     let mut wrong = Vec::new();
     root.validate(&root, gltf::json::Path::new, &mut |path, error| {
         if wrong.len() < 8 {
@@ -226,6 +233,42 @@ fn open<'f>(path: &Path, bytes: &[u8], files: Files<'f>) -> Result<(Document, Re
     Ok((document, reading, found))
 }
 
+/// Says what the crate would fall over, and takes from what is needed what is read here without its word.
+fn prepare(root: &mut gltf::json::Root) -> Result<(), String> {
+    for (at, mesh) in root.meshes.iter().enumerate() {
+        for (number, primitive) in mesh.primitives.iter().enumerate() {
+            let there = root.accessors.len();
+            if let Some(far) = primitive.attributes.values().map(|accessor| accessor.value()).find(|at| *at >= there) {
+                let place = format!("meshes[{at}].primitives[{number}].attributes");
+                return Err(format!("{place}: there is no accessor {far}; there are {there}, the first being 0"));
+            }
+        }
+    }
+    for (at, image) in root.images.iter_mut().enumerate() {
+        match (&image.buffer_view, &image.uri) {
+            (None, None) => return Err(format!("images[{at}]: has no data; valid: a uri or a bufferView")),
+            // What it is its own bytes tell.
+            (Some(_), _) => drop(image.mime_type.get_or_insert(gltf::json::image::MimeType(String::new()))),
+            (None, Some(_)) => {}
+        }
+    }
+    for (at, camera) in root.cameras.iter().enumerate() {
+        let has_its_table = match camera.type_ {
+            Checked::Valid(Type::Perspective) => camera.perspective.is_some(),
+            Checked::Valid(Type::Orthographic) => camera.orthographic.is_some(),
+            Checked::Invalid => true,
+        };
+        if !has_its_table {
+            return Err(format!(
+                "cameras[{at}]: has no table of its type; valid: perspective or orthographic, as `type` says"
+            ));
+        }
+    }
+    root.extensions_required
+        .retain(|name| !["KHR_materials_specular", "KHR_materials_volume"].contains(&name.as_str()));
+    Ok(())
+}
+
 /// What a node is.
 fn take(reading: &mut Reading, found: &mut Found, node: &gltf::Node, matrix: &Matrix) -> Result<(), String> {
     let way = |[x, y, z]: Triple| -> Triple {
@@ -261,7 +304,10 @@ fn take(reading: &mut Reading, found: &mut Found, node: &gltf::Node, matrix: &Ma
             Kind::Point => Light::Point { position: origin, intensity: sent },
             Kind::Directional => Light::Directional { direction: way([0.0, 0.0, -1.0]), irradiance: sent },
             Kind::Spot { .. } => {
-                return Err("a spot light of KHR_lights_punctual cannot be used; valid: point, directional".into());
+                let why = "a spot light of KHR_lights_punctual cannot be used; valid: point, directional";
+                found.unusable.get_or_insert(format!("nodes[{}]: {why}", node.index()));
+                // Whoever takes the shape alone needs no light.
+                Light::Point { position: origin, intensity: [0.0; 3] }
             }
         });
     }
@@ -293,6 +339,13 @@ fn triangles(reading: &mut Reading, primitive: &gltf::Primitive) -> Result<Optio
     }
     if primitive.morph_targets().next().is_some() {
         reading.left_out("morph targets");
+    }
+    if primitive.get(&Semantic::Colors(0)).is_some() {
+        reading.left_out("colours of corners (COLOR_0)");
+    }
+    let count = primitive.indices().map_or(0, |indices| indices.count());
+    if count > MOST {
+        return Err(format!("has {count} indices; valid: up to {MOST}"));
     }
     let data = &reading.data;
     let positions: Vec<[f32; 3]> = match primitive.get(&Semantic::Positions) {

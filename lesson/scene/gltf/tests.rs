@@ -351,7 +351,7 @@ fn lights_and_images_are_read() {
 #[test]
 fn what_is_wrong_is_refused_with_its_place() {
     type Slip = fn(&mut Model);
-    let slips: [(Slip, &str); 17] = [
+    let slips: [(Slip, &str); 21] = [
         (|m| m.text["nodes"][0]["children"] = json!([0]), "nodes[0]: is met twice"),
         (|m| m.text["scenes"][0]["nodes"] = json!([0, 0]), "nodes[0]: is met twice"),
         (|m| m.text["scenes"][0]["nodes"] = json!([7]), "names what is not there"),
@@ -374,6 +374,20 @@ fn what_is_wrong_is_refused_with_its_place() {
             },
             "nodes[0]: a spot light",
         ),
+        (
+            |m| m.text["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = json!(99),
+            "meshes[0].primitives[0].attributes: there is no accessor 99",
+        ),
+        (|m| m.text["images"] = json!([{}]), "images[0]: has no data"),
+        (
+            |m| {
+                let of = json!({"xmag": 1, "ymag": 1, "zfar": 9, "znear": 0.1});
+                m.text["cameras"] = json!([{"type": "perspective", "orthographic": of}]);
+                m.text["nodes"][0]["camera"] = json!(0);
+            },
+            "cameras[0]: has no table of its type",
+        ),
+        (|m| m.text["buffers"] = json!([{"byteLength": 36}, {"byteLength": 12}]), "buffers[1]"),
         (
             |m| {
                 let far = m.accessor(&[0, 1, 3], 5121, "SCALAR", 3);
@@ -430,7 +444,11 @@ proptest! {
         of_text: bool,
     ) {
         let mut model = triangle();
-        model.push("materials", json!({"emissiveFactor": [1, 1, 1]}));
+        model.push("materials", json!({"emissiveFactor": [1, 1, 1], "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}));
+        model.push("textures", json!({"source": 0}));
+        model.push("images", json!({"bufferView": 0}));
+        model.push("cameras", json!({"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}));
+        model.text["nodes"][0]["camera"] = json!(0);
         model.text["meshes"][0]["primitives"][0]["material"] = json!(0);
         let mut bytes = model.bytes();
         let digits: Vec<usize> = (0..bytes.len()).filter(|at| bytes[*at].is_ascii_digit()).collect();
