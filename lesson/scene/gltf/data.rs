@@ -112,9 +112,11 @@ impl Data {
         let one = |buffer: buffer::Buffer| {
             let place = format!("buffers[{}]", buffer.index());
             let bytes = match buffer.source() {
+                // A file carries one, its first.
                 buffer::Source::Bin => own
+                    .filter(|_| buffer.index() == 0)
                     .map(<[u8]>::to_vec)
-                    .ok_or_else(|| format!("{place}: is in the file, which has none; valid: a uri"))?,
+                    .ok_or_else(|| format!("{place}: is not in the file; valid: a uri"))?,
                 buffer::Source::Uri(uri) => fetched(uri, folder, files).map_err(|why| format!("{place}: {why}"))?,
             };
             match bytes.len() >= buffer.length() {

@@ -44,7 +44,11 @@ impl Model {
     }
 
     fn push(&mut self, list: &str, item: Value) -> usize {
-        let list = self.text[list].as_array_mut().expect("a list");
+        let list = &mut self.text[list];
+        if list.is_null() {
+            *list = json!([]);
+        }
+        let list = list.as_array_mut().expect("a list");
         list.push(item);
         list.len() - 1
     }
