@@ -1,6 +1,6 @@
 //! The fast integrator, and what each of its tricks is worth.
 
-use super::scenes::{runs, small};
+use super::scenes::{rendered, runs, small};
 use super::ways::{ERROR, heat, smallest};
 use crate::figure::{Axis, Chart, Dash, Hue, Mark, Panel, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
@@ -60,7 +60,7 @@ pub(super) const STEP: Step = step(
         quantity("busy", "b", "share of lanes that work if they wait", busy_lanes(chance, 8)),
     ]
 })
-.checks(&[&SAME, &WAITING])
+.checks(&[&SAME, &WIDTHS, &WAITING])
 .stress(&[stress("many", "more and more lanes that wait", crowds)
     .textbook("⟨d⟩/⟨d_{max}⟩ with ⟨d_{max}⟩ = Σ(−1)^{j+1} n!/(j!(n − j)!)/(1 − q^j) as textbooks have it, in f64")
     .against("the same sum in arbitrary precision")])
@@ -108,6 +108,35 @@ const SAME: Check<Others> = check("same", "whatever is switched off, the picture
         otherwise as Others,
     )
     .slip("a chance to go on that nothing holds below one", unheld);
+
+/// Two scenes by so many lanes.
+type InLanes = fn(usize) -> Vec<light::transport::film::Halves>;
+
+fn in_lanes(lanes: usize, seed: u64) -> Vec<light::transport::film::Halves> {
+    let method = Method::Fast(Tactics { lanes, ..Tactics::default() });
+    let of = |name| rendered(&small(name, 16), &Manner { method, seed, ..Manner::default() }, 4);
+    ["glass", "metals"].map(of).concat()
+}
+
+const WIDTHS: Check<InLanes> = check("widths", "the picture does not know how many lanes made it")
+    .against(
+        "the same by one lane, number by number: by eight, and by sixteen where the machine and the build have them",
+    )
+    .within(0.0, "1", "every path's sums are its own, and they are added in the order of samples: no bit may differ")
+    .of(
+        |_: &mut Bench, by: InLanes| {
+            let one = by(1);
+            let differ = |lanes: usize| by(lanes).iter().zip(&one).filter(|(many, one)| many != one).count();
+            let [eight, sixteen] = [8, 16].map(differ);
+            Measured::new(
+                eight.max(sixteen) as f64,
+                format!("pixels that differ: {eight} and {sixteen}"),
+                2 * one.len(),
+            )
+        },
+        |lanes| in_lanes(lanes, 1),
+    )
+    .slip("every lane draws from a stream of its own", |lanes| in_lanes(lanes, lanes as u64));
 
 const WAITING: Check<fn(f64, u32) -> f64> =
     check("waiting", "lanes that wait for the longest path are idle as often as is said")

@@ -11,7 +11,7 @@ use super::simple::{INTEGRATORS, Integrator, Numbers, RARE};
 use super::{Needless, Needs, Stage, caustics, looks};
 use crate::bsdf::{Rgb, rgb};
 use crate::geometry::Structure;
-use crate::number::{F32x8, F32x16, Mask, Vector, Width, best_lanes, vectorised_lanes};
+use crate::number::{F32x8, Mask, Vector, Width, best_lanes, vectorised_lanes};
 use crate::sampling::{Choice, Points, Stream};
 use crate::scene::{Flaw, Scene};
 use crate::threads::mapped;
@@ -164,9 +164,11 @@ enum Engine {
     Radiosity(Box<Stage<f64>>, Box<Radiosity>),
 }
 
-/// A stage of so many lanes.
+/// A stage of so many lanes. Sixteen are left out where assertions are on: they are a third of all code to compile, and eight
+/// give the same bits; `path-tracing/lanes/widths` holds the program to that.
 enum Wide {
-    Sixteen(Box<Stage<F32x16>>),
+    #[cfg(not(debug_assertions))]
+    Sixteen(Box<Stage<crate::number::F32x16>>),
     Eight(Box<Stage<F32x8>>),
     One(Box<Stage<f32>>),
 }
@@ -175,6 +177,7 @@ enum Wide {
 macro_rules! in_width {
     ($wide:expr, $stage:ident => $same:expr) => {
         match $wide {
+            #[cfg(not(debug_assertions))]
             Wide::Sixteen($stage) => $same,
             Wide::Eight($stage) => $same,
             Wide::One($stage) => $same,
@@ -212,8 +215,9 @@ impl Renderer {
             Method::Fast(tactics) => {
                 let wide = match tactics.lanes.min(best_lanes()) {
                     0..8 => Wide::One(Box::new(Stage::with(scene, *structure, needless)?)),
-                    8..16 => Wide::Eight(Box::new(Stage::with(scene, *structure, needless)?)),
-                    _ => Wide::Sixteen(Box::new(Stage::with(scene, *structure, needless)?)),
+                    #[cfg(not(debug_assertions))]
+                    16.. => Wide::Sixteen(Box::new(Stage::with(scene, *structure, needless)?)),
+                    _ => Wide::Eight(Box::new(Stage::with(scene, *structure, needless)?)),
                 };
                 Engine::Fast(wide, tactics)
             }
