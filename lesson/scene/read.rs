@@ -202,7 +202,9 @@ pub const MATERIALS: &[Type<Read<Material>>] = &[
 fn material(item: Item, images: &mut Images) -> Result<Material, Snag> {
     let (fields, read) = item.of_type("a material", MATERIALS)?;
     let made = read(&fields)?;
-    match fields.get("reflectance").filter(Item::is_table) {
+    // Not every type has that key.
+    let reflectance = fields.items().find(|(key, _)| *key == "reflectance").map(|(_, item)| item);
+    match reflectance.filter(Item::is_table) {
         // What has no pattern has been refused by who read it.
         Some(item) => Ok(made.clone().patterned(pattern(item, images)?).unwrap_or(made)),
         None => Ok(made),
