@@ -83,7 +83,7 @@ fn colourful([column, row]: [u32; 2]) -> [f32; 3] {
 #[test]
 fn all_integrators_make_the_same_picture_of_a_sky() {
     let yard = yard(sky([16, 8], 75.0, colourful), 12);
-    let quick = |tactics: Tactics, seed| fast::<F32x8>(&yard, &tactics, 96, seed);
+    let quick = |tactics: Tactics, seed| fast::<F32x8>(&yard, &tactics, 128, seed);
     let mut pictures = vec![
         ("fast", quick(Tactics::default(), 1)),
         ("fast, blind", quick(Tactics { blind_choice: true, pilot: false, ..Tactics::default() }, 3)),

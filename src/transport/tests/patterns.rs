@@ -202,8 +202,8 @@ fn eight_lanes_see_a_pattern_as_single_paths_do() {
     let with = |needless| filmed(&room, &Manner { needless, ..Manner::default() }, &[0..8]);
     assert_eq!(with(Needless::NOTHING), with(Needless::EVERYTHING));
     let p = normal_two_sided(apart(
-        &fast::<F32x8>(&room, &Tactics::default(), 96, 1),
-        &simple(&room, &INTEGRATORS[3], 96, 2),
+        &fast::<F32x8>(&room, &Tactics::default(), 128, 1),
+        &simple(&room, &INTEGRATORS[3], 128, 2),
     ));
     assert!(p > SIGNIFICANCE, "p = {p:.1e}");
 }
