@@ -25,6 +25,23 @@ impl Interrupt {
         Self { by }
     }
 
+    /// From now on no such signal ends the process: for whoever looks often and has a terminal to give back.
+    pub fn noted() -> Self {
+        let by = Arc::new(AtomicUsize::new(0));
+        let deadly = [
+            SIGINT,
+            SIGTERM,
+            #[cfg(unix)]
+            signal_hook::consts::SIGHUP,
+            #[cfg(unix)]
+            signal_hook::consts::SIGQUIT,
+        ];
+        for signal in deadly {
+            drop(flag::register_usize(signal, Arc::clone(&by), signal as usize));
+        }
+        Self { by }
+    }
+
     /// The exit code of who was asked to end, if that is so.
     pub fn code(&self) -> Option<u8> {
         let signal = self.by.load(Ordering::Relaxed);

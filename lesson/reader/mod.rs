@@ -43,7 +43,7 @@ const TICK: Duration = Duration::from_millis(100);
 
 /// Opens the reader at the selection, and ends with the tally of what was judged meanwhile.
 pub fn serve(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> {
-    let interrupt = Interrupt::watched();
+    let interrupt = Interrupt::noted();
     let (book, memory, note) = Book::open();
     let whole = selection.steps.len() > 1;
     let (leaves, first) = leaves(selection);

@@ -280,7 +280,7 @@ impl Reader {
                 self.set();
                 self.show(|name| name == Name::Numbers);
             }
-            Key::Char('a') if self.leaves[self.at].skipped => {
+            Key::Char('a') if self.leaves[self.at].has_passed() => {
                 self.leaves[self.at].skipped = false;
                 self.set();
                 self.top = 0;

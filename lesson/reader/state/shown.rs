@@ -2,6 +2,7 @@
 
 use super::{LEAST, Mode, Reader};
 use crate::reader::leaf::{Leaf, Look};
+use console::{measure_text_width, truncate_str};
 use std::ops::Range;
 use views::block::Tone;
 use views::page::{Page, Row};
@@ -114,14 +115,10 @@ impl Reader {
         };
         let busy = if leaf.is_busy() { "⋯ " } else { "" };
         let left = format!("{place}{share}{busy}");
-        let room = columns.saturating_sub(left.chars().count() + 1);
-        let mut keys: Vec<char> = keys.chars().collect();
-        if keys.len() > room {
-            keys.truncate(room.saturating_sub(1));
-            keys.push('…');
-        }
-        let gap = columns.saturating_sub(left.chars().count() + keys.len() + 1);
-        let text = format!("{left}{}{} ", " ".repeat(gap), keys.into_iter().collect::<String>());
+        let room = columns.saturating_sub(measure_text_width(&left) + 1);
+        let keys = truncate_str(&keys, room, "…");
+        let gap = room.saturating_sub(measure_text_width(&keys));
+        let text = format!("{left}{}{keys} ", " ".repeat(gap));
         Line { row: Row::Text(vec![(Tone::Plain, text)]), margin: 0, marks: Vec::new(), is_bar: true }
     }
 

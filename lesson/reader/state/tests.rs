@@ -196,3 +196,17 @@ fn every_key_is_told_and_every_told_key_does_something() {
         }
     }
 }
+
+#[test]
+fn what_broke_at_a_former_setting_is_not_forgotten() {
+    let mut reader = reader("fresnel/brewster", (80, 24));
+    press(&mut reader, " e");
+    let (before, _) = reader.verdicts();
+    let lost = Outcome::Judged { kind: Evidence::Checks, edition: 0, found: None };
+    let at = reader.at;
+    reader.take(Event::Done(Finished { leaf: at, result: lost }));
+    assert_eq!(reader.verdicts(), (before + 1, 1));
+    press(&mut reader, "s");
+    reader.take(Event::Key(Key::Right { shift: false }));
+    assert_eq!(reader.verdicts(), (before + 1, 1));
+}
