@@ -4,8 +4,8 @@ use light::bsdf::Rgb;
 use light::bsdf::microfacet::{Joint, Slopes};
 use light::radiometry::polygon;
 use light::scene::{
-    Camera, Emission, Energy, Environment, Facets, Filter, Geometry, Material, Mesh, Metal, Normals, Scene, Shape,
-    Transform, Triple, builtin,
+    Camera, Emission, Energy, Environment, Facets, Filter, Geometry, Glass, Material, Mesh, Metal, Normals, Scene,
+    Shape, Transform, Triple, builtin,
 };
 use light::transport::estimate::colour;
 use light::transport::film::{Film, Halves, branches};
@@ -185,7 +185,7 @@ pub(super) fn needle(glass: &str, bent: f64) -> Scene {
         up: [0.0, 0.0, 1.0],
         ..looking([entry[0] - 0.5 * out[0], entry[1] + 0.5 * out[1], 0.0], [entry[0], entry[1], 0.0], 1e-5, 1)
     };
-    let clear = Material::Dispersive { glass: glass.into(), outside: 1.0, absorption: [0.0; 3] };
+    let clear = Material::Dispersive { glass: Glass::Named(glass.into()), outside: 1.0, absorption: [0.0; 3] };
     let lamp = Emission { radiance: [1.0; 3], two_sided: true };
     let shapes = vec![shape(prism, "prism", None), shape(Geometry::Quad { vertices: strip }, "black", Some(lamp))];
     // Camera, two faces, strip.

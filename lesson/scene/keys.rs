@@ -230,6 +230,12 @@ pub const CLEAR: &[Key] = &[
 /// What polished glass is, by its index or its name.
 pub const GLASS: &[Key] = &[
     key("ior", Kind::Number(domain::IOR), Need::Unless("glass"), "the index inside"),
+    may(
+        "abbe",
+        Kind::Number(domain::ABBE),
+        "one index for all",
+        "Abbe's number: how little it depends on the wavelength",
+    ),
     key(
         "glass",
         Kind::Word(|| glasses().map(|known| known.name).collect()),

@@ -3,8 +3,8 @@
 use super::read::{MASKING, OUTSIDE, SKY_SCALE, SQUARES};
 use super::{images, ply};
 use light::scene::{
-    Camera, Coating, Emission, Energy, Environment, Facets, Filter, Geometry, Image, Light, Material, Mesh, Metal,
-    Normals, Pattern, Scene, Shape, Sky, Transform, Triple,
+    Camera, Coating, Emission, Energy, Environment, Facets, Filter, Geometry, Glass, Image, Light, Material, Mesh,
+    Metal, Normals, Pattern, Scene, Shape, Sky, Transform, Triple,
 };
 use std::fmt::Write;
 use std::path::Path;
@@ -200,7 +200,13 @@ impl Printer {
             }
             Material::Dispersive { glass, outside, absorption } => {
                 self.put("type", quoted("dielectric"), "");
-                self.put("glass", quoted(glass), "");
+                match glass {
+                    Glass::Named(name) => self.put("glass", quoted(name), ""),
+                    Glass::Abbe { ior, abbe } => {
+                        self.put("ior", number(*ior), "");
+                        self.put("abbe", number(*abbe), "");
+                    }
+                }
                 self.surrounded(*outside, *absorption);
             }
             Material::RoughDielectric { ior, outside, absorption, facets, energy } => {

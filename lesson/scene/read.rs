@@ -13,8 +13,8 @@ use chapters::parameter::Fault;
 use light::bsdf::microfacet::{Joint, Slopes};
 use light::scene::flaw::domain;
 use light::scene::{
-    Camera, Coating, Emission, Energy, Environment, Facets, Filter, Flaw, Geometry, Light, Material, Metal, Normals,
-    Pattern, Scene, Shape, Sky, Transform, Triple,
+    Camera, Coating, Emission, Energy, Environment, Facets, Filter, Flaw, Geometry, Glass, Light, Material, Metal,
+    Normals, Pattern, Scene, Shape, Sky, Transform, Triple,
 };
 use std::path::PathBuf;
 
@@ -162,10 +162,11 @@ pub const MATERIALS: &[Type<Read<Material>>] = &[
         read: |fields| {
             if let Some(glass) = fields.may("glass", Item::text)? {
                 fields.idle("ior", "given beside glass, which has its own")?;
-                fields.idle("coating", "a film on glass by name cannot be used so far; valid: on glass of one ior")?;
-                let glass = glass.to_owned();
-                let (outside, absorption) = surrounded(fields)?;
-                return Ok(Material::Dispersive { glass, outside, absorption });
+                fields.idle("abbe", "given beside glass, which has its own")?;
+                return dispersive(fields, Glass::Named(glass.to_owned()));
+            }
+            if let Some(abbe) = fields.may("abbe", Item::number)? {
+                return dispersive(fields, Glass::Abbe { ior: fields.number("ior")?, abbe });
             }
             let (ior, outside, absorption) = clear(fields)?;
             Ok(Material::Dielectric { ior, outside, absorption, coating: fields.may("coating", coating)? })
@@ -284,6 +285,12 @@ fn clear(fields: &Fields) -> Result<(f64, f64, Triple), Snag> {
 }
 
 /// Index outside, and absorption.
+fn dispersive(fields: &Fields, glass: Glass) -> Result<Material, Snag> {
+    fields.idle("coating", "a film on glass that disperses cannot be used so far; valid: on glass of one ior")?;
+    let (outside, absorption) = surrounded(fields)?;
+    Ok(Material::Dispersive { glass, outside, absorption })
+}
+
 fn surrounded(fields: &Fields) -> Result<(f64, Triple), Snag> {
     let outside = fields.may("outside", Item::number)?.unwrap_or(OUTSIDE);
     Ok((outside, fields.may("absorption", Item::triple)?.unwrap_or_default()))

@@ -481,8 +481,19 @@ fn material() -> BoxedStrategy<Material> {
         (index(), outside(), absorption(), coating()).prop_map(|(ior, outside, absorption, coating)| {
             Material::Dielectric { ior, outside, absorption, coating }
         }),
-        (prop::sample::select(vec!["bk7", "N-SF11", "water"]), outside(), absorption())
-            .prop_map(|(glass, outside, absorption)| Material::Dispersive { glass: glass.into(), outside, absorption }),
+        (prop::sample::select(vec!["bk7", "N-SF11", "water"]), outside(), absorption()).prop_map(
+            |(glass, outside, absorption)| Material::Dispersive {
+                glass: Glass::Named(glass.into()),
+                outside,
+                absorption
+            }
+        ),
+        // Of any that its domain admits and whose index stays within the one of indices.
+        (1.05..2.5, 3.0..1e6, absorption()).prop_map(|(ior, abbe, absorption)| Material::Dispersive {
+            glass: Glass::Abbe { ior, abbe },
+            outside: 1.0,
+            absorption
+        }),
         (index(), outside(), absorption(), facets(), energy()).prop_map(
             |(ior, outside, absorption, facets, energy)| {
                 Material::RoughDielectric { ior, outside, absorption, facets, energy }

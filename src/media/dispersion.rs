@@ -8,6 +8,18 @@ pub(super) const EV_MICROMETRES: f64 = 6.626_070_15e-34 * 299_792_458.0 / 1.602_
 /// One row of a measured table: vacuum wavelength [µm], n [1], κ [1].
 pub type Row = [f64; 3];
 
+/// The lines of hydrogen and helium by which glass is told apart, F, d and C [µm] (Schott, *TIE-29: Refractive index and dispersion*).
+const LINES: [f64; 3] = [0.486_132_7, 0.587_561_8, 0.656_272_5];
+
+/// n [1] at a wavelength [m] of glass that is known by its index at the d line and by Abbe's number V = (n_d − 1)/(n_F − n_C)
+/// [1] alone: Cauchy's n = A + B/λ² (A. L. Cauchy, *Mémoire sur la dispersion de la lumière* (1836), its first two terms; so
+/// KHR_materials_dispersion has it).
+pub fn cauchy(index: f64, abbe: f64, wavelength: f64) -> f64 {
+    let inverse = |micrometres: f64| 1.0 / (micrometres * micrometres);
+    let [f, d, c] = LINES.map(inverse);
+    index + (index - 1.0) / abbe * (inverse(wavelength * 1e6) - d) / (f - c)
+}
+
 /// A law n(λ) + iκ(λ), in the form and the units in which its source prints it (µm and eV).
 #[derive(Clone, Copy, Debug)]
 pub enum Dispersion {

@@ -17,7 +17,7 @@ mod tables;
 #[cfg(test)]
 mod tests;
 
-pub use dispersion::{Dispersion, Oscillator, Row};
+pub use dispersion::{Dispersion, Oscillator, Row, cauchy};
 pub use electric::{Electric, Loss, OutOfBand};
 pub use list::SUBSTANCES;
 pub use optics::{Optics, OutOfRange};

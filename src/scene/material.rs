@@ -1,10 +1,42 @@
 //! What surfaces are made of.
 
-use super::{Pattern, Triple};
+use super::{Flaw, Pattern, Triple};
 use crate::bsdf::microfacet::{Joint, Slopes};
 use crate::colour::response::BAND;
 use crate::media::{self, Substance};
 use num_complex::Complex64;
+
+/// Glass whose index depends on the wavelength.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Glass {
+    /// By its name in [`media`]: one of [`glasses`].
+    Named(String),
+    /// By two numbers ([`media::cauchy`]).
+    Abbe {
+        /// Index at the d line [1].
+        ior: f64,
+        /// Abbe's number [1].
+        abbe: f64,
+    },
+}
+
+impl Glass {
+    /// Its index [1] at a vacuum wavelength [m].
+    ///
+    /// # Errors
+    /// If there is no medium of that name, or it is not known there.
+    pub fn index(&self, wavelength: f64) -> Result<f64, Flaw> {
+        match self {
+            Self::Named(name) => {
+                let medium =
+                    media::named(name).ok_or_else(|| Flaw::of("glass", format!("`{name}` is no known medium")))?;
+                let index = medium.index(wavelength).map_err(|error| Flaw::of("glass", error.to_string()))?;
+                Ok(index.re)
+            }
+            Self::Abbe { ior, abbe } => Ok(media::cauchy(*ior, *abbe, wavelength)),
+        }
+    }
+}
 
 /// A material. What is opaque reflects on both of its sides, but for [`Material::Plastic`], whose back is black.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,8 +91,8 @@ pub enum Material {
     },
     /// Polished glass whose index depends on the wavelength.
     Dispersive {
-        /// Its name in [`media`]: one of [`glasses`].
-        glass: String,
+        /// Which.
+        glass: Glass,
         /// Index outside [1].
         outside: f64,
         /// Absorption inside [m⁻¹].

@@ -22,7 +22,7 @@ pub(crate) mod triple;
 
 pub use flaw::{Flaw, Part, Place, Unknown};
 pub use image::{Environment, Image, Sky};
-pub use material::{Coating, Energy, Facets, Material, Metal};
+pub use material::{Coating, Energy, Facets, Glass, Material, Metal};
 pub use pattern::Pattern;
 pub use shape::{Emission, Geometry, Map, Mesh, Normals, Shape, Transform};
 

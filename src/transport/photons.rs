@@ -8,6 +8,7 @@
 //! Trans. Graph. 30 (2011) 25): the mean square of the error of N samples falls as N^−2/3.
 
 use super::picture::DEEP;
+use super::simple::lamps::from_lamps;
 use super::simple::{Numbers, carried, gathered};
 use super::{Stage, Vertex};
 use crate::bsdf::{Rgb, rgb};
@@ -237,14 +238,7 @@ impl Photons {
                     // Where one ray more has led: all light that fell there.
                     return gathered(light, carries, of_map(&maps.all));
                 }
-                for lamp in stage.lamps() {
-                    let arrival = lamp.sample(vertex.start, row.lamp);
-                    let wi = vertex.frame.inward(arrival.wi);
-                    let f = vertex.f(wi);
-                    if f != [0.0; 3] && stage.sees(&vertex, &arrival) {
-                        light = gathered(light, carries, rgb(|c| f[c] * wi.z.abs() * arrival.share[c]));
-                    }
-                }
+                light = gathered(light, carries, from_lamps(stage, &vertex, row.lamp, |_, _| 1.0));
                 light = gathered(light, carries, of_map(&maps.caustics));
                 is_second = true;
             }

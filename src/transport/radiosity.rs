@@ -12,6 +12,7 @@
 //! does not know of it.
 
 use super::picture::DEEP;
+use super::simple::lamps::from_lamps;
 use super::simple::{Numbers, carried, gathered};
 use super::{Stage, Vertex};
 use crate::bsdf::{Rgb, rgb};
@@ -211,15 +212,7 @@ impl Radiosity {
             return light;
         }
         let row = numbers.of_next_vertex();
-        for lamp in stage.lamps() {
-            let arrival = lamp.sample(vertex.start, row.lamp);
-            let wi = vertex.frame.inward(arrival.wi);
-            let (f, by_chance) = vertex.f_pdf(wi);
-            let weight = balance(arrival.pdf, by_chance);
-            if f != [0.0; 3] && stage.sees(&vertex, &arrival) {
-                light = gathered(light, [1.0; 3], rgb(|c| f[c] * wi.z.abs() * arrival.share[c] * weight));
-            }
-        }
+        light = gathered(light, [1.0; 3], from_lamps(stage, &vertex, row.lamp, balance));
         let drawn = vertex.scatter(row.surface);
         if drawn.weight == [0.0; 3] {
             return light;

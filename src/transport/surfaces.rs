@@ -153,12 +153,11 @@ impl Material {
     /// If there is no medium of that name, or it is not known at all wavelengths that are seen.
     pub fn dispersion(&self) -> Result<Option<Dispersive>, Flaw> {
         let Self::Dispersive { glass, outside, .. } = self else { return Ok(None) };
-        let medium = media::named(glass).ok_or_else(|| Flaw::of("glass", format!("`{glass}` is no known medium")))?;
         for end in BAND {
-            medium.index(end).map_err(|error| Flaw::of("glass", error.to_string()))?;
+            glass.index(end)?;
         }
         // Between the ends of the band it is known as well.
-        Ok(Some(Dispersive::new(|wavelength| medium.index(wavelength).map_or(1.0, |index| index.re) / outside)))
+        Ok(Some(Dispersive::new(|wavelength| glass.index(wavelength).unwrap_or(1.0) / outside)))
     }
 
     /// What it is if it is polished and bare.

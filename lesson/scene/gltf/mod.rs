@@ -264,8 +264,9 @@ fn prepare(root: &mut gltf::json::Root) -> Result<(), String> {
             ));
         }
     }
-    root.extensions_required
-        .retain(|name| !["KHR_materials_specular", "KHR_materials_volume"].contains(&name.as_str()));
+    root.extensions_required.retain(|name| {
+        !["KHR_materials_specular", "KHR_materials_volume", materials::DISPERSION].contains(&name.as_str())
+    });
     Ok(())
 }
 

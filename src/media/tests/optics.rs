@@ -2,7 +2,7 @@
 
 use crate::media::Dispersion::{Gas, LorentzDrude, Sellmeier, Table};
 use crate::media::optics::Nanometres;
-use crate::media::{Dispersion, Medium, Optics, Oscillator, Row, Substance, named, optical};
+use crate::media::{Dispersion, Medium, Optics, Oscillator, Row, Substance, cauchy, named, optical};
 use num_complex::Complex64;
 use proptest::prelude::*;
 
@@ -359,4 +359,17 @@ proptest! {
         }
         prop_assert_eq!(Medium::Named(known).index(wavelength), Ok(index));
     }
+}
+
+#[test]
+fn two_numbers_tell_glass_between_its_lines() {
+    for (index, abbe) in [(1.5168, 64.17), (1.78472, 25.68), (2.4, 3.0), (1.0, 50.0)] {
+        let of = |wavelength| cauchy(index, abbe, wavelength);
+        assert!((of(D) - index).abs() < 1e-15);
+        assert!(((of(F) - of(C)) * abbe - (index - 1.0)).abs() < 1e-14, "{index}, {abbe}");
+        assert!(index == 1.0 || of(400e-9) > of(F) && of(C) > of(700e-9));
+    }
+    // Schott's N-BK7 (data sheet, 2014): n_F 1.52238, n_C 1.51432, and at the g line, 435.8 nm in air, 1.52668. There is a third term.
+    assert!((cauchy(1.5168, 64.17, F) - 1.52238).abs() < 1e-4 && (cauchy(1.5168, 64.17, C) - 1.51432).abs() < 1e-4);
+    assert!((cauchy(1.5168, 64.17, 435.834_3e-9) - 1.52668).abs() < 1e-3);
 }

@@ -9,7 +9,7 @@ use crate::bsdf::dispersive::D_LINE;
 use crate::media;
 use crate::optics::prism::{deviation, least_deviation};
 use crate::scene::triple::{minus, plus, times};
-use crate::scene::{Environment, Geometry, Material, Mesh, Normals, Scene, Triple};
+use crate::scene::{Environment, Geometry, Glass, Material, Mesh, Normals, Scene, Triple};
 use std::f64::consts::FRAC_PI_3;
 use std::sync::Arc;
 
@@ -91,7 +91,7 @@ pub(super) fn prism() -> Scene {
         .into_iter()
         .chain(tunnel.map(|side| shape(side, "tunnel")))
         .collect();
-    let glass = Material::Dispersive { glass: GLASS.to_owned(), outside: 1.0, absorption: [0.0; 3] };
+    let glass = Material::Dispersive { glass: Glass::Named(GLASS.to_owned()), outside: 1.0, absorption: [0.0; 3] };
     let materials = vec![("glass", glass), ("table", grey(0.6)), ("white", grey(0.8)), ("tunnel", grey(0.05)), BLACK];
     let camera = pinhole([0.08, 0.5, 0.55], [0.08, 0.0, -0.27], 36.0);
     Scene { environment: Some(Environment::Constant([0.04; 3])), ..scene("prism", camera, materials, shapes) }

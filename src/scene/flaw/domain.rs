@@ -94,6 +94,8 @@ pub const IRRADIANCE: Domain = Domain::new(0.0, BRIGHT, "W m⁻²");
 pub const ALPHA: Domain = Domain::new(LEAST_ALPHA, 1.0, "");
 /// The index of what is clear [1].
 pub const IOR: Domain = Domain::new(INDEX[0], INDEX[1], "");
+/// Abbe's number [1]: glass has 18 to 95.
+pub const ABBE: Domain = Domain::new(1.0, 1e6, "");
 /// n or κ of a metal [1].
 pub const METAL: Domain = Domain::new(METAL_INDEX[0], METAL_INDEX[1], "");
 /// Absorption on the way [m⁻¹].

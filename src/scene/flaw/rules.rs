@@ -1,17 +1,18 @@
 //! The rules.
 
 use super::domain::{
-    ABSORPTION, ALPHA, APERTURE, COORDINATE, DIRECTION, Domain, FACTOR, FAR, FIELD_OF_VIEW, FILM, INTENSITY, IOR,
+    ABBE, ABSORPTION, ALPHA, APERTURE, COORDINATE, DIRECTION, Domain, FACTOR, FAR, FIELD_OF_VIEW, FILM, INTENSITY, IOR,
     IRRADIANCE, LENGTH, METAL, PLACE, RADIANCE, SCALE, SHARE, SQUARES, Shown, TURN,
 };
 use super::{Flaw, Part};
 use crate::bsdf::dispersive::D_LINE;
+use crate::colour::response::BAND;
 use crate::media::named;
 use crate::scene::material::{films, glasses, metals};
 use crate::scene::triple::{cross, largest, length, minus, plus, widened};
 use crate::scene::{
-    Camera, Coating, Emission, Environment, Facets, Geometry, Image, Light, Material, Mesh, Metal, Normals, Pattern,
-    Scene, Shape, Transform, Triple,
+    Camera, Coating, Emission, Environment, Facets, Geometry, Glass, Image, Light, Material, Mesh, Metal, Normals,
+    Pattern, Scene, Shape, Transform, Triple,
 };
 
 type Checked = Result<(), Flaw>;
@@ -145,14 +146,25 @@ fn material(material: &Material) -> Checked {
             coating(film.as_ref())
         }
         Material::Dispersive { glass, outside, absorption } => {
-            let names = || glasses().map(|glass| glass.name.to_owned());
-            let unknown = || Flaw::unknown("glass", "no clear medium known at all that is seen", glass, names());
-            let medium = named(glass).filter(|known| glasses().any(|glass| glass == *known)).ok_or_else(unknown)?;
-            // Within the band no medium of the list is far from what it is at the d line.
-            let index = medium.index(D_LINE).map_err(|error| Flaw::of("glass", error.to_string()))?;
+            let key = match glass {
+                Glass::Named(name) => {
+                    let names = || glasses().map(|glass| glass.name.to_owned());
+                    if !glasses().any(|known| named(name) == Some(known)) {
+                        return Err(Flaw::unknown("glass", "no clear medium known at all that is seen", name, names()));
+                    }
+                    "glass"
+                }
+                Glass::Abbe { ior, abbe } => {
+                    IOR.holds("ior", *ior)?;
+                    ABBE.holds("abbe", *abbe)?;
+                    "abbe"
+                }
+            };
             IOR.holds("outside", *outside)?;
-            IOR.holds("glass", index.re / outside)
-                .map_err(|flaw| Flaw { why: format!("its index over the one outside, {}", flaw.why), ..flaw })?;
+            for wavelength in [BAND[0], D_LINE, BAND[1]] {
+                IOR.holds(key, glass.index(wavelength)? / outside)
+                    .map_err(|flaw| Flaw { why: format!("its index over the one outside, {}", flaw.why), ..flaw })?;
+            }
             ABSORPTION.holds_all("absorption", *absorption)
         }
         Material::RoughDielectric { ior, outside, absorption, facets: rough, energy: _ } => {

@@ -16,6 +16,7 @@ pub mod hemisphere;
 pub mod record;
 
 use super::picture::DEEP;
+use super::simple::lamps::from_lamps;
 use super::simple::{Numbers, both, carried, gathered};
 use super::{Stage, Vertex};
 use crate::bsdf::{Rgb, rgb};
@@ -198,16 +199,17 @@ impl Caches {
             }
             let is_matt = is_matt(&vertex);
             let row = numbers.of_next_vertex();
-            for lamp in stage.lamps() {
-                let arrival = lamp.sample(vertex.start, row.lamp);
-                let wi = vertex.frame.inward(arrival.wi);
-                let (f, by_chance) = vertex.f_pdf(wi);
-                // No other way finds the lamps of a matt place: what is recorded is without them.
-                let weight = if is_matt { 1.0 } else { balance(arrival.pdf, by_chance) };
-                if f != [0.0; 3] && stage.sees(&vertex, &arrival) {
-                    light = gathered(light, carries, rgb(|c| f[c] * wi.z.abs() * arrival.share[c] * weight));
-                }
-            }
+            // No other way finds the lamps of a matt place: what is recorded is without them.
+            light = gathered(
+                light,
+                carries,
+                from_lamps(
+                    stage,
+                    &vertex,
+                    row.lamp,
+                    |by_ray, by_chance| if is_matt { 1.0 } else { balance(by_ray, by_chance) },
+                ),
+            );
             if is_matt && let Some(fallen) = cache.irradiance(vertex.surface.point, vertex.frame.z, depth - edge) {
                 let albedo = vertex.met.paint();
                 return gathered(light, carries, rgb(|c| albedo[c] * FRAC_1_PI * fallen[c]));

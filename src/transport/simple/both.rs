@@ -2,8 +2,9 @@
 //! L. J. Guibas, *Optimally combining sampling techniques for Monte Carlo rendering*, SIGGRAPH '95, 419: the balance heuristic);
 //! and an end by chance instead of a depth.
 
+use super::lamps::from_lamps;
 use super::{Numbers, carried, gathered};
-use crate::bsdf::{Rgb, rgb};
+use crate::bsdf::Rgb;
 use crate::geometry::Ray;
 use crate::sampling::balance;
 use crate::transport::Stage;
@@ -30,15 +31,7 @@ pub fn radiance(stage: &Stage<f64>, mut ray: Ray<f64>, numbers: &mut Numbers<'_>
             break;
         }
         let row = numbers.of_next_vertex();
-        for lamp in stage.lamps() {
-            let arrival = lamp.sample(vertex.start, row.lamp);
-            let wi = vertex.frame.inward(arrival.wi);
-            let (f, by_chance) = vertex.f_pdf(wi);
-            let weight = balance(arrival.pdf, by_chance);
-            if f != [0.0; 3] && stage.sees(&vertex, &arrival) {
-                light = gathered(light, carries, rgb(|c| f[c] * wi.z.abs() * arrival.share[c] * weight));
-            }
-        }
+        light = gathered(light, carries, from_lamps(stage, &vertex, row.lamp, balance));
         let drawn = vertex.scatter(row.surface);
         carries = carried(carries, drawn.weight);
         // A draw that failed has no density either.

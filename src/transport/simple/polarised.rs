@@ -6,6 +6,7 @@
 //! four pictures. Lamps and the sky send out natural light, of which the first number counts alone. What is matt returns natural light, whatever
 //! falls on it.
 
+use super::lamps::from_lamps;
 use super::{Numbers, gathered};
 use crate::bsdf::{Rgb, rgb};
 use crate::geometry::Ray;
@@ -118,16 +119,7 @@ pub fn radiance(stage: &Stage<f64>, mut ray: Ray<f64>, numbers: &mut Numbers<'_>
         let row = numbers.of_next_vertex();
         let polished = vertex.met.polished();
         if polished.is_none() {
-            for lamp in stage.lamps() {
-                let arrival = lamp.sample(vertex.start, row.lamp);
-                let wi = vertex.frame.inward(arrival.wi);
-                let (f, by_chance) = vertex.f_pdf(wi);
-                let weight = balance(arrival.pdf, by_chance);
-                if f != [0.0; 3] && stage.sees(&vertex, &arrival) {
-                    let share = rgb(|c| f[c] * wi.z.abs() * arrival.share[c] * weight);
-                    light = gathered(light, asked.of_natural(), share);
-                }
-            }
+            light = gathered(light, asked.of_natural(), from_lamps(stage, &vertex, row.lamp, balance));
         }
         let drawn = vertex.scatter(row.surface);
         if drawn.weight == [0.0; 3] {

@@ -2,9 +2,10 @@
 //! channel gets what it sees of it. The plainest way, and a wasteful one: paths that meet nothing that disperses are coloured for
 //! nothing. The fast integrator draws a wavelength where it is needed ([`crate::bsdf::dispersive`]).
 
+use super::lamps::from_lamps;
 use super::{Numbers, carried, gathered};
+use crate::bsdf::Rgb;
 use crate::bsdf::dispersive::Hue;
-use crate::bsdf::{Rgb, rgb};
 use crate::colour::response::response;
 use crate::geometry::Ray;
 use crate::sampling::balance;
@@ -34,15 +35,7 @@ pub fn radiance(stage: &Stage<f64>, mut ray: Ray<f64>, numbers: &mut Numbers<'_>
             break;
         }
         let row = numbers.of_next_vertex();
-        for lamp in stage.lamps() {
-            let arrival = lamp.sample(vertex.start, row.lamp);
-            let wi = vertex.frame.inward(arrival.wi);
-            let (f, by_chance) = vertex.f_pdf(wi);
-            let weight = balance(arrival.pdf, by_chance);
-            if f != [0.0; 3] && stage.sees(&vertex, &arrival) {
-                light = gathered(light, carries, rgb(|c| f[c] * wi.z.abs() * arrival.share[c] * weight));
-            }
-        }
+        light = gathered(light, carries, from_lamps(stage, &vertex, row.lamp, balance));
         let drawn = vertex.scatter_hued(&row, &mut hue);
         carries = carried(carries, drawn.weight);
         // A draw that failed has no density either.

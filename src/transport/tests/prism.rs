@@ -5,12 +5,12 @@ use crate::colour::response::{BAND, response};
 use crate::media::named;
 use crate::optics::Incidence;
 use crate::optics::fresnel::powers;
-use crate::scene::{Mesh, Normals};
+use crate::scene::{Glass, Mesh, Normals};
 use crate::transport::simple::RARE;
 use std::sync::Arc;
 
 fn glass(name: &str, absorption: [f64; 3]) -> Material {
-    Material::Dispersive { glass: name.into(), outside: 1.0, absorption }
+    Material::Dispersive { glass: Glass::Named(name.into()), outside: 1.0, absorption }
 }
 
 fn index(name: &str, wavelength: f64) -> f64 {
@@ -176,7 +176,7 @@ fn a_prism_casts_one_rainbow_from_either_end() {
 #[test]
 fn a_body_that_disperses_cannot_be_seen_in_a_white_world() {
     for (outside, name) in [(1.0, "sf11"), (1.0, "diamond"), (1.5168, "bk7"), (2.0, "sf10")] {
-        let body = Material::Dispersive { glass: name.into(), outside, absorption: [0.0; 3] };
+        let body = Material::Dispersive { glass: Glass::Named(name.into()), outside, absorption: [0.0; 3] };
         let ball = shape(Geometry::Sphere { center: [0.0, 0.0, 3.0], radius: 1.0 }, "body");
         let camera = looking([0.0; 3], [0.0, 0.0, 1.0], 40.0, 8);
         let mut world = scene(camera, 256, vec![("body".into(), body)], vec![ball]);
