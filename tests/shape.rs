@@ -41,6 +41,20 @@ fn addresses_are_unique() {
 }
 
 #[test]
+fn a_key_equation_is_one_of_its_step() {
+    for (chapter, step) in steps() {
+        let Some(key) = step.key else { continue };
+        let at = step.statements.iter().position(|statement| statement.id == key);
+        assert!(
+            at.is_some_and(|at| at > 0),
+            "{}/{}: {key} is none of its equations, or the first",
+            chapter.id,
+            step.id
+        );
+    }
+}
+
+#[test]
 fn words_are_words_of_an_address() {
     for (chapter, step) in steps() {
         let lanes = step.races.iter().flat_map(|race| race.lanes).map(|lane| lane.id);

@@ -39,6 +39,7 @@ pub(super) const STEP: Step = step(
     "The BRDF is the radiance that leaves over the irradiance that caused it; it is the same both ways.",
 )
 .rows(&["E45", "E46", "E47"])
+.about("of_irradiance")
 .statements(&[
     statement("both_ways", "the same both ways, in 1/sr", || {
         Equation::new(F_R.at([W_I.into(), W_O.into()]), F_R.at([W_O.into(), W_I.into()]))

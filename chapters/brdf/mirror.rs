@@ -45,6 +45,7 @@ pub(super) const STEP: Step = step(
     "A mirror's BRDF is a delta over the cosine, so that the radiance that leaves is the radiance that came.",
 )
 .rows(&["E49", "E50"])
+.about("delta")
 .statements(&[
     statement("radiance", "radiance comes back as it came, from the mirror's direction", || Equation::new(L_R, L_IN))
         .rows(&["E49"]),

@@ -38,6 +38,7 @@ pub(super) const STEP: Step = step(
     "Above n₂/n₁ = 2+√3, or from inside below 2−√3, natural light is reflected least at an oblique angle.",
 )
 .rows(&["C11"])
+.about("place")
 .statements(&[
     statement("least_index", "the least relative index that dips", || {
         Equation::new(N_REL.pow(2) - 4 * N_REL + 1, Expr::from(0))

@@ -55,6 +55,7 @@ pub(super) const STEP: Step = step(
     "An absorbing medium has a complex index, and the same formulas hold.",
 )
 .rows(&["C14"])
+.about("normal_reflectance")
 .statements(&[
     statement("index", "the wave in the medium decays as e^(−κk₀z)", || Equation::new(N_2, N + i() * KAPPA)),
     statement("normal_wave", "its normal wave number over that of the vacuum", || {

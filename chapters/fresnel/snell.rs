@@ -41,6 +41,7 @@ pub(super) const STEP: Step = step(
     "Along the interface all three waves keep step, and that alone fixes their directions.",
 )
 .rows(&["E33"])
+.about("snell")
 .statements(&[
     statement("reflection", "the reflected wave leaves at the angle of incidence", || Equation::new(THETA_1, THETA_1R)),
     statement("velocities", "the sines go as the phase velocities", || {

@@ -35,6 +35,7 @@ pub(super) const STEP: Step = step(
      each field circles the change of the other.",
 )
 .rows(&["E1"])
+.about("ampere_maxwell")
 .statements(&[
     statement("gauss", "electric flux begins and ends at charges", || Equation::new(divergence(D), RHO)),
     statement("no_monopoles", "magnetic flux never begins or ends", || Equation::new(divergence(B), 0)),

@@ -41,6 +41,7 @@ pub(super) const STEP: Step = step(
      tangential H jump by just that much.",
 )
 .rows(&["C1"])
+.about("carrying")
 .statements(&[
     statement("charged", "charge on the interface is where electric flux begins", || {
         Equation::new(dot(NORMAL, D_2 - D_1), RHO_S)

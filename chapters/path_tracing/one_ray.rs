@@ -42,6 +42,7 @@ pub(super) const STEP: Step = step(
     "An integral that nobody can do is the mean of f L cos θ/p over directions drawn with density p: one of them is enough.",
 )
 .rows(&["E53"])
+.about("estimate")
 .statements(&[
     statement("seen", "what the camera's ray sees, and the light in it that is not known", || {
         Equation::new(L, L_E + integral(F_R * L_IN * cos(THETA), [OMEGA.into()], Range::Whole))

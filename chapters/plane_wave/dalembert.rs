@@ -35,6 +35,7 @@ pub(super) const STEP: Step = step(
     "In one dimension every solution is one shape that runs to the right and one that runs to the left.",
 )
 .rows(&["E9", "E10"])
+.about("solution")
 .statements(&[
     statement("one_dimension", "the wave equation of a field that depends on z and t alone", || {
         Equation::new(operator(&WAVE.at([Z.into(), T.into()]), EPSILON * MU), 0)

@@ -23,6 +23,7 @@ pub(super) const STEP: Step = step(
     "E, B and the propagation are square to one another; the ratio of the fields is the speed, or an impedance.",
 )
 .rows(&["E15", "E16", "E17"])
+.about("impedance")
 .statements(&[
     statement("along", "no part of E along the propagation", || Equation::new(dot(vector(0, 0, 1), E), 0))
         .rows(&["E15"]),

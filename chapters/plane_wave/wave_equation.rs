@@ -20,6 +20,7 @@ pub(super) const STEP: Step = step(
     "Each field drives the other; take one of them out and what is left is an equation of waves.",
 )
 .rows(&["E6", "E7", "E8"])
+.about("wave_e")
 .statements(&[
     statement("curl_twice", "Faraday's law, wound round once more", || {
         Equation::new(curl(curl(E)), -partial(curl(B), T))

@@ -35,6 +35,7 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
 pub(super) const STEP: Step =
     step(EXHIBIT, "The mean over a period", "A squared cosine is a half on average, so the mean flow is ½vεA².")
         .rows(&["E23"])
+        .about("half")
         .statements(&[
             statement(
                 "average",

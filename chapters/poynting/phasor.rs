@@ -32,6 +32,7 @@ pub(super) const STEP: Step = step(
     "½ Re(E H*) is the mean flow at once, and knows about the lag that ½vεA² forgets.",
 )
 .rows(&["E24"])
+.about("phasors")
 .statements(&[
     statement("square", "the mean flow goes as the square of the amplitude", || {
         Equation::proportional(abs(mean(S)), AMPLITUDE.pow(2))

@@ -40,6 +40,7 @@ pub(super) const STEP: Step = step(
     "Put the equation into itself: light once reflected, twice, … a series that falls as the albedo's powers.",
 )
 .rows(&["C19"])
+.about("neumann")
 .statements(&[
     statement("operator", "one bounce of light everywhere as an operator K: the equation of the whole room", || {
         Equation::new(L, L_E + K * L)

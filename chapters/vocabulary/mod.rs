@@ -74,6 +74,8 @@ pub struct Step {
     pub exhibit: Exhibit,
     /// The equations shown, as objects.
     pub statements: &'static [Statement],
+    /// The one of these that the step is about, by its id; none is the first.
+    pub key: Option<&'static str>,
     /// What is asked before the evidence is shown.
     pub questions: &'static [Question],
     /// How the statements follow from earlier ones.
@@ -97,6 +99,7 @@ pub const fn step(exhibit: Exhibit, title: &'static str, says: &'static str) -> 
         rows: &[],
         exhibit,
         statements: &[],
+        key: None,
         questions: &[],
         derivations: &[],
         readout: None,
@@ -115,6 +118,11 @@ impl Step {
     /// The equations shown.
     pub const fn statements(self, statements: &'static [Statement]) -> Self {
         Self { statements, ..self }
+    }
+
+    /// The one of the equations that the step is about, where others come first.
+    pub const fn about(self, key: &'static str) -> Self {
+        Self { key: Some(key), ..self }
     }
 
     /// What is asked before the evidence is shown.

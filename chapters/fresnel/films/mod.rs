@@ -98,6 +98,7 @@ pub(super) const STEP: Step = step(
      nothing, or nearly all.",
 )
 .rows(&["C15"])
+.about("airy")
 .statements(&[
     statement("phase", "phase across a film of thickness d", || {
         Equation::new(DELTA, K_0 * THICKNESS * sqrt(N_2.pow(2) - N_1.pow(2) * sin(THETA_1).pow(2)))

@@ -41,6 +41,7 @@ pub(super) const STEP: Step = step(
     "A fifth power stands in for R_n: close for glass in air, wrong from inside it.",
 )
 .rows(&["E44"])
+.about("schlick")
 .statements(&[
     statement("r_0", "reflectance at normal incidence", || Equation::new(R_0, ((N_1 - N_2) / (N_1 + N_2)).pow(2))),
     statement("schlick", "Schlick's approximation", || Equation::approximate(R_N, fifth_power(cos(THETA_1)))),

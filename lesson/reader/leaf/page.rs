@@ -57,7 +57,7 @@ impl Leaf {
         }
         if look.short {
             parts.add(Name::Text, false, &Vec::from_iter(teller.beginning(self.chapter, self.step, report)));
-            parts.add(Name::Formulas, true, &Vec::from_iter(teller.key(report)));
+            parts.add(Name::Formulas, true, &Vec::from_iter(teller.key(self.step, report)));
         } else {
             parts.add(Name::Text, false, &[Block::section(teller.text(self.chapter, self.step, report))]);
             parts.add(Name::Formulas, false, &teller.formulas(report));
