@@ -145,7 +145,7 @@ const LEAST: f64 = 1.0 / 256.0;
 
 pub(super) const LINKS: Race = race(
     "links",
-    "one patch size for all, or links between pieces as large as what goes over them allows: a few hundred links do as well as as many pairs, but in a small smooth room patches that are all alike, whose errors cancel, win in the end",
+    "one patch size for all, or links between pieces as large as what goes over them allows: in a small smooth room patches that are all alike, whose errors cancel, win in the end",
 )
 .work("patches, or one over what a link may carry")
 .error("largest relative error of a wall's mean", "largest relative error of the six walls' means, against graded cuts, extrapolated")

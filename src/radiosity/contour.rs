@@ -6,6 +6,7 @@
 //! (P. Schröder and P. Hanrahan, *On the form factor between two polygons*, SIGGRAPH '93, 163); here it is summed by Gauss's
 //! rule, over pieces that grow away from the three places where it is singular: they are known, and the error is a rounding.
 
+use super::exchange::at_least_none;
 use crate::scene::Triple;
 use crate::scene::triple::{cross, dot, largest, length, minus, plus, times};
 use std::f64::consts::TAU;
@@ -29,7 +30,7 @@ pub fn exchange(one: (&[Triple], Triple), other: (&[Triple], Triple)) -> f64 {
     // In a unit in which logarithms are small: its own logarithm goes around, and nothing of it is left.
     let unit = here.iter().chain(&there).map(|edge| edge.length).fold(0.0, f64::max);
     let terms = here.iter().flat_map(|a| there.iter().map(move |b| a.along(b, unit)));
-    (terms.sum::<f64>() / TAU).max(0.0)
+    at_least_none(terms.sum::<f64>() / TAU)
 }
 
 /// What of a convex polygon is before a plane, given by another polygon's corner and normal, by more than rounding.

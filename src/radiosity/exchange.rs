@@ -128,7 +128,7 @@ pub fn parallel(one: [[f64; 2]; 2], other: [[f64; 2]; 2], apart: f64) -> f64 {
         y * s * (y / s).atan() + x * t * (x / t).atan() - 0.5 * z * z * (s * s + y * y).ln()
     };
     let sum: f64 = u.iter().flat_map(|(x, a)| v.iter().map(move |(y, b)| a * b * term(x / unit, y / unit))).sum();
-    (unit * unit / TAU * sum).max(0.0)
+    at_least_none(unit * unit / TAU * sum)
 }
 
 /// Of a rectangle over the intervals `x` and `y` and one over `z` and `eta` [m], in planes at a right angle that meet in the
@@ -150,7 +150,7 @@ pub fn perpendicular(x: [f64; 2], z: [f64; 2], y: [f64; 2], eta: [f64; 2]) -> f6
             sum += sign * along.iter().map(|(d, s)| s * term(x / unit, z / unit, d / unit)).sum::<f64>();
         }
     }
-    (unit * unit / TAU * sum).max(0.0)
+    at_least_none(unit * unit / TAU * sum)
 }
 
 /// The four differences of two intervals' ends, and the signs with which a double integral counts them.
@@ -188,7 +188,7 @@ fn by_points(one: &Patch, other: &Patch) -> f64 {
             sum += a * b * dot(n, way) * -dot(m, way) / (square * square);
         }
     }
-    (one.area() * other.area() / PI * sum).max(0.0)
+    at_least_none(one.area() * other.area() / PI * sum)
 }
 
 /// Of any two patches: what arrives at a point of `one` from `other` by Lambert's sum over its rim, and that by the middles of
@@ -232,4 +232,9 @@ pub fn by_middles(one: &Patch, other: &Patch, n: usize, sees: impl Fn(Triple, Tr
         }
     }
     [seen, all]
+}
+
+/// 0 of what rounding has made less; what is no number stays none, which `max` would hide.
+pub(super) fn at_least_none(exchanged: f64) -> f64 {
+    if exchanged < 0.0 { 0.0 } else { exchanged }
 }
