@@ -9,7 +9,7 @@ use crate::path_tracing::scenes::runs;
 use crate::path_tracing::ways::smallest;
 use crate::vocabulary::{
     Answer, Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, choice, derivation, exhibit, figure,
-    question, statement, step, stress,
+    largest, question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::{Equation, Expr};
@@ -230,7 +230,7 @@ const PIECES: Check<Pieces> =
                     };
                     let found = solve::direct(&pieces(&shares), &light);
                     let off = found.iter().zip(sphere(&known)).map(|(one, other)| (one / other - 1.0).abs());
-                    (off.fold(0.0, f64::max) / f64::EPSILON, format!("a up to {white:e}"))
+                    (largest(off) / f64::EPSILON, format!("a up to {white:e}"))
                 }))
             },
             Network::sphere as Pieces,

@@ -4,8 +4,8 @@ use super::rooms::{cube, network};
 use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Extreme, Measured, Misled, Quantity, Step, check, exhibit, figure, question, step,
-    stress,
+    Answer, Bench, Check, Exhibit, Extreme, Measured, Misled, Quantity, Step, check, exhibit, figure, largest,
+    question, step, stress,
 };
 use light::radiometry::form_factor::{parallel_rectangles, perpendicular_rectangles};
 use light::radiosity::exact::Wall;
@@ -108,8 +108,7 @@ const CONJUGATE: Check<Steps> =
                     let (_, network, light) = network(&cube(absorbed), 3);
                     let exact = solve::direct(&network, &light);
                     let found = steps(&network, &light, 16);
-                    let off =
-                        found.iter().zip(&exact).map(|(one, other)| (one / other - 1.0).abs()).fold(0.0, f64::max);
+                    let off = largest(found.iter().zip(&exact).map(|(one, other)| one / other - 1.0));
                     (off, format!("a = {absorbed:e}"))
                 }))
             },
@@ -252,7 +251,7 @@ fn crawl(setting: &Setting) -> Plot {
     let exact = solve::direct(&network, &light);
     let rows = network.len() as f64;
     let off = |found: Vec<f64>| {
-        let worst = found.iter().zip(&exact).map(|(one, other)| (one / other - 1.0).abs()).fold(0.0, f64::max);
+        let worst = largest(found.iter().zip(&exact).map(|(one, other)| one / other - 1.0));
         worst.max(1e-16)
     };
     let sweeps = [1, 2, 4, 8, 16, 64, 256, 1024, 4096, 16384, 65536];

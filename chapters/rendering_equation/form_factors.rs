@@ -9,7 +9,7 @@ use crate::figure::{Axis, Chart, Dash, Hue, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
     Answer, Bench, Check, Exhibit, Extreme, Measured, Misled, Quantity, Step, check, derivation, exhibit, figure,
-    question, statement, step, stress,
+    largest, question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{Range, cos, integral, pi};
@@ -179,7 +179,7 @@ const CLOSURE: Check<Exchange> = check("closure", "what a patch of a closed room
                     let sum: f64 = patches.iter().map(|other| exchange(one, other)).sum();
                     (sum / one.area() - 1.0).abs()
                 });
-                (off.fold(0.0, f64::max), format!("{size:?}"))
+                (largest(off), format!("{size:?}"))
             }))
         },
         |one, other| if one == other { 0.0 } else { exchange(one, other) },

@@ -9,7 +9,8 @@ use crate::parameter::{Kind, Parameter, Setting};
 use crate::path_tracing::one_ray::judged;
 use crate::path_tracing::ways::smallest;
 use crate::vocabulary::{
-    Answer, Bench, Check, Exhibit, Measured, Quantity, Step, check, choice, exhibit, figure, question, statement, step,
+    Answer, Bench, Check, Exhibit, Measured, Quantity, Step, check, choice, exhibit, figure, largest, question,
+    statement, step,
 };
 use equation::Equation;
 use light::radiosity::{Light, Network, Room, limit, solve};
@@ -104,7 +105,7 @@ const EVEN: Check<Solver> = check(
             [0.5, 0.05, 1e-3].map(|absorbed| {
                 let (_, network, light) = network(&Room::cuboid(size, [(absorbed, 1.0); 6]), 4);
                 let off = solver(&network, &light).into_iter().map(|x| (x * absorbed - 1.0).abs());
-                (off.fold(0.0, f64::max), format!("{size:?}, 1 − ρ = {absorbed}"))
+                (largest(off), format!("{size:?}, 1 − ρ = {absorbed}"))
             })
         });
         Measured::worst(cases)

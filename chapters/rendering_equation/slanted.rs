@@ -1,6 +1,6 @@
 //! C20: patches that touch at a slant, where r is 0 and nothing is square.
 
-use crate::vocabulary::{Bench, Check, Measured, check};
+use crate::vocabulary::{Bench, Check, Measured, check, largest};
 use light::radiosity::exchange::{around, by_rim, exchange};
 use light::radiosity::{Face, Patch, Room, hinge};
 use light::scene::Triple;
@@ -45,9 +45,9 @@ pub(super) const SLANTED: Check<Exchange> = check("slanted", "rooms without a ri
             let closed = closed.map(|(name, n, patches)| {
                 let off = patches.iter().map(|one| {
                     let others = patches.iter().filter(|other| *other != one);
-                    (others.map(|other| exchange(one, other)).sum::<f64>() / one.area() - 1.0).abs()
+                    others.map(|other| exchange(one, other)).sum::<f64>() / one.area() - 1.0
                 });
-                (off.fold(0.0, f64::max), format!("{name}, {n} × {n} a face"))
+                (largest(off), format!("{name}, {n} × {n} a face"))
             });
             let [one, other] = [0, 3].map(|face| rooms[0].1.faces[face].patch);
             let third = exchange(&one, &other) / one.area() - 1.0 / 3.0;

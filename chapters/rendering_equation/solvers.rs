@@ -1,7 +1,7 @@
 //! Races of C20: ways to solve the equations of a room, and ways to cut it.
 
 use super::rooms::{extrapolated, graded, means, network, unequal};
-use crate::vocabulary::{Entrant, Heat, Race, lane, race};
+use crate::vocabulary::{Entrant, Heat, Race, lane, largest, race};
 use light::radiosity::{Light, Network, hierarchy, limit, solve};
 use std::sync::OnceLock;
 
@@ -27,7 +27,7 @@ fn solved(by: impl Fn(&Network, &Light) -> Vec<f64> + 'static) -> Heat {
         error: Box::new(|found| {
             let exact = &raced().2;
             let most = exact.iter().copied().fold(0.0, f64::max);
-            found.iter().zip(exact).map(|(one, other)| (one - other).abs() / most).fold(0.0, f64::max)
+            largest(found.iter().zip(exact).map(|(one, other)| (one - other) / most))
         }),
     }
 }
@@ -164,7 +164,6 @@ pub(super) const LINKS: Race = race(
 fn walls(by: impl Fn() -> Vec<f64> + 'static) -> Heat {
     static MADE: OnceLock<Vec<f64>> = OnceLock::new();
     let exact: &'static [f64] = MADE.get_or_init(|| extrapolated(&unequal(), 10));
-    let worst =
-        move |found: &[f64]| found.iter().zip(exact).map(|(one, other)| (one / other - 1.0).abs()).fold(0.0, f64::max);
+    let worst = move |found: &[f64]| largest(found.iter().zip(exact).map(|(one, other)| one / other - 1.0));
     Heat { run: Box::new(by), error: Box::new(worst) }
 }

@@ -236,6 +236,11 @@ pub fn excess(x: f64) -> f64 {
     if x <= 0.0 { 0.0 } else { x }
 }
 
+/// The largest |x| of some. NaN stays NaN, as with [`excess`].
+pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().map(f64::abs).max_by(f64::total_cmp).unwrap_or(0.0)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -263,5 +268,7 @@ mod tests {
         assert!(worst.value.is_nan());
         assert_eq!((worst.at.as_str(), worst.cases), ("b", 3));
         assert_eq!(Measured::worst([(1.0, "a".into()), (-3.0, "c".into())]).value, 3.0);
+        assert!(largest([1.0, f64::NAN, 2.0]).is_nan() && largest([1.0, -f64::NAN, -3.0]).is_nan());
+        assert_eq!((largest([1.0, -3.0]), largest([])), (3.0, 0.0));
     }
 }

@@ -26,7 +26,7 @@ mod statement;
 mod stress;
 
 pub use bench::{Bench, Quantity, SEED};
-pub use check::{Bound, Check, Claim, Claimed, Head, Measured, Measurement, check, excess};
+pub use check::{Bound, Check, Claim, Claimed, Head, Measured, Measurement, check, excess, largest};
 pub use derivation::{Derivation, Unspoiled, derivation};
 pub use figure::{Exhibit, Figure, Gallery, exhibit, figure, gallery};
 pub use item::{Item, Part};

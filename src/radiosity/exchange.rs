@@ -195,6 +195,8 @@ fn by_points(one: &Patch, other: &Patch) -> f64 {
 /// `n` × `n` pieces of `one`. The error falls as 1/n², of patches that share an edge at a right angle too, and at a slant slower.
 pub fn by_rim(one: &Patch, other: &Patch, n: usize) -> f64 {
     let (normal, corners) = (one.normal(), other.corners());
+    // A triangle's last corner is there twice, and an edge of no length has no direction.
+    let corners = if other.outline == Outline::Triangle { &corners[..3] } else { &corners };
     // From behind nothing is seen.
     if corners.iter().all(|corner| one.before(*corner) <= 0.0) {
         return 0.0;
@@ -203,7 +205,7 @@ pub fn by_rim(one: &Patch, other: &Patch, n: usize) -> f64 {
     let is_whole = corners.iter().all(|corner| one.before(*corner) >= 0.0);
     let places = (0..n * n).map(|k| one.piece([n; 2], k).middle());
     let seen = places.filter(|place| other.before(*place) > 0.0).map(|place| {
-        let from_here = corners.map(|corner| minus(corner, place));
+        let from_here: Vec<Triple> = corners.iter().map(|corner| minus(*corner, place)).collect();
         if is_whole {
             polygon::edges(&from_here).into_iter().map(|edge| dot(edge, normal)).sum::<f64>().abs()
         } else {
