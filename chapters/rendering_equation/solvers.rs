@@ -155,6 +155,8 @@ pub(super) const LINKS: Race = race(
         walls(move || means(&unequal(), n))
     })
     .order(1.0, 0.15),
+    // Of a smooth kernel a link carries what goes with the areas of both ends: they are as the fourth root of the bound long. Light
+    // that is constant over pieces of unequal size, whose errors do not cancel, is off by as much.
     cuts("links", "links, each cut until it carries little", &[64, 256, 1024, 4096, 16384], |_, work| {
         walls(move || hierarchy::solve(&unequal(), 1, bound(work), LEAST).means)
     })
