@@ -194,13 +194,14 @@ fn mean(f: impl Fn([f64; 2]) -> f64, bin: usize) -> f64 {
         }
     }
     // A golden lattice: an edge that runs along a grid's rows would miss or take whole rows. It converges as the square of
-    // their number where nothing jumps.
+    // their number where nothing jumps. Of a bin with an edge these many leave about 0.3 % (N^−¾), a twentieth of what two
+    // hundred counts scatter, and of fifty such bins together a third of RULE.
     let points = if most <= 1.02 * least {
         16
     } else if most <= 4.0 * least {
-        32 * 32
+        24 * 24
     } else {
-        96 * 96
+        48 * 48
     };
     let mut sum = 0.0;
     for k in 0..points {
