@@ -80,6 +80,8 @@ pub struct Checked {
     pub limit: f64,
     /// Whether the bound is kept.
     pub holds: bool,
+    /// Whether the measurement looked at what is set: if not, it is the same at any setting.
+    pub reads_setting: bool,
 }
 
 /// One amount of work and what it bought.
@@ -148,17 +150,28 @@ impl Derived {
     }
 }
 
+impl Checked {
+    /// Why `check` fell, if it did.
+    pub fn fault(&self, check: &dyn Claim) -> Option<String> {
+        let (head, measured) = (check.head(), &self.measured);
+        (!self.holds).then(|| format!("{}: {measured} against {:?}", head.claim, head.bound))
+    }
+}
+
 /// Tries a check on the program's own formula.
 pub fn check(check: &dyn Claim, setting: &Setting, address: &str) -> Checked {
-    checked(check, check.measure(&mut Bench::new(setting, SEED, address)))
+    let mut bench = Bench::new(setting, SEED, address);
+    let measured = check.measure(&mut bench);
+    checked(check, measured, &bench)
 }
 
 /// Tries a check on somebody's own formula, which must be of the type of the check's subject: `None` otherwise.
 pub fn check_own(check: &dyn Claim, subject: &dyn Any, setting: &Setting, address: &str) -> Option<Checked> {
-    check.own(&mut Bench::new(setting, SEED, address), subject).map(|measured| checked(check, measured))
+    let mut bench = Bench::new(setting, SEED, address);
+    check.own(&mut bench, subject).map(|measured| checked(check, measured, &bench))
 }
 
-fn checked(check: &dyn Claim, measured: Measured) -> Checked {
+fn checked(check: &dyn Claim, measured: Measured, bench: &Bench) -> Checked {
     let tests = crate::statistical_checks();
     let bound = check.head().bound;
     let limit = match bound {
@@ -166,7 +179,7 @@ fn checked(check: &dyn Claim, measured: Measured) -> Checked {
         Bound::Order { order, .. } => order,
         Bound::PValue { significance } => sidak(significance, tests),
     };
-    Checked { holds: bound.admits(measured.value, tests), limit, measured }
+    Checked { holds: bound.admits(measured.value, tests), limit, measured, reads_setting: bench.is_setting_read() }
 }
 
 /// Pushes to the extremes.
@@ -260,11 +273,8 @@ pub fn holds(item: Item, setting: &Setting, address: &str) -> Result<(), String>
             }
         }
         Item::Check(item) => {
-            let Checked { holds, measured, .. } = check(item, setting, address);
-            holds.then_some(()).ok_or_else(|| {
-                let head = item.head();
-                format!("{}: {measured} against {:?}", head.claim, head.bound)
-            })
+            let found = check(item, setting, address);
+            found.fault(item).map_or(Ok(()), Err)
         }
         Item::Stress(item) => fallen(&stress(item, setting)),
         Item::Race(item) => {
@@ -320,7 +330,9 @@ fn is_refused(derivation: &Derivation, address: &str) -> Result<(), String> {
 }
 
 fn is_caught(check: &dyn Claim, setting: &Setting, address: &str) -> Result<(), String> {
-    let Checked { holds, measured, .. } = checked(check, check.spoiled(&mut Bench::new(setting, SEED, address)));
+    let mut bench = Bench::new(setting, SEED, address);
+    let measured = check.spoiled(&mut bench);
+    let Checked { holds, measured, .. } = checked(check, measured, &bench);
     let head = check.head();
     match holds {
         true => Err(format!("the planted mistake passed ({}): {measured} against {:?}", head.slip, head.bound)),

@@ -211,7 +211,7 @@ fn t_p_chain(last: Expr) -> Chain {
 /// Error of the program's ratio against `equation`, in units of ulp · (1 + cond); `at` is the place of its real part among
 /// the reference's outputs, for cond. Angles and indices at random, and the setting's own.
 fn against_equation(bench: &mut Bench, equation: &Expr, ratio: fn(&Amplitudes) -> Complex64, at: usize) -> Measured {
-    let own = interface(bench.setting);
+    let own = interface(bench.setting());
     let mut inputs: Vec<(f64, f64, f64)> = (0..16)
         .map(|_| {
             let (n_i, n_t) = (uniform(&mut bench.stream, 1.0, 2.0), uniform(&mut bench.stream, 1.0, 4.0));
@@ -219,7 +219,7 @@ fn against_equation(bench: &mut Bench, equation: &Expr, ratio: fn(&Amplitudes) -
             (uniform(&mut bench.stream, 0.02, 0.98) * most, n_i, n_t)
         })
         .collect();
-    let theta = bench.setting.number("theta");
+    let theta = bench.setting().number("theta");
     let propagates = critical_angle(own.n_i, own.n_t.re).is_none_or(|critical| theta < critical);
     // At normal incidence the equation itself is 0/0, and a metal's θ₂ is beyond this route: `digits` covers both.
     if own.n_t.im == 0.0 && own.n_t.re != own.n_i && theta > 0.0 && propagates {

@@ -136,7 +136,7 @@ const CONTINUITY: Check<fn(Amplitudes) -> Amplitudes> = check(
 .slip("r_p with the sign of the other convention", |a| Amplitudes { r_p: -a.r_p, ..a });
 
 fn largest_step(bench: &mut Bench, amend: fn(Amplitudes) -> Amplitudes) -> Measured {
-    Measured::worst(sample_inputs(bench.setting).iter().flat_map(|input| {
+    Measured::worst(sample_inputs(bench.setting()).iter().flat_map(|input| {
         let incidence = Incidence::from(input.direction);
         let a = amend(amplitudes(incidence, input.n_i, input.n_t));
         [Polarisation::S, Polarisation::P].map(|polarisation| {

@@ -146,7 +146,7 @@ const NOTHING_REFLECTED: Check<fn(f64, f64) -> f64> =
         .slip("the angle of the way back", |n_i, n_t| brewster_angle(n_t, n_i));
 
 fn distance_of_zero(bench: &mut Bench, angle: fn(f64, f64) -> f64) -> Measured {
-    let own = interface(bench.setting);
+    let own = interface(bench.setting());
     let mut media = vec![(1.0, 1.33), (1.0, 1.5), (1.0, 2.4), (1.5, 1.0), (1.0, 4.0), (1.0, 1e8), (1e9, 1e-9)];
     // A metal's r_p turns its phase and has no sign to change.
     if own.n_t.im == 0.0 && own.n_t.re != own.n_i {

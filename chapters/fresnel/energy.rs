@@ -129,7 +129,7 @@ const R_PLUS_T: Check<fn() -> Expr> =
 /// sum would tell roundings only: it is 1 for any normal wave number behind the interface.)
 fn what_is_missing(bench: &mut Bench, weight: &Expr) -> Measured {
     let shares = [t_s(), t_p()].map(|ratio| weight * ratio.pow(2));
-    Measured::worst(clear_inputs(bench.setting).iter().flat_map(|input| {
+    Measured::worst(clear_inputs(bench.setting()).iter().flat_map(|input| {
         let mut bindings = Bindings::new();
         let Direction::Angle(theta) = input.direction else { unreachable!("given by their angle") };
         for (symbol, value) in [(N_1, input.n_i), (N_2, input.n_t.re), (THETA_1, theta)] {

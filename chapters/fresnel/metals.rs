@@ -217,7 +217,7 @@ const ENERGY: Check<fn(Polarisation, &Input, &Amplitudes) -> f64> = check(
 
 /// R + T − 1 [ε] in absorbing media at every angle of a fan, with T from `through`.
 fn imbalance(bench: &mut Bench, through: fn(Polarisation, &Input, &Amplitudes) -> f64) -> Measured {
-    let own = interface(bench.setting);
+    let own = interface(bench.setting());
     let media = sample_media().into_iter().chain([(own.n_i, own.n_t)]).filter(|(_, n_t)| n_t.im > 0.0);
     let fan = [0.0, 10.0, 45.0, 60.0, 75.0, 85.0, 89.9].map(|degrees: f64| Direction::Angle(degrees.to_radians()));
     let inputs = media.flat_map(|(n_i, n_t)| fan.map(|direction| Input { direction, n_i, n_t }));
@@ -262,7 +262,7 @@ const NORMAL: Check<fn() -> Expr> =
 /// Error of the program's R_n at normal incidence against `equation`, in ulp · (1 + cond): random metals, some with indices
 /// near the incident one, and the setting's own.
 fn against_equation(bench: &mut Bench, equation: &Expr) -> Measured {
-    let own = interface(bench.setting);
+    let own = interface(bench.setting());
     let mut media = vec![(own.n_i, own.n_t)];
     media.extend((0..10).map(|_| {
         let n_i = uniform(&mut bench.stream, 1.0, 2.0);
@@ -298,7 +298,7 @@ const PHASE: Check<fn(Complex64) -> Complex64> = check(
 .slip("the phase has the sign of the other time convention", |ratio| ratio.conj());
 
 fn index_from_ratio(bench: &mut Bench, amend: fn(Complex64) -> Complex64) -> Measured {
-    let own = interface(bench.setting);
+    let own = interface(bench.setting());
     let media = sample_media().into_iter().chain([(own.n_i, own.n_t)]).filter(|(_, n_t)| n_t.im > 0.01);
     let cases = media.flat_map(|media| [50.0, 60.0, 70.0, 80.0].map(|degrees: f64| (media, degrees.to_radians())));
     Measured::worst(cases.filter_map(|((n_i, n_t), theta)| {

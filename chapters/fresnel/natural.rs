@@ -119,7 +119,7 @@ const EVERY_AZIMUTH: Check<fn(&Amplitudes, f64, f64) -> f64> =
 
 fn over_azimuths(bench: &mut Bench, power: fn(&Amplitudes, f64, f64) -> f64) -> Measured {
     const AZIMUTHS: u32 = 16;
-    Measured::worst(sample_inputs(bench.setting).into_iter().map(|input| {
+    Measured::worst(sample_inputs(bench.setting()).into_iter().map(|input| {
         let incidence = Incidence::from(input.direction);
         let a = amplitudes(incidence, input.n_i, input.n_t);
         // A quarter turn: the mean of cos² over it is that over the whole.

@@ -120,7 +120,7 @@ const FLOW: Check<fn(&Amplitudes, Powers) -> Powers> =
         .slip("T taken as |t|²", |a, powers| Powers { t_s: a.t_s.norm_sqr(), t_p: a.t_p.norm_sqr(), ..powers });
 
 fn against_flow(bench: &mut Bench, amend: fn(&Amplitudes, Powers) -> Powers) -> Measured {
-    Measured::worst(sample_inputs(bench.setting).iter().flat_map(|input| {
+    Measured::worst(sample_inputs(bench.setting()).iter().flat_map(|input| {
         let incidence = Incidence::from(input.direction);
         let a = amplitudes(incidence, input.n_i, input.n_t);
         let powers = amend(&a, powers(incidence, input.n_i, input.n_t));

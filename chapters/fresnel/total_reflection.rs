@@ -344,7 +344,7 @@ const NO_FLOW: Check<fn(&Wave) -> f64> = check(
 .slip("the conjugate is forgotten: Re(E×H)", |wave| flow(&Wave { h: wave.h.map(|h| h.conj()), ..*wave }));
 
 fn net_flow(bench: &mut Bench, flow: fn(&Wave) -> f64) -> Measured {
-    let own = interface(bench.setting);
+    let own = interface(bench.setting());
     let cases = [(1.5, 1.0), (2.4, 1.0), (1.52, 1.33), (own.n_i, own.n_t.re)];
     let inputs = cases.into_iter().filter_map(|(n_i, n_t)| Some((n_i, n_t, critical_angle(n_i, n_t)?)));
     let inputs = inputs.flat_map(|(n_i, n_t, critical)| {

@@ -82,7 +82,7 @@ const ENDS_OF_FLUX: Check<fn(&MovingCharge, Vector, f64) -> Vector> =
 
 /// What is wrong with the flux out of spheres around the charge, and beside it, over the charge.
 fn flux_through_spheres(bench: &mut Bench, d: fn(&MovingCharge, Vector, f64) -> Vector) -> Measured {
-    let speeds = [0.0, 0.5, -0.8, bench.setting.number("beta").clamp(-0.9, 0.9)];
+    let speeds = [0.0, 0.5, -0.8, bench.setting().number("beta").clamp(-0.9, 0.9)];
     Measured::worst(speeds.into_iter().flat_map(|beta| {
         let charge = MovingCharge { charge: 1.0, beta };
         let mut inside = || uniform(&mut bench.stream, -0.25, 0.25);

@@ -214,7 +214,7 @@ const GROWTH: Check<fn(f64) -> f64> = check("growth", "beyond the limit the shor
 
 fn growth(bench: &mut Bench, theory: fn(f64) -> f64) -> Measured {
     let numbers = [SLOWEST, 1e-4, 1e-2, 0.1, 0.5].map(|excess| 1.0 + excess);
-    let own = Some(bench.setting.number(COURANT.name)).filter(|courant| *courant >= numbers[0]);
+    let own = Some(bench.setting().number(COURANT.name)).filter(|courant| *courant >= numbers[0]);
     Measured::worst(numbers.into_iter().chain(own).map(|courant| {
         let found = grown(courant);
         let theory = theory(courant);

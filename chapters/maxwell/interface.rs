@@ -214,7 +214,7 @@ fn both_sides(input: &Input, polarisation: Polarisation) -> Sides {
 /// Largest step, over the size of the waves and in ulp, of the chosen components across the setting's interface and
 /// others.
 fn steps(bench: &mut Bench, chosen: std::ops::Range<usize>, both_sides: fn(&Input, Polarisation) -> Sides) -> Measured {
-    Measured::worst(sample_inputs(bench.setting).iter().flat_map(|input| {
+    Measured::worst(sample_inputs(bench.setting()).iter().flat_map(|input| {
         [Polarisation::S, Polarisation::P].into_iter().flat_map({
             let chosen = chosen.clone();
             move |polarisation| {

@@ -164,7 +164,7 @@ const GRAINS: Check<fn(&Tensor) -> f64> = check(
 /// What the balls that show each of their axes to the field leave as a dipole, over what ε changes it by, in ε: in the
 /// setting's crystal and in others.
 fn grains(bench: &mut Bench, estimate: fn(&Tensor) -> f64) -> Measured {
-    let own = crystal(bench.setting);
+    let own = crystal(bench.setting());
     let mut axis = || uniform(&mut bench.stream, 0.0, 3.0).exp();
     let others = [(); 20].map(|()| Tensor::diagonal([axis(), axis(), axis()]));
     Measured::worst(others.into_iter().chain([own]).map(|crystal| {

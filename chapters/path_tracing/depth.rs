@@ -95,7 +95,7 @@ const SERIES: Check<fn(f64, u32) -> f64> = check(
 .within(1e-6, "1", "pixels are sums in f32, of sixteen paths in five levels: five roundings of 6e-8, and the mean's")
 .of(
     |bench: &mut Bench, radiance: fn(f64, u32) -> f64| {
-        let given = (1.0 - bench.setting.number("rho"), bench.setting.number("depth") as u32);
+        let given = (1.0 - bench.setting().number("rho"), bench.setting().number("depth") as u32);
         let cases = [(0.2, 1), (0.2, 2), (0.2, 5), (0.5, 20), (0.01, 300), (1e-6, 10_000), given];
         Measured::worst(cases.map(|(absorbed, edges)| {
             let manner = Manner { method: Method::Simple(&INTEGRATORS[1]), ..Manner::default() };

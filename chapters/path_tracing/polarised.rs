@@ -208,7 +208,7 @@ const PILES: Check<fn(f64, u32) -> f64> = check(
 .within(64.0, "ulp", "some rounding at each of up to eighty faces, of a number near 1")
 .of(
     |bench: &mut Bench, exact: fn(f64, u32) -> f64| {
-        let own = bench.setting.number("n");
+        let own = bench.setting().number("n");
         let cases = [1.333, 1.5, 2.4, own].into_iter().flat_map(|n| [1, 2, 5, 10, 40].map(|plates| (n, plates)));
         Measured::worst(cases.map(|(n, plates)| {
             let off = degree(passed(n, plates)) - exact(n, plates);

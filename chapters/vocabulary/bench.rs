@@ -9,8 +9,8 @@ pub const SEED: u64 = 0;
 /// What a measurement may use: the setting and random numbers of its own.
 #[derive(Debug)]
 pub struct Bench<'a> {
-    /// The parameters in force.
-    pub setting: &'a Setting,
+    setting: &'a Setting,
+    is_setting_read: bool,
     /// The stream named by the item's address.
     pub stream: Stream,
 }
@@ -18,7 +18,18 @@ pub struct Bench<'a> {
 impl<'a> Bench<'a> {
     /// The bench of the item at `address`.
     pub fn new(setting: &'a Setting, seed: u64, address: &str) -> Self {
-        Self { setting, stream: stream(seed, address) }
+        Self { setting, is_setting_read: false, stream: stream(seed, address) }
+    }
+
+    /// The parameters in force.
+    pub fn setting(&mut self) -> &'a Setting {
+        self.is_setting_read = true;
+        self.setting
+    }
+
+    /// Whether anybody has asked for them: if not, the measurement is the same whatever is set.
+    pub fn is_setting_read(&self) -> bool {
+        self.is_setting_read
     }
 }
 

@@ -158,7 +158,7 @@ pub fn ask(question: &Question, setting: &Setting, address: String) -> QuestionR
 }
 
 fn check(check: &dyn Claim, found: Timed<Checked>, rows: Rows, address: String) -> CheckReport {
-    let Timed { found: Checked { measured, limit, holds }, seconds } = found;
+    let Timed { found: Checked { measured, limit, holds, .. }, seconds } = found;
     let head = check.head();
     let words = super::limit;
     let (bound, unit, why) = match head.bound {

@@ -48,7 +48,7 @@ pub(super) const ENDS: Check<fn(f64, f64) -> f64> =
         .slip("the factor 1 − R₀ is forgotten", |cos_i, r_0| r_0 + (1.0 - cos_i).powi(5));
 
 fn at_both_ends(bench: &mut Bench, approximate: fn(f64, f64) -> f64) -> Measured {
-    let own = interface(bench.setting);
+    let own = interface(bench.setting());
     let media = sample_media().into_iter().chain([(own.n_i, own.n_t)]);
     // Equal media reflect nothing at any angle, which no Schlick can know.
     let different = media.filter(|&(n_i, n_t)| n_t != n_i.into());
