@@ -35,14 +35,14 @@ fn opened(width: f64, other: f64, angle: f64) -> f64 {
 /// What two patches exchange [m²].
 type Exchange = fn(&Patch, &Patch) -> f64;
 
-pub(super) const SLANTED: Check<Exchange> = check("slanted", "rooms without a right angle are closed too: a tetrahedron, where each face sees a third of each other, an octahedron and a sheared box")
+pub(super) const SLANTED: Check<Exchange> = check("slanted", "rooms without a right angle are closed too, and exchange is the same from either side: a tetrahedron, where each face sees a third of each other, an octahedron and a sheared box")
     .against("Σ F = 1 for every piece, whole and cut in nine, A F the same from either side, and 1/3 by symmetry for faces of the tetrahedron")
     .within(1e-11, "1", "around a pair of pieces 10⁻¹⁴ of the square of a clipped edge is left, over a piece of a ninth of it; a hundred of them in a row, at worst all one way")
     .of(
         |_: &mut Bench, exchange: Exchange| {
             let rooms = [("tetrahedron", tetrahedron()), ("octahedron", octahedron()), ("sheared box", sheared())];
-            let rooms_cut = rooms.iter().flat_map(|(name, room)| [1, 3].map(|n| (*name, n, room.cut(n).list)));
-            let found = rooms_cut.flat_map(|(name, n, patches)| {
+            let cut = rooms.iter().flat_map(|(name, room)| [1, 3].map(|n| (*name, n, room.cut(n).list)));
+            let found = cut.flat_map(|(name, n, patches)| {
                 let between = |one: &Patch, other: &Patch| if one == other { 0.0 } else { exchange(one, other) };
                 let all: Vec<Vec<f64>> =
                     patches.iter().map(|one| patches.iter().map(|other| between(one, other)).collect()).collect();
