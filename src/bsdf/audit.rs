@@ -194,8 +194,8 @@ fn mean(f: impl Fn([f64; 2]) -> f64, bin: usize) -> f64 {
         }
     }
     // A golden lattice: an edge that runs along a grid's rows would miss or take whole rows. It converges as the square of
-    // their number where nothing jumps. Of a bin with an edge these many leave about 0.3 % (N^−¾), a twentieth of what two
-    // hundred counts scatter, and of fifty such bins together a third of RULE.
+    // their number where nothing jumps. 48² of them leave 0.1 % of a bin that a straight edge cuts anywhere (the root mean
+    // square over such edges; 1 % at worst), where two hundred counts scatter by 7 %; of fifty such bins an eighth of RULE.
     let points = if most <= 1.02 * least {
         16
     } else if most <= 4.0 * least {
