@@ -379,4 +379,23 @@ mod tests {
         // Of another type: not judged at all, rather than wrongly.
         assert_eq!(own(&3.0_f64), None);
     }
+
+    #[test]
+    fn it_is_known_which_checks_look_at_what_is_set() {
+        const SET: Check<Formula> = claim("set", "what is set is seen")
+            .against("itself: only who asks is of interest")
+            .within(f64::INFINITY, "1", "any")
+            .of(
+                |bench: &mut Bench, _| Measured::worst([(bench.setting().entries().count() as f64, String::new())]),
+                |x| x,
+            )
+            .slip("none", |x| x);
+        let setting = Setting::defaults(&[]);
+        assert!(check(&SET, &setting, "a/b/set").reads_setting);
+        assert!(!check(&SQUARE, &setting, "a/b/square").reads_setting);
+        // Of the curriculum some do, and most do not.
+        let step = crate::fresnel::CHAPTER.steps.iter().find(|step| step.id == "brewster").expect("there");
+        let setting = Setting::defaults(step.parameters());
+        assert!(step.checks.iter().any(|one| check(*one, &setting, "fresnel/brewster").reads_setting));
+    }
 }

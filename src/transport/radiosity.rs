@@ -95,7 +95,7 @@ impl Solution {
         });
         let reflected: Vec<Rgb<f64>> = (0..n).map(|at| rgb(|c| sent_back[c][at])).collect();
         let sums = (0..n).map(|at| network.row(at).iter().sum::<f64>());
-        let sums = sums.fold([f64::INFINITY, 0.0_f64], |[least, most], sum| [least.min(sum), most.max(sum)]);
+        let sums = sums.fold([f64::INFINITY, 0.0], |[least, most], sum| [-worse(-least, -sum), worse(most, sum)]);
         let area: f64 = network.areas.iter().sum();
         let light = network.areas.iter().zip(&reflected).map(|(area, light)| area * light.iter().sum::<f64>() / 3.0);
         let mean = light.sum::<f64>() / area;
