@@ -382,14 +382,15 @@ mod tests {
 
     #[test]
     fn it_is_known_which_checks_look_at_what_is_set() {
-        const SET: Check<Formula> = claim("set", "what is set is seen")
-            .against("itself: only who asks is of interest")
-            .within(f64::INFINITY, "1", "any")
-            .of(
-                |bench: &mut Bench, _| Measured::worst([(bench.setting().entries().count() as f64, String::new())]),
-                |x| x,
-            )
-            .slip("none", |x| x);
+        const SET: Check<Formula> = claim("set", "nothing is set")
+            .against("counting")
+            .within(0.0, "1", "whole numbers")
+            .of(of_all_set, |x| x)
+            .slip("one more", |x| x + 1.0);
+        fn of_all_set(bench: &mut Bench, formula: Formula) -> Measured {
+            let count = bench.setting().entries().count();
+            Measured::worst([(formula(count as f64), "all".to_owned())])
+        }
         let setting = Setting::defaults(&[]);
         assert!(check(&SET, &setting, "a/b/set").reads_setting);
         assert!(!check(&SQUARE, &setting, "a/b/square").reads_setting);
