@@ -158,6 +158,10 @@ mod tests {
         let image = file(&format!("{HEADER}-Y 1 +X 8\n"), &rows).unwrap();
         let expected = |k: u8| [128.0, f32::from(k), if k < 4 { 1.0 } else { 2.0 }];
         assert_eq!(image.texels(), (0..8).map(expected).collect::<Vec<_>>());
+        // A run of the old kind after another counts 256 times as much: 1 + 43 + 256.
+        let long = [[128, 0, 64, 129], [1, 1, 1, 43], [1, 1, 1, 1]].concat();
+        let image = file(&format!("{HEADER}-Y 1 +X 300\n"), &long).unwrap();
+        assert_eq!(image.texels(), [[0.5, 0.0, 0.25]; 300]);
         // Two rows, and each way of lying.
         rows.extend([[9, 0, 0, 137]; 8].concat());
         let of = |size: &str| file(&format!("{HEADER}{size}\n"), &rows).unwrap();

@@ -213,6 +213,33 @@ mod tests {
     }
 
     #[test]
+    fn lanes_draw_and_see_what_one_does() {
+        use crate::number::{F32x8, Number};
+        let panorama = Panorama::new(&uneven([33, 20], 71.0)).expect("some light");
+        let mut dim = 0;
+        for k in 0..64 {
+            let u = F32x8::from_lanes(|lane| f64::from(8 * k + lane as u32) / 512.0);
+            let v = F32x8::from_lanes(|lane| f64::from((8 * k + lane as u32) * 157 % 512) / 512.0);
+            let (way, share, pdf) = panorama.drawn([u, v]);
+            let (radiance, by_look) = panorama.looked(way, F32x8::of(1.0).gt(F32x8::of(0.0)));
+            for lane in 0..8 {
+                let one = panorama.draw([u.lane(lane), v.lane(lane)]);
+                let part = |of: f64| f64::from(of as f32);
+                assert_eq!(way.map(|x| x.lane(lane)), one.direction.map(part));
+                assert_eq!(share.map(|x| x.lane(lane)), one.radiance.map(|radiance| part(radiance / one.pdf)));
+                assert_eq!(pdf.lane(lane), part(one.pdf));
+                let seen = panorama.look(way.map(|x| x.lane(lane)));
+                assert_eq!(radiance.map(|x| x.lane(lane)), seen.radiance.map(part));
+                assert_eq!(by_look.lane(lane), part(seen.pdf));
+                dim += u32::from(one.pdf < 0.05);
+            }
+        }
+        assert!(dim > 10, "{dim} draws of where there is little light");
+        let (dark, none) = panorama.looked([F32x8::of(1.0); 3], F32x8::of(0.0).gt(F32x8::of(0.0)));
+        assert!((0..8).all(|lane| none.lane(lane) == 0.0 && dark.iter().all(|x| x.lane(lane) == 0.0)));
+    }
+
+    #[test]
     fn one_texel_is_drawn_all_around_alike() {
         let panorama = Panorama::new(&sky([1, 1], 10.0, |_| [1.0, 2.0, 3.0])).expect("some light");
         let look = panorama.draw([0.25, 0.75]);
