@@ -240,7 +240,7 @@ fn tables_hold_to_a_thousandth() {
         let glass = RoughDielectric::new(Ggx::new([alpha; 2]), Joint::Correlated, 1.5);
         for cos in [0.02, 0.1, 0.4, 0.72, 0.78, 1.0].into_iter().flat_map(|cos| [cos, -cos]) {
             let wo = direction(cos, 0.0);
-            // Where light begins to come back in total there is a kink: what is left is some 1/N, far below the limit.
+            // They leave less than 10⁻⁴ of what a million give, also where light begins to come back in total.
             let points = 25_000;
             let energy = (0..points).map(|k| glass.energy(wo, golden(k, points))).sum::<f64>() / points as f64;
             let off = (sides[usize::from(cos < 0.0)].at(wo) - (1.0 - energy)).abs();
