@@ -7,10 +7,11 @@ use crate::stop::{Stop, plain};
 use chapters::figure::Plot;
 use chapters::vocabulary::Item;
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::path::Path;
 use views::plot;
 use views::race_plot;
-use views::report::{CheckReport, FigureReport, RaceReport, Report};
+use views::report::{CheckReport, FigureReport, RaceReport, Report, StepReport};
 
 /// What a figure is written as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,6 +102,13 @@ pub fn found(
     }
     progress.end();
     Ok(())
+}
+
+/// The figures of a step, and of what was found of it, as SVG, by their addresses.
+pub fn inline(chosen: &Chosen, found: &StepReport) -> HashMap<String, String> {
+    let subjects = of_step(chosen).into_iter().chain(of_findings(&found.races, &found.checks));
+    let subjects: Vec<Subject> = subjects.collect();
+    subjects.par_iter().map(|subject| (subject.address.clone(), plot::svg(&(subject.plot)()))).collect()
 }
 
 /// Draws `subjects`. Either all of them are in the folder afterwards or none.

@@ -5,6 +5,7 @@ mod eval;
 mod figures;
 mod film;
 mod interrupt;
+mod mdbook;
 mod memory;
 mod out;
 mod progress;
@@ -61,6 +62,8 @@ fn serve(request: Request) -> Result<ExitCode, Stop> {
         Request::Render(job) => return render::serve(&job, Path::new(cli::FOLDER)),
         Request::Merge(job) => return film::merge(&job),
         Request::Show { film } => film::show(&film)?,
+        Request::Mdbook => mdbook::serve()?,
+        Request::Supports { renderer } => return Ok(mdbook::supports(&renderer)),
         Request::Completions(script) => out::print(&script)?,
     }
     Ok(ExitCode::SUCCESS)

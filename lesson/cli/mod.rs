@@ -5,6 +5,7 @@
 //! | parts of the lecture | [`lesson`] |
 //! | functions called, expressions proved | [`call`] |
 //! | pictures, films of samples | [`render`], [`film`] |
+//! | the lecture in books | [`mdbook`] |
 //! | values of options | [`values`] |
 //! | how to use it, what was wrong | [`help`], [`refusal`] |
 
@@ -12,6 +13,7 @@ mod call;
 mod film;
 mod help;
 mod lesson;
+mod mdbook;
 mod refusal;
 mod render;
 mod values;
@@ -27,6 +29,7 @@ use clap_complete::Shell;
 use film::{FILM_EXAMPLES, FilmCommand};
 use help::{HelpArg, after_help, completions, help, styled};
 use lesson::LessonArgs;
+use mdbook::{MDBOOK_EXAMPLES, MdbookArgs};
 use refusal::refusal;
 use render::{RENDER_EXAMPLES, RenderArgs};
 use std::path::PathBuf;
@@ -70,6 +73,10 @@ pub enum Request {
     Merge(Merge),
     /// What is in a film.
     Show { film: PathBuf },
+    /// An mdBook, from standard input to standard output.
+    Mdbook,
+    /// Whether a renderer of mdBook can show it.
+    Supports { renderer: String },
     /// A script for the shell.
     Completions(Vec<u8>),
 }
@@ -135,6 +142,7 @@ pub fn parse() -> Result<Request, Stop> {
         Some(Command::Film { command, .. }) => {
             command.map_or_else(|| Ok(help(vec!["film".to_owned()])), FilmCommand::into_request)
         }
+        Some(Command::Mdbook(mdbook)) => Ok(mdbook.into()),
         Some(Command::Completions { shell, .. }) => Ok(Request::Completions(completions(shell))),
     }
 }
@@ -203,6 +211,9 @@ enum Command {
         #[command(flatten)]
         help: HelpArg,
     },
+    /// Put parts of the lecture into an mdBook: the preprocessor that mdBook runs.
+    #[command(after_help = MDBOOK_EXAMPLES, disable_help_subcommand = true)]
+    Mdbook(MdbookArgs),
     /// Print a completion script for a shell.
     ///
     /// For bash: lesson completions bash > ~/.local/share/bash-completion/completions/lesson

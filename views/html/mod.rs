@@ -39,11 +39,19 @@ pub fn document(title: &Phrase, language: &str, words: Words, blocks: &[Block]) 
     )
 }
 
-/// A part of a page.
+/// An end of a line that is kept: written as a reference, so that no line of a fragment is empty.
+const BREAK: &str = "&#10;";
+
+/// A part of a page. It has no empty line, which would end it where it stands in Markdown.
 pub fn fragment(words: Words, blocks: &[Block]) -> String {
     let mut writer = Writer { html: String::new(), words, ids: HashSet::new() };
     writer.blocks(blocks);
     writer.html
+}
+
+/// A few words within a paragraph.
+pub fn inline(text: &Phrase) -> String {
+    phrase(text)
 }
 
 struct Writer<'a> {
@@ -96,7 +104,7 @@ impl Writer<'_> {
             }),
             Block::Code(text) => {
                 let lines: Vec<_> = text.lines().map(escape).collect();
-                self.line(format!("<pre><code>{}</code></pre>", lines.join("\n")));
+                self.line(format!("<pre><code>{}</code></pre>", lines.join(BREAK)));
             }
             Block::Line(line) => self.line(format!("<p><samp>{}</samp></p>", escape(line))),
             Block::Terms(terms) => self.terms(terms),
@@ -326,7 +334,9 @@ impl Writer<'_> {
                     let svg = svg.trim_start();
                     let svg =
                         svg.strip_prefix("<?xml").and_then(|rest| rest.split_once("?>")).map_or(svg, |(_, svg)| svg);
-                    writer.line(format!("<div role=\"img\" aria-label=\"{says}\">{}</div>", svg.trim()));
+                    let lines: Vec<_> = svg.lines().filter(|line| !line.trim().is_empty()).collect();
+                    let svg = lines.join("\n");
+                    writer.line(format!("<div role=\"img\" aria-label=\"{says}\">{svg}</div>"));
                 }
                 Picture::Cells(_) | Picture::Absent => {}
             }

@@ -48,13 +48,33 @@ impl Teller<'_> {
         picture: &dyn Fn(&str) -> Picture,
     ) -> Vec<Block> {
         let mut blocks = self.taught(chapter, step, found, false);
+        blocks.extend(self.tried(step.exhibit.figures, found, picture));
+        vec![section_at(&found.address, blocks)]
+    }
+
+    /// What was found of one item of a step, `found` having nothing else, for a page that can fold; the step's text is not
+    /// repeated.
+    pub fn item(&self, item: &Item, found: &StepReport, picture: &dyn Fn(&str) -> Picture) -> Vec<Block> {
+        let mut blocks = self.formulas(found);
+        blocks.extend(found.questions.iter().map(|question| self.question(question, false)));
+        blocks.extend(self.derivations(&found.derivations, true));
+        blocks.extend(found.checks.iter().map(|check| self.check(check)));
+        let figures = if let Item::Figure(figure) = item { std::slice::from_ref(*figure) } else { &[] };
+        blocks.extend(self.tried(figures, found, picture));
+        // What is true of it depends on what is set.
+        let is_at_setting = !matches!(item, Item::Statement(_) | Item::Derivation(_));
+        self.setting(found).filter(|_| is_at_setting).into_iter().chain(blocks).collect()
+    }
+
+    /// What there is to see, what could break it, and what it costs.
+    fn tried(
+        &self,
+        figures: &[chapters::vocabulary::Figure],
+        found: &StepReport,
+        picture: &dyn Fn(&str) -> Picture,
+    ) -> Vec<Block> {
         let figure = |figure: &chapters::vocabulary::Figure| {
-            let address = format!("{}/{}", found.address, figure.id);
-            Block::Figure(Figure {
-                says: self.phrase(&address, "says", figure.says),
-                picture: picture(&address),
-                address,
-            })
+            self.shown(found, figure, picture(&format!("{}/{}", found.address, figure.id)))
         };
         let race = |race: &RaceReport| {
             let picture = picture(&race.address);
@@ -63,13 +83,12 @@ impl Teller<'_> {
             let drawn = figure.picture != Picture::Absent;
             [Some(self.race(race)), drawn.then_some(Block::Figure(figure))]
         };
-        let rest = [
-            step.exhibit.figures.iter().map(figure).collect(),
+        let parts = [
+            figures.iter().map(figure).collect(),
             found.stress.iter().map(|stress| self.stress(stress)).collect(),
             found.races.iter().flat_map(race).flatten().collect(),
         ];
-        blocks.extend(rest.into_iter().filter(|part: &Vec<_>| !part.is_empty()).map(Block::section));
-        vec![section_at(&found.address, blocks)]
+        parts.into_iter().filter(|part: &Vec<_>| !part.is_empty()).map(Block::section).collect()
     }
 
     /// The parameters in force, if there are any.

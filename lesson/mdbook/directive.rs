@@ -1,0 +1,143 @@
+//! What a page asks for: `{{#lesson fresnel/brewster n_t=gold}}`.
+
+use std::ops::Range;
+
+/// How it begins.
+const OPENING: &str = "{{#lesson";
+/// How it ends.
+const CLOSING: &str = "}}";
+
+/// What stands in the text of a page.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Piece<'a> {
+    /// Text.
+    Text(&'a str),
+    /// A part of the lecture.
+    Lesson(Directive<'a>),
+}
+
+/// A part of the lecture that is to stand there.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Directive<'a> {
+    /// The line that it is on, from 1.
+    pub line: usize,
+    /// Whether there is nothing else on that line.
+    pub is_alone: bool,
+    /// What it is called.
+    pub address: Vec<&'a str>,
+    /// What is set, `name=value`.
+    pub changes: Vec<(&'a str, &'a str)>,
+}
+
+/// Why a text cannot be read.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Unread {
+    /// The line.
+    pub line: usize,
+    /// Why.
+    pub why: &'static str,
+}
+
+/// The pieces of a page in order. A backslash before it leaves what follows to be read, as mdBook has it of its own.
+///
+/// # Errors
+/// Where one does not end on its line, or names nothing.
+pub fn pieces(text: &str) -> Result<Vec<Piece<'_>>, Unread> {
+    let mut pieces = Vec::new();
+    let (mut written, mut from) = (0, 0);
+    while let Some(found) = text[from..].find(OPENING).map(|found| from + found) {
+        let inside = found + OPENING.len();
+        from = inside;
+        let line_end = text[inside..].find('\n').map_or(text.len(), |end| inside + end);
+        let line = 1 + text[..found].matches('\n').count();
+        if !text[inside..].starts_with([' ', '\t', '}']) {
+            continue;
+        }
+        if text[..found].ends_with('\\') {
+            pieces.push(Piece::Text(&text[written..found - 1]));
+            written = found;
+            continue;
+        }
+        let unread = |why| Unread { line, why };
+        let end = text[inside..line_end].find(CLOSING).ok_or_else(|| unread("no }} on the line of {{#lesson"))?;
+        let (words, after) = (&text[inside..inside + end], inside + end + CLOSING.len());
+        let (address, changes) = read(words);
+        if address.is_empty() {
+            return Err(unread("{{#lesson}} names nothing; valid: {{#lesson chapter/step/item name=value}}"));
+        }
+        pieces.push(Piece::Text(&text[written..found]));
+        let is_alone = is_blank_around(text, found..after, line_end);
+        pieces.push(Piece::Lesson(Directive { line, is_alone, address, changes }));
+        (written, from) = (after, after);
+    }
+    pieces.push(Piece::Text(&text[written..]));
+    Ok(pieces)
+}
+
+/// The words of an address, and what is set.
+fn read(words: &str) -> (Vec<&str>, Vec<(&str, &str)>) {
+    let (mut address, mut changes) = (Vec::new(), Vec::new());
+    for word in words.split_whitespace() {
+        match word.split_once('=') {
+            Some(change) => changes.push(change),
+            None => address.push(word),
+        }
+    }
+    (address, changes)
+}
+
+/// Whether there is nothing else on the line of a range.
+fn is_blank_around(text: &str, range: Range<usize>, line_end: usize) -> bool {
+    let line_start = text[..range.start].rfind('\n').map_or(0, |end| end + 1);
+    text[line_start..range.start].trim().is_empty() && text[range.end..line_end].trim().is_empty()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn lesson<'a>(line: usize, is_alone: bool, address: &[&'a str], changes: &[(&'a str, &'a str)]) -> Piece<'a> {
+        Piece::Lesson(Directive { line, is_alone, address: address.to_vec(), changes: changes.to_vec() })
+    }
+
+    #[test]
+    fn addresses_and_settings_are_read() {
+        assert_eq!(
+            pieces("a\n\n  {{#lesson fresnel/snell n_t=gold theta=5deg}} \nR is {{#lesson fresnel brewster theta_b}}.")
+                .unwrap(),
+            [
+                Piece::Text("a\n\n  "),
+                lesson(3, true, &["fresnel/snell"], &[("n_t", "gold"), ("theta", "5deg")]),
+                Piece::Text(" \nR is "),
+                lesson(4, false, &["fresnel", "brewster", "theta_b"], &[]),
+                Piece::Text("."),
+            ]
+        );
+    }
+
+    #[test]
+    fn others_and_those_behind_a_backslash_are_left() {
+        assert_eq!(pieces("{{#lessons x}} {{#include x}}").unwrap(), [Piece::Text("{{#lessons x}} {{#include x}}")]);
+        assert_eq!(pieces("so: \\{{#lesson x}}").unwrap(), [Piece::Text("so: "), Piece::Text("{{#lesson x}}")]);
+    }
+
+    #[test]
+    fn what_does_not_end_or_names_nothing_is_refused_with_its_line() {
+        assert_eq!(pieces("\n{{#lesson fresnel\n}}").unwrap_err().line, 2);
+        assert_eq!(pieces("{{#lesson n_t=1.5}}").unwrap_err().line, 1);
+        assert_eq!(pieces("a\r\nb\r\n{{#lesson}}").unwrap_err().line, 3);
+    }
+
+    proptest! {
+        #[test]
+        fn of_any_text_nothing_is_lost(text in "([a-z{}#\\\\ \n=é]|\\{\\{#lesson |\\}\\}){0,60}") {
+            let Ok(pieces) = pieces(&text) else { return Ok(()) };
+            let kept: usize = pieces.iter().map(|piece| if let Piece::Text(text) = piece { text.len() } else { 0 }).sum();
+            prop_assert!(kept <= text.len());
+            if !text.contains(OPENING) {
+                prop_assert_eq!(kept, text.len());
+            }
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! `lesson mdbook`: parts of the lecture in any mdBook, put there by the preprocessor that mdBook runs.
+//!
+//! | what | where |
+//! |---|---|
+//! | mdBook's protocol | here |
+//! | what a page asks for | [`directive`] |
+//! | what is put there | [`told`] |
+//! | what was put there before | [`kept`] |
+//!
+//! mdBook asks `supports RENDERER` first. Then it writes `[context, book]` as JSON and reads the book, its chapters changed,
+//! back (mdBook's guide, *Preprocessors*). Of the book only what is needed here is looked at, so that other versions' fields
+//! go through as they are.
+
+mod directive;
+mod kept;
+mod told;
+
+use crate::out;
+use crate::stop::Stop;
+use chapters::parameter::{Fault, excerpt};
+use serde_json::{Map, Value};
+use std::io::{IsTerminal, Read, stdin};
+use std::process::ExitCode;
+use told::Told;
+
+/// The one renderer whose pages can show what is put into them.
+const RENDERER: &str = "html";
+
+/// The lists of a book's items: since mdBook 0.5, and before.
+const ITEMS: [&str; 2] = ["items", "sections"];
+
+/// The book's table of what concerns this program.
+const TABLE: &str = "preprocessor.lesson";
+
+/// What mdBook itself reads there.
+const MDBOOKS: [&str; 6] = ["command", "before", "after", "renderer", "renderers", "optional"];
+
+/// What a book may ask of us.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Whether races are run: error against run time, on the machine that builds the book.
+    races: bool,
+    /// Whether what was put into a book is kept for the next time that it is built.
+    cache: bool,
+}
+
+/// Whether pages of a renderer can show what is put into them: exit code 0 or 1, as mdBook asks.
+pub fn supports(renderer: &str) -> ExitCode {
+    ExitCode::from(u8::from(renderer != RENDERER))
+}
+
+/// Reads a book from standard input and writes it to standard output, its pages filled.
+pub fn serve() -> Result<(), Stop> {
+    let place = "standard input";
+    if stdin().is_terminal() {
+        return Err(Stop::at(place, "mdBook runs this command and writes a book to it; see `lesson mdbook --help`"));
+    }
+    let mut input = String::new();
+    stdin().read_to_string(&mut input).map_err(|error| Stop::at(place, error))?;
+    out::print(filled(&input)?.as_bytes())
+}
+
+/// A book as it comes from mdBook, filled.
+fn filled(input: &str) -> Result<String, Stop> {
+    let place = "standard input";
+    let foreign =
+        |why: String| Stop::at(place, format!("{why}; valid: `[context, book]` as mdBook 0.4 and 0.5 write it"));
+    let (context, mut book): (Value, Value) =
+        serde_json::from_str(input).map_err(|error| foreign(format!("not what mdBook writes ({error})")))?;
+    let version = context["mdbook_version"].as_str().map_or("of no version".to_owned(), excerpt);
+    let list = ITEMS.into_iter().find(|list| book[*list].is_array());
+    let list = list.ok_or_else(|| foreign(format!("mdBook {version}: a book without a list of items")))?;
+    let source = context["config"]["book"]["src"].as_str().unwrap_or("src");
+    fill(&mut book[list], source, &Told::new(options(&context)?))?;
+    Ok(book.to_string())
+}
+
+/// Fills the chapters of a list of items, and those below them.
+fn fill(items: &mut Value, source: &str, told: &Told) -> Result<(), Stop> {
+    for item in items.as_array_mut().into_iter().flatten() {
+        // The rest are separators and titles.
+        let Some(chapter) = item.get_mut("Chapter").and_then(Value::as_object_mut) else { continue };
+        let page = page(chapter, source);
+        if let Some(Value::String(content)) = chapter.get_mut("content") {
+            *content = told.page(content, &page)?;
+        }
+        if let Some(below) = chapter.get_mut("sub_items") {
+            fill(below, source, told)?;
+        }
+    }
+    Ok(())
+}
+
+/// Where a chapter is written, or what it is called if it is in no file.
+fn page(chapter: &Map<String, Value>, source: &str) -> String {
+    let text = |key: &str| chapter.get(key).and_then(Value::as_str);
+    let path = text("source_path").or(text("path"));
+    path.map_or_else(|| excerpt(text("name").unwrap_or("a chapter")), |path| format!("{source}/{path}"))
+}
+
+/// What the book asks of us.
+fn options(context: &Value) -> Result<Options, Stop> {
+    let mut options = Options { races: true, cache: true };
+    let Some(table) = context["config"]["preprocessor"]["lesson"].as_object() else { return Ok(options) };
+    for (key, value) in table {
+        let option = match key.as_str() {
+            "races" => &mut options.races,
+            "cache" => &mut options.cache,
+            key if MDBOOKS.contains(&key) => continue,
+            key => {
+                let place = format!("book.toml: {TABLE}.{}", excerpt(key));
+                return Err(Fault::unknown(place, key, "no such key", ["races", "cache"]).into());
+            }
+        };
+        let place = || Stop::at(format!("book.toml: {TABLE}.{key}"), "valid: true or false");
+        *option = value.as_bool().ok_or_else(place)?;
+    }
+    Ok(options)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    /// A book of one page and one below it.
+    fn book(list: &str, pages: [&str; 2], table: Value) -> String {
+        let chapter = |name: &str, content: &str, below: Value| {
+            json!({"Chapter": {
+                "name": name, "content": content, "number": [1], "sub_items": below, "path": format!("{name}.md"),
+                "source_path": format!("{name}.md"), "parent_names": [],
+            }})
+        };
+        let below = chapter("below", pages[1], json!([]));
+        let context = json!({
+            "root": "/book", "renderer": "html", "mdbook_version": "0.5.4",
+            "config": {"book": {"src": "text"}, "preprocessor": {"lesson": table}},
+        });
+        let book =
+            json!({list: [{"PartTitle": "One"}, chapter("page", pages[0], json!([below])), "Separator"], "else": 1});
+        json!([context, book]).to_string()
+    }
+
+    fn table() -> Value {
+        json!({"command": "lesson mdbook", "before": ["links"], "races": false, "cache": false})
+    }
+
+    fn fault(pages: [&str; 2], table: Value) -> String {
+        filled(&book("items", pages, table)).expect_err("a fault").to_string()
+    }
+
+    #[test]
+    fn pages_and_those_below_are_filled_and_the_rest_goes_through() {
+        for list in ITEMS {
+            let pages = [
+                "before\n\n{{#lesson fresnel/brewster/square}}\n\nafter",
+                "at {{#lesson fresnel/brewster/theta_b n_t=1.5}}.",
+            ];
+            let filled: Value = serde_json::from_str(&filled(&book(list, pages, table())).unwrap()).unwrap();
+            let chapter = &filled[list][1]["Chapter"];
+            let content = chapter["content"].as_str().unwrap();
+            assert!(content.starts_with("before\n\n<"), "{content}");
+            assert!(content.ends_with(">\n\n\nafter"), "{content}");
+            assert!(content.contains("id=\"fresnel/brewster/square\"") && content.contains("<math"), "{content}");
+            assert_eq!(chapter["sub_items"][0]["Chapter"]["content"], "at 56.31°.");
+            let rest = [&filled[list][0]["PartTitle"], &filled[list][2], &filled["else"], &chapter["number"][0]];
+            assert_eq!(rest, [&json!("One"), &json!("Separator"), &json!(1), &json!(1)]);
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_filled_is_refused_with_its_place() {
+        let lost = fault(["", "one\n\n{{#lesson fresnel/brewstr}}"], table());
+        assert!(lost.starts_with("text/below.md:3: fresnel/brewstr: no such step (did you mean `"), "{lost}");
+        let wrong = fault(["{{#lesson fresnel/brewster theta=95deg}}", ""], table());
+        assert!(wrong.starts_with("text/page.md:1: theta: "), "{wrong}");
+        let key = fault(["", ""], json!({"race": true}));
+        assert!(key.starts_with("book.toml: preprocessor.lesson.race: no such key (did you mean `races`?)"), "{key}");
+        let kind = fault(["", ""], json!({"races": "yes"}));
+        assert_eq!(kind, "book.toml: preprocessor.lesson.races: valid: true or false");
+    }
+
+    #[test]
+    fn only_books_are_taken() {
+        for bad in
+            ["", "{}", "[1,2,3]", "[{},{}]", "[{\"mdbook_version\":\"9.0.0\"},{\"chapters\":[]}]", "null", "[{}, 7]"]
+        {
+            let refused = filled(bad).expect_err(bad).to_string();
+            assert!(refused.starts_with("standard input: "), "{refused}");
+        }
+        let later = filled("[{\"mdbook_version\":\"9.0.0\"},{\"chapters\":[]}]").expect_err("a fault").to_string();
+        assert!(later.contains("mdBook 9.0.0"), "{later}");
+    }
+
+    #[test]
+    fn only_pages_of_html_show_it() {
+        assert_eq!(supports("html"), ExitCode::SUCCESS);
+        assert_eq!(supports("latex"), ExitCode::from(1));
+    }
+}

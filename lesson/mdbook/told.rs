@@ -1,0 +1,227 @@
+//! What is put where a page asks for a part of the lecture: a number within a line, or blocks as HTML.
+
+use super::Options;
+use super::directive::{Directive, Piece, pieces};
+use super::kept::Kept;
+use crate::figures;
+use crate::out;
+use crate::progress::Progress;
+use crate::run;
+use crate::select::{Chosen, Selection, select};
+use crate::stop::{Stop, plain};
+use chapters::text::Phrase;
+use std::collections::HashSet;
+use views::block::{Block, Details, Picture};
+use views::html;
+use views::number::value;
+use views::report::entry::readout;
+use views::report::{Parts, StepReport};
+use views::tell::Teller;
+
+/// Tells parts of the lecture to pages.
+pub struct Told {
+    options: Options,
+    kept: Option<Kept>,
+    teller: Teller<'static>,
+}
+
+impl Told {
+    /// As a book asks.
+    pub fn new(options: Options) -> Self {
+        let kept = if options.cache { Kept::open() } else { None };
+        Self { options, kept, teller: Teller::english(Details::default()) }
+    }
+
+    /// The text of a page at a `place`, with the parts of the lecture that it asks for.
+    pub fn page(&self, text: &str, place: &str) -> Result<String, Stop> {
+        let pieces = pieces(text).map_err(|unread| Stop::at(format!("{place}:{}", unread.line), unread.why))?;
+        let (mut page, mut ids) = (String::new(), HashSet::new());
+        for piece in pieces {
+            match piece {
+                Piece::Text(text) => page.push_str(text),
+                Piece::Lesson(directive) => {
+                    let place = format!("{place}:{}", directive.line);
+                    self.put(&directive, &place, &mut page, &mut ids).map_err(|stop| stop.within(&place))?;
+                }
+            }
+        }
+        Ok(page)
+    }
+
+    /// Puts what a directive asks for at the end of a page that has `ids` already.
+    fn put(
+        &self,
+        directive: &Directive,
+        place: &str,
+        page: &mut String,
+        ids: &mut HashSet<String>,
+    ) -> Result<(), Stop> {
+        let parts: Vec<String> = directive
+            .address
+            .iter()
+            .flat_map(|word| word.split('/'))
+            .filter(|part| !part.is_empty())
+            .map(str::to_owned)
+            .collect();
+        let changes: Vec<_> =
+            directive.changes.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
+        if let Some(number) = number(&parts, &changes)? {
+            page.push_str(&number);
+            return Ok(());
+        }
+        let mut selection = select(&parts, &[])?;
+        for note in selection.set(&changes)? {
+            out::say(&format!("note: {place}: {note}"));
+        }
+        if !directive.is_alone {
+            return Err(Stop::at(
+                parts.join("/"),
+                "only a number of a step stands within a line; this needs a line of its own",
+            ));
+        }
+        let html = self.told(&selection, place);
+        // What is HTML begins and ends at an empty line.
+        page.truncate(page.trim_end_matches([' ', '\t']).len());
+        page.push_str(if page.is_empty() || page.ends_with("\n\n") { "" } else { "\n" });
+        page.push_str(&once(&html, ids));
+        Ok(())
+    }
+
+    /// The selected steps or the item, as HTML.
+    fn told(&self, selection: &Selection, place: &str) -> String {
+        let key = format!("{:?} {:?}", self.options, selection.steps.iter().map(key).collect::<Vec<_>>());
+        if let Some(html) = self.kept.as_ref().and_then(|kept| kept.get(&key)) {
+            return html;
+        }
+        let report = run::run(selection, self.parts(selection), &Progress::new());
+        let steps = report.chapters.iter().flat_map(|chapter| &chapter.steps);
+        let mut blocks = Vec::new();
+        if let [first, _, ..] = &selection.steps[..] {
+            blocks.extend(self.teller.chapter(first.chapter));
+        }
+        blocks.extend(selection.steps.iter().zip(steps.clone()).flat_map(|(chosen, found)| self.step(chosen, found)));
+        if steps.clone().any(|step| !step.races.is_empty()) {
+            blocks.extend(self.teller.machine(&report.machine));
+        }
+        let html = html::fragment(self.teller.words(), &blocks);
+        if report.failed > 0 {
+            out::say(&format!(
+                "note: {place}: {} verdicts are against the lecture; the page shows them",
+                report.failed
+            ));
+        } else if let Some(kept) = &self.kept {
+            kept.put(&key, &html);
+        }
+        html
+    }
+
+    /// All of a step, or the one item of it that is chosen.
+    fn step(&self, chosen: &Chosen, found: &StepReport) -> Vec<Block> {
+        let drawn = figures::inline(chosen, found);
+        let picture = |address: &str| drawn.get(address).map_or(Picture::Absent, |svg| Picture::Svg(svg.clone()));
+        match chosen.item.and_then(|item| chosen.step.item(item)) {
+            Some(item) => self.teller.item(&item, found, &picture),
+            None => self.teller.whole(chosen.chapter, chosen.step, found, &picture),
+        }
+    }
+
+    /// What is run: of an item what it is, of steps all.
+    fn parts(&self, selection: &Selection) -> Parts {
+        match &selection.steps[..] {
+            [Chosen { step, item: Some(item), .. }] => {
+                step.item(item).and_then(|item| item.part()).map_or(Parts::default(), Parts::only)
+            }
+            _ => Parts { checks: true, stress: true, races: self.options.races },
+        }
+    }
+}
+
+/// What decides how a step is told.
+fn key(chosen: &Chosen) -> String {
+    let Chosen { item, lane, setting, .. } = chosen;
+    format!("{} {item:?} {lane:?} {setting:?}", chosen.address())
+}
+
+/// A number that a step computes, by the name that it has there; None if that is no such name. An item of the name is
+/// what is meant.
+fn number(parts: &[String], changes: &[(String, String)]) -> Result<Option<String>, Stop> {
+    let [_, _, name] = parts else { return Ok(None) };
+    let mut selection = select(&parts[..2], &[])?;
+    let step = selection.steps[0].step;
+    let is_named = |key: &str| plain(key) == plain(name);
+    if step.items().any(|item| is_named(item.id())) || !has(&selection.steps[0], &is_named) {
+        return Ok(None);
+    }
+    selection.set(changes)?;
+    let quantities = readout(step, &selection.steps[0].setting);
+    let quantity = quantities.iter().find(|quantity| is_named(quantity.key));
+    Ok(quantity.map(|quantity| html::inline(&Phrase::parse(&value(quantity.value.0, quantity.unit)))))
+}
+
+fn has(chosen: &Chosen, is_named: &dyn Fn(&str) -> bool) -> bool {
+    readout(chosen.step, &chosen.setting).iter().any(|quantity| is_named(quantity.key))
+}
+
+/// HTML of ours without the ids that a page has already; those that are new are among them afterwards.
+fn once(html: &str, ids: &mut HashSet<String>) -> String {
+    const ID: &str = " id=\"";
+    let mut parts = html.split(ID);
+    let mut kept = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (id, rest) = part.split_once('"').unwrap_or((part, ""));
+        if ids.insert(id.to_owned()) {
+            kept.push_str(ID);
+            kept.push_str(id);
+            kept.push('"');
+        }
+        kept.push_str(rest);
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told() -> Told {
+        Told::new(Options { races: false, cache: false })
+    }
+
+    fn page(text: &str) -> String {
+        told().page(text, "a.md").unwrap()
+    }
+
+    #[test]
+    fn a_page_has_each_id_once_and_no_empty_line_within_a_part() {
+        let page = page("{{#lesson fresnel/brewster}}\n\n{{#lesson fresnel/brewster/square}}\n");
+        assert_eq!(page.matches(" id=\"fresnel/brewster/square\"").count(), 1);
+        let parts: Vec<&str> = page.trim_end().split("\n\n").collect();
+        assert_eq!(parts.len(), 2, "two blocks of HTML and nothing that ends them");
+        assert!(parts.iter().all(|part| part.trim_start().starts_with('<')));
+    }
+
+    #[test]
+    fn every_kind_of_item_can_be_asked_for() {
+        for (address, sign) in [
+            ("fresnel/snell/law", "class=\"formula\""),
+            ("fresnel/brewster/square", "class=\"derivation\""),
+            ("fresnel/brewster/zero", "✓ passed"),
+        ] {
+            let page = page(&format!("{{{{#lesson {address}}}}}"));
+            assert!(page.contains(sign), "{address}: {page}");
+        }
+    }
+
+    #[test]
+    fn settings_count() {
+        let of = |n_t: &str| page(&format!("{{{{#lesson fresnel/brewster/theta_b n_t={n_t}}}}}"));
+        assert_eq!(of("1.5"), "56.31°");
+        assert_ne!(of("1.5"), of("2.4"));
+    }
+
+    #[test]
+    fn what_is_more_than_a_number_needs_its_line() {
+        let refused = told().page("see {{#lesson fresnel/brewster}}", "a.md").expect_err("refused").to_string();
+        assert!(refused.starts_with("a.md:1: fresnel/brewster: "), "{refused}");
+    }
+}
