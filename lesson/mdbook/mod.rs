@@ -153,7 +153,7 @@ mod tests {
     fn pages_and_those_below_are_filled_and_the_rest_goes_through() {
         for list in ITEMS {
             let pages = [
-                "before\n\n{{#lesson fresnel/brewster/square}}\n\nafter",
+                "before\n\n{{#lesson fresnel/snell/snell}}\n\nafter",
                 "at {{#lesson fresnel/brewster/theta_b n_t=1.5}}.",
             ];
             let filled: Value = serde_json::from_str(&filled(&book(list, pages, table())).unwrap()).unwrap();
@@ -161,8 +161,8 @@ mod tests {
             let content = chapter["content"].as_str().unwrap();
             assert!(content.starts_with("before\n\n<"), "{content}");
             assert!(content.ends_with(">\n\n\nafter"), "{content}");
-            assert!(content.contains("id=\"fresnel/brewster/square\"") && content.contains("<math"), "{content}");
-            assert_eq!(chapter["sub_items"][0]["Chapter"]["content"], "at 56.31°.");
+            assert!(content.contains("id=\"fresnel/snell/snell\"") && content.contains("<math"), "{content}");
+            assert_eq!(chapter["sub_items"][0]["Chapter"]["content"], "at 56.3099°.");
             let rest = [&filled[list][0]["PartTitle"], &filled[list][2], &filled["else"], &chapter["number"][0]];
             assert_eq!(rest, [&json!("One"), &json!("Separator"), &json!(1), &json!(1)]);
         }

@@ -61,8 +61,8 @@ impl Teller<'_> {
         blocks.extend(found.checks.iter().map(|check| self.check(check)));
         let figures = if let Item::Figure(figure) = item { std::slice::from_ref(*figure) } else { &[] };
         blocks.extend(self.tried(figures, found, picture));
-        // What is true of it depends on what is set.
-        let is_at_setting = !matches!(item, Item::Statement(_) | Item::Derivation(_));
+        // Checks tell for themselves at what they were done.
+        let is_at_setting = matches!(item, Item::Question(_) | Item::Figure(_));
         self.setting(found).filter(|_| is_at_setting).into_iter().chain(blocks).collect()
     }
 
