@@ -206,7 +206,7 @@ mod tests {
             ("fresnel/snell/snell", "class=\"formula\""),
             ("fresnel/snell/phase_matching", "class=\"derivation\""),
             ("fresnel/brewster/square", "✓ passed"),
-            ("fresnel/natural/reflectance", "<svg"),
+            ("fresnel/brewster/zero_of_r_p", "<svg"),
         ] {
             let page = page(&format!("{{{{#lesson {address}}}}}"));
             assert!(page.contains(sign), "{address}: {page}");
