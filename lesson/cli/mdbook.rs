@@ -19,8 +19,15 @@ line a number that a step computes; behind it what is set:
   {{#lesson fresnel/metals/colour n_t=gold}}
   the angle is {{#lesson fresnel/brewster/theta_b n_t=1.5}}
 
+The chapters as a list, the steps of one with a page for each below the page
+that asks for them, the lecture's rows and where each is taught:
+  {{#lesson-chapters}}
+  {{#lesson-steps fresnel}}
+  {{#lesson-coverage}}
+`[text](lesson:fresnel/brewster)` leads to the page that shows it.
+
 `lesson contents` lists the steps, `lesson fresnel brewster --help` what one has.
-\\{{#lesson …}} is left as it stands.";
+A backslash before {{#lesson …}} leaves it as it stands.";
 
 #[derive(Debug, Args)]
 pub struct MdbookArgs {

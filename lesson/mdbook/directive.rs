@@ -1,9 +1,13 @@
-//! What a page asks for: `{{#lesson fresnel/brewster n_t=gold}}`.
+//! What a page asks for: `{{#lesson fresnel/brewster n_t=gold}}`, `{{#lesson-steps fresnel}}`, `{{#lesson-coverage}}`.
 
+use chapters::parameter::excerpt;
 use std::ops::Range;
 
 /// How it begins.
 const OPENING: &str = "{{#lesson";
+/// What may follow at once.
+const KINDS: [(&str, Kind); 4] =
+    [("", Kind::Part), ("-chapters", Kind::Chapters), ("-steps", Kind::Steps), ("-coverage", Kind::Coverage)];
 /// How it ends.
 const CLOSING: &str = "}}";
 
@@ -16,9 +20,24 @@ pub enum Piece<'a> {
     Lesson(Directive<'a>),
 }
 
+/// What is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A chapter, a step, an item or a number, here.
+    Part,
+    /// The chapters, a list here.
+    Chapters,
+    /// The steps of a chapter: a list here, and a page for each below this one.
+    Steps,
+    /// The rows of the lecture, and where they are taught.
+    Coverage,
+}
+
 /// A part of the lecture that is to stand there.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Directive<'a> {
+    /// What is asked for.
+    pub kind: Kind,
     /// The line that it is on, from 1.
     pub line: usize,
     /// Whether there is nothing else on that line.
@@ -35,7 +54,7 @@ pub struct Unread {
     /// The line.
     pub line: usize,
     /// Why.
-    pub why: &'static str,
+    pub why: String,
 }
 
 /// The pieces of a page in order. A backslash before it leaves what follows to be read, as mdBook has it of its own.
@@ -50,7 +69,8 @@ pub fn pieces(text: &str) -> Result<Vec<Piece<'_>>, Unread> {
         from = inside;
         let line_end = text[inside..].find('\n').map_or(text.len(), |end| inside + end);
         let line = 1 + text[..found].matches('\n').count();
-        if !text[inside..].starts_with([' ', '\t', '}']) {
+        let word = text[inside..line_end].split([' ', '\t', '\r', '}']).next().unwrap_or_default();
+        if !(word.is_empty() || word.starts_with('-')) {
             continue;
         }
         if text[..found].ends_with('\\') {
@@ -58,16 +78,28 @@ pub fn pieces(text: &str) -> Result<Vec<Piece<'_>>, Unread> {
             written = found;
             continue;
         }
-        let unread = |why| Unread { line, why };
-        let end = text[inside..line_end].find(CLOSING).ok_or_else(|| unread("no }} on the line of {{#lesson"))?;
+        let unread = |why: String| Unread { line, why };
+        let kind = KINDS.iter().find(|(known, _)| *known == word).map(|(_, kind)| *kind).ok_or_else(|| {
+            let valid = KINDS.map(|(known, _)| format!("{OPENING}{known}")).join(", ");
+            unread(format!("{OPENING}{}: valid: {valid}", excerpt(word)))
+        })?;
+        let inside = inside + word.len();
+        let end = text[inside..line_end].find(CLOSING);
+        let end = end.ok_or_else(|| unread(format!("no {CLOSING} on the line of {OPENING}")))?;
         let (words, after) = (&text[inside..inside + end], inside + end + CLOSING.len());
         let (address, changes) = read(words);
-        if address.is_empty() {
-            return Err(unread("{{#lesson}} names nothing; valid: {{#lesson chapter/step/item name=value}}"));
+        let (is_right, valid) = match kind {
+            Kind::Part => (!address.is_empty(), "chapter/step/item name=value"),
+            Kind::Steps => (address.len() == 1, "chapter name=value"),
+            Kind::Chapters | Kind::Coverage => (address.is_empty() && changes.is_empty(), ""),
+        };
+        if !is_right {
+            let valid = format!("{OPENING}{word} {valid}").trim_end().to_owned();
+            return Err(unread(format!("{OPENING}{word}{CLOSING}: valid: {valid}{CLOSING}")));
         }
         pieces.push(Piece::Text(&text[written..found]));
         let is_alone = is_blank_around(text, found..after, line_end);
-        pieces.push(Piece::Lesson(Directive { line, is_alone, address, changes }));
+        pieces.push(Piece::Lesson(Directive { kind, line, is_alone, address, changes }));
         (written, from) = (after, after);
     }
     pieces.push(Piece::Text(&text[written..]));
@@ -97,8 +129,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn lesson<'a>(line: usize, is_alone: bool, address: &[&'a str], changes: &[(&'a str, &'a str)]) -> Piece<'a> {
-        Piece::Lesson(Directive { line, is_alone, address: address.to_vec(), changes: changes.to_vec() })
+    fn asked<'a>(line: usize, is_alone: bool, address: &[&'a str], changes: &[(&'a str, &'a str)]) -> Directive<'a> {
+        Directive { kind: Kind::Part, line, is_alone, address: address.to_vec(), changes: changes.to_vec() }
     }
 
     #[test]
@@ -108,12 +140,15 @@ mod tests {
                 .unwrap(),
             [
                 Piece::Text("a\n\n  "),
-                lesson(3, true, &["fresnel/snell"], &[("n_t", "gold"), ("theta", "5deg")]),
+                Piece::Lesson(asked(3, true, &["fresnel/snell"], &[("n_t", "gold"), ("theta", "5deg")])),
                 Piece::Text(" \nR is "),
-                lesson(4, false, &["fresnel", "brewster", "theta_b"], &[]),
+                Piece::Lesson(asked(4, false, &["fresnel", "brewster", "theta_b"], &[])),
                 Piece::Text("."),
             ]
         );
+        let of = |kind, address: &[&'static str]| Piece::Lesson(Directive { kind, ..asked(1, true, address, &[]) });
+        assert_eq!(pieces("{{#lesson-steps fresnel}}").unwrap()[1], of(Kind::Steps, &["fresnel"]));
+        assert_eq!(pieces("{{#lesson-coverage}}").unwrap()[1], of(Kind::Coverage, &[]));
     }
 
     #[test]
@@ -127,6 +162,15 @@ mod tests {
         assert_eq!(pieces("\n{{#lesson fresnel\n}}").unwrap_err().line, 2);
         assert_eq!(pieces("{{#lesson n_t=1.5}}").unwrap_err().line, 1);
         assert_eq!(pieces("a\r\nb\r\n{{#lesson}}").unwrap_err().line, 3);
+        for (bad, valid) in [
+            ("{{#lesson-stps fresnel}}", "{{#lesson, {{#lesson-chapters, {{#lesson-steps, "),
+            ("{{#lesson-steps}}", "{{#lesson-steps chapter name=value}}"),
+            ("{{#lesson-steps a b}}", "{{#lesson-steps chapter name=value}}"),
+            ("{{#lesson-coverage a}}", "{{#lesson-coverage}}"),
+        ] {
+            let why = pieces(bad).unwrap_err().why;
+            assert!(why.contains("valid: ") && why.contains(valid), "{why}");
+        }
     }
 
     proptest! {

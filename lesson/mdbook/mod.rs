@@ -5,6 +5,8 @@
 //! | mdBook's protocol | here |
 //! | what a page asks for | [`directive`] |
 //! | what is put there | [`told`] |
+//! | the lecture's rows | [`rows`] |
+//! | links from page to page | [`links`] |
 //! | what was put there before | [`kept`] |
 //!
 //! mdBook asks `supports RENDERER` first. Then it writes `[context, book]` as JSON and reads the book, its chapters changed,
@@ -13,15 +15,18 @@
 
 mod directive;
 mod kept;
+mod links;
+mod rows;
 mod told;
 
 use crate::out;
 use crate::stop::Stop;
 use chapters::parameter::{Fault, excerpt};
-use serde_json::{Map, Value};
+use links::Links;
+use serde_json::{Map, Value, json};
 use std::io::{IsTerminal, Read, stdin};
 use std::process::ExitCode;
-use told::Told;
+use told::{Below, Told};
 
 /// The one renderer whose pages can show what is put into them.
 const RENDERER: &str = "html";
@@ -71,28 +76,77 @@ fn filled(input: &str) -> Result<String, Stop> {
     let list = ITEMS.into_iter().find(|list| book[*list].is_array());
     let list = list.ok_or_else(|| foreign(format!("mdBook {version}: a book without a list of items")))?;
     let source = context["config"]["book"]["src"].as_str().unwrap_or("src");
-    fill(&mut book[list], source, &Told::new(options(&context)?))?;
+    let mut links = Links::default();
+    fill(&mut book[list], source, &Told::new(options(&context)?), &mut links)?;
+    link(&mut book[list], &links)?;
     Ok(book.to_string())
 }
 
+/// The chapters among the items of a list: the rest are separators and titles.
+fn chapters(items: &mut Value) -> impl Iterator<Item = &mut Map<String, Value>> {
+    let items = items.as_array_mut().into_iter().flatten();
+    items.filter_map(|item| item.get_mut("Chapter").and_then(Value::as_object_mut))
+}
+
 /// Fills the chapters of a list of items, and those below them.
-fn fill(items: &mut Value, source: &str, told: &Told) -> Result<(), Stop> {
-    for item in items.as_array_mut().into_iter().flatten() {
-        // The rest are separators and titles.
-        let Some(chapter) = item.get_mut("Chapter").and_then(Value::as_object_mut) else { continue };
-        let page = page(chapter, source);
-        if let Some(Value::String(content)) = chapter.get_mut("content") {
-            *content = told.page(content, &page)?;
-        }
+fn fill(items: &mut Value, source: &str, told: &Told, links: &mut Links) -> Result<(), Stop> {
+    for chapter in chapters(items) {
         if let Some(below) = chapter.get_mut("sub_items") {
-            fill(below, source, told)?;
+            fill(below, source, told, links)?;
+        }
+        let place = place(chapter, source);
+        let Some(Value::String(content)) = chapter.get_mut("content") else { continue };
+        let filled = told.page(content, &place)?;
+        *content = filled.text;
+        if let Some(path) = chapter.get("path").and_then(Value::as_str) {
+            filled.ids.into_iter().for_each(|id| links.add(id, path));
+        }
+        for below in filled.below {
+            let below = page(below, chapter, &place, links)?;
+            match chapter.get_mut("sub_items") {
+                Some(Value::Array(items)) => items.push(below),
+                _ => return Err(Stop::at(place, "mdBook has no place for pages below this one")),
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A page of ours below a chapter, as mdBook has it.
+fn page(below: Below, chapter: &Map<String, Value>, place: &str, links: &mut Links) -> Result<Value, Stop> {
+    let path = chapter.get("path").and_then(Value::as_str).and_then(|path| path.strip_suffix(".md"));
+    let path = path.ok_or_else(|| Stop::at(place, "pages below it need a page in a file `….md`"))?;
+    let path = format!("{path}/{}.md", below.name);
+    below.ids.into_iter().for_each(|id| links.add(id, &path));
+    let before = chapter.get("sub_items").and_then(Value::as_array).map_or(0, Vec::len);
+    let number = chapter.get("number").and_then(Value::as_array).map(|number| {
+        let own = [json!(before + 1)];
+        number.iter().cloned().chain(own).collect::<Vec<_>>()
+    });
+    let parents = chapter.get("parent_names").and_then(Value::as_array).into_iter().flatten();
+    let parents: Vec<&Value> = parents.chain(chapter.get("name")).collect();
+    Ok(json!({"Chapter": {
+        "name": below.title, "content": below.text, "number": number, "sub_items": [], "path": path,
+        "source_path": null, "parent_names": parents,
+    }}))
+}
+
+/// Leads the links of chapters to the pages that they mean.
+fn link(items: &mut Value, links: &Links) -> Result<(), Stop> {
+    for chapter in chapters(items) {
+        if let Some(below) = chapter.get_mut("sub_items") {
+            link(below, links)?;
+        }
+        let path = chapter.get("path").and_then(Value::as_str).unwrap_or_default().to_owned();
+        if let Some(Value::String(content)) = chapter.get_mut("content") {
+            *content = links.resolved(content, &path)?;
         }
     }
     Ok(())
 }
 
 /// Where a chapter is written, or what it is called if it is in no file.
-fn page(chapter: &Map<String, Value>, source: &str) -> String {
+fn place(chapter: &Map<String, Value>, source: &str) -> String {
     let text = |key: &str| chapter.get(key).and_then(Value::as_str);
     let path = text("source_path").or(text("path"));
     path.map_or_else(|| excerpt(text("name").unwrap_or("a chapter")), |path| format!("{source}/{path}"))
@@ -166,6 +220,40 @@ mod tests {
             let rest = [&filled[list][0]["PartTitle"], &filled[list][2], &filled["else"], &chapter["number"][0]];
             assert_eq!(rest, [&json!("One"), &json!("Separator"), &json!(1), &json!(1)]);
         }
+    }
+
+    #[test]
+    fn every_step_has_a_page_below_its_chapter_s_and_links_lead_there() {
+        let pages = ["{{#lesson-steps poynting}}", "# B\n\n[the balance](lesson:poynting/theorem)"];
+        let filled: Value = serde_json::from_str(&filled(&book("items", pages, table())).unwrap()).unwrap();
+        let chapter = &filled["items"][1]["Chapter"];
+        let (written, steps) = chapter["sub_items"].as_array().unwrap().split_first().unwrap();
+        assert_eq!(written["Chapter"]["content"], "# B\n\n[the balance](page/theorem.md#poynting/theorem)");
+        let poynting = chapters::CURRICULUM.iter().find(|chapter| chapter.id == "poynting").unwrap();
+        assert_eq!(steps.len(), poynting.steps.len());
+        for (at, (page, step)) in steps.iter().zip(poynting.steps).enumerate() {
+            let page = &page["Chapter"];
+            assert_eq!(page["path"], format!("page/{}.md", step.id));
+            assert_eq!(page["number"], json!([1, at + 2]));
+            assert_eq!(page["parent_names"], json!(["page"]));
+            let text = page["content"].as_str().unwrap();
+            assert_eq!(text.matches("<h1").count(), 1, "{}", step.id);
+            assert!(text.contains(&format!(" id=\"poynting/{}\"", step.id)));
+            let link = format!("href=\"page/{0}.md#poynting/{0}\"", step.id);
+            assert!(chapter["content"].as_str().unwrap().contains(&link), "{link}");
+        }
+    }
+
+    #[test]
+    fn rows_lead_to_their_steps_or_nowhere() {
+        let rows = |page: &str| {
+            let filled = filled(&book("items", [page, "{{#lesson-coverage}}"], table())).unwrap();
+            let filled: Value = serde_json::from_str(&filled).unwrap();
+            filled["items"][1]["Chapter"]["sub_items"][0]["Chapter"]["content"].as_str().unwrap().to_owned()
+        };
+        let (alone, beside) = (rows(""), rows("{{#lesson poynting/theorem}}"));
+        assert!(alone.contains("<a>poynting/theorem</a>") && !alone.contains("href"), "{alone}");
+        assert!(beside.contains("<a href=\"page.md#poynting/theorem\">poynting/theorem</a>"), "{beside}");
     }
 
     #[test]

@@ -1,8 +1,10 @@
 //! What is put where a page asks for a part of the lecture: a number within a line, or blocks as HTML.
 
 use super::Options;
-use super::directive::{Directive, Piece, pieces};
+use super::directive::{Directive, Kind, Piece, pieces};
 use super::kept::Kept;
+use super::links::SCHEME;
+use super::rows;
 use crate::figures;
 use crate::out;
 use crate::progress::Progress;
@@ -10,6 +12,7 @@ use crate::run;
 use crate::select::{Chosen, Selection, select};
 use crate::stop::{Stop, plain};
 use chapters::text::Phrase;
+use chapters::{CURRICULUM, Chapter, Step};
 use std::collections::HashSet;
 use views::block::{Block, Details, Picture};
 use views::html;
@@ -17,6 +20,30 @@ use views::number::value;
 use views::report::entry::readout;
 use views::report::{Parts, StepReport};
 use views::tell::Teller;
+
+/// A page with what it asks for.
+#[derive(Debug, Default)]
+pub struct Filled {
+    /// Its text.
+    pub text: String,
+    /// The addresses of what of the lecture is on it.
+    pub ids: HashSet<String>,
+    /// The pages that are to follow below it.
+    pub below: Vec<Below>,
+}
+
+/// A page below another.
+#[derive(Debug)]
+pub struct Below {
+    /// The name of its file, without an ending.
+    pub name: &'static str,
+    /// What it is called.
+    pub title: String,
+    /// Its text.
+    pub text: String,
+    /// The addresses of what of the lecture is on it.
+    pub ids: HashSet<String>,
+}
 
 /// Tells parts of the lecture to pages.
 pub struct Told {
@@ -33,29 +60,23 @@ impl Told {
     }
 
     /// The text of a page at a `place`, with the parts of the lecture that it asks for.
-    pub fn page(&self, text: &str, place: &str) -> Result<String, Stop> {
+    pub fn page(&self, text: &str, place: &str) -> Result<Filled, Stop> {
         let pieces = pieces(text).map_err(|unread| Stop::at(format!("{place}:{}", unread.line), unread.why))?;
-        let (mut page, mut ids) = (String::new(), HashSet::new());
+        let mut filled = Filled::default();
         for piece in pieces {
             match piece {
-                Piece::Text(text) => page.push_str(text),
+                Piece::Text(text) => filled.text.push_str(text),
                 Piece::Lesson(directive) => {
                     let place = format!("{place}:{}", directive.line);
-                    self.put(&directive, &place, &mut page, &mut ids).map_err(|stop| stop.within(&place))?;
+                    self.put(&directive, &place, &mut filled).map_err(|stop| stop.within(&place))?;
                 }
             }
         }
-        Ok(page)
+        Ok(filled)
     }
 
-    /// Puts what a directive asks for at the end of a page that has `ids` already.
-    fn put(
-        &self,
-        directive: &Directive,
-        place: &str,
-        page: &mut String,
-        ids: &mut HashSet<String>,
-    ) -> Result<(), Stop> {
+    /// Puts what a directive asks for at the end of a page.
+    fn put(&self, directive: &Directive, place: &str, filled: &mut Filled) -> Result<(), Stop> {
         let parts: Vec<String> = directive
             .address
             .iter()
@@ -65,31 +86,79 @@ impl Told {
             .collect();
         let changes: Vec<_> =
             directive.changes.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
-        if let Some(number) = number(&parts, &changes)? {
-            page.push_str(&number);
+        if directive.kind == Kind::Part
+            && let Some(number) = number(&parts, &changes)?
+        {
+            filled.text.push_str(&number);
             return Ok(());
         }
-        let mut selection = select(&parts, &[])?;
-        for note in selection.set(&changes)? {
-            out::say(&format!("note: {place}: {note}"));
-        }
         if !directive.is_alone {
-            return Err(Stop::at(
-                parts.join("/"),
-                "only a number of a step stands within a line; this needs a line of its own",
-            ));
+            let what = if parts.is_empty() { "{{#lesson…}}".to_owned() } else { parts.join("/") };
+            return Err(Stop::at(what, "only a number of a step stands within a line; this needs a line of its own"));
         }
-        let html = self.told(&selection, place);
+        let html = match directive.kind {
+            Kind::Coverage => rows::table(),
+            Kind::Chapters => self.chapters(),
+            Kind::Part => self.told(&self.selected(&parts, &changes, place)?, false, place),
+            Kind::Steps => {
+                let selection = self.selected(&parts, &changes, place)?;
+                let Selection { steps } = &selection;
+                let chapter = steps[0].chapter;
+                if steps.len() != chapter.steps.len() {
+                    return Err(Stop::at(parts.join("/"), "only a chapter has steps"));
+                }
+                filled.below.extend(selection.steps.into_iter().map(|step| self.below(step, place)));
+                self.contents(chapter)
+            }
+        };
         // What is HTML begins and ends at an empty line.
-        page.truncate(page.trim_end_matches([' ', '\t']).len());
-        page.push_str(if page.is_empty() || page.ends_with("\n\n") { "" } else { "\n" });
-        page.push_str(&once(&html, ids));
+        filled.text.truncate(filled.text.trim_end_matches([' ', '\t']).len());
+        filled.text.push_str(if filled.text.is_empty() || filled.text.ends_with("\n\n") { "" } else { "\n" });
+        let html = once(&html, &mut filled.ids);
+        filled.text.push_str(&html);
         Ok(())
     }
 
-    /// The selected steps or the item, as HTML.
-    fn told(&self, selection: &Selection, place: &str) -> String {
-        let key = format!("{:?} {:?}", self.options, selection.steps.iter().map(key).collect::<Vec<_>>());
+    /// What a directive names, with what it sets.
+    fn selected(&self, parts: &[String], changes: &[(String, String)], place: &str) -> Result<Selection, Stop> {
+        let mut selection = select(parts, &[])?;
+        for note in selection.set(changes)? {
+            out::say(&format!("note: {place}: {note}"));
+        }
+        Ok(selection)
+    }
+
+    /// The chapters, a line each.
+    fn chapters(&self) -> String {
+        let line = |chapter: &&Chapter| self.line(chapter.id, chapter.title, chapter.says);
+        format!("<ol class=\"steps\">\n{}</ol>\n", CURRICULUM.iter().map(line).collect::<String>())
+    }
+
+    /// A line on what stands at an address, and the way there.
+    fn line(&self, address: &str, title: &str, says: &str) -> String {
+        let told = |field, english| html::inline(&self.teller.phrase(address, field, english));
+        format!("<li><a href=\"{SCHEME}{address}\">{}</a>: {}</li>\n", told("title", title), told("says", says))
+    }
+
+    /// What a chapter is about, and a line on each of its steps.
+    fn contents(&self, chapter: &'static Chapter) -> String {
+        let line = |step: &Step| self.line(&format!("{}/{}", chapter.id, step.id), step.title, step.says);
+        let steps: String = chapter.steps.iter().map(line).collect();
+        let intro = html::fragment(self.teller.words(), &self.teller.intro(chapter));
+        format!("<section id=\"{}\">\n{intro}<ol class=\"steps\">\n{steps}</ol>\n</section>\n", chapter.id)
+    }
+
+    /// A page for a step.
+    fn below(&self, step: Chosen, place: &str) -> Below {
+        let (name, title) = (step.step.id, self.teller.phrase(&step.address(), "title", step.step.title).to_string());
+        let html = self.told(&Selection { steps: vec![step] }, true, place);
+        let mut ids = HashSet::new();
+        Below { name, title, text: once(&html, &mut ids), ids }
+    }
+
+    /// The selected steps or the item as HTML; `is_page`, the one step is a page of its own.
+    fn told(&self, selection: &Selection, is_page: bool, place: &str) -> String {
+        let key = format!("{is_page} {:?} {:?}", self.options, selection.steps.iter().map(key).collect::<Vec<_>>());
         if let Some(html) = self.kept.as_ref().and_then(|kept| kept.get(&key)) {
             return html;
         }
@@ -103,7 +172,8 @@ impl Told {
         if steps.clone().any(|step| !step.races.is_empty()) {
             blocks.extend(self.teller.machine(&report.machine));
         }
-        let html = html::fragment(self.teller.words(), &blocks);
+        let html = if is_page { html::page } else { html::fragment };
+        let html = html(self.teller.words(), &blocks);
         if report.failed > 0 {
             out::say(&format!(
                 "note: {place}: {} verdicts are against the lecture; the page shows them",
@@ -188,7 +258,7 @@ mod tests {
     }
 
     fn page(text: &str) -> String {
-        told().page(text, "a.md").unwrap()
+        told().page(text, "a.md").unwrap().text
     }
 
     #[test]

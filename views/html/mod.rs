@@ -44,7 +44,19 @@ const BREAK: &str = "&#10;";
 
 /// A part of a page. It has no empty line, which would end it where it stands in Markdown.
 pub fn fragment(words: Words, blocks: &[Block]) -> String {
-    let mut writer = Writer { html: String::new(), words, ids: HashSet::new() };
+    written(words, blocks, CHAPTER)
+}
+
+/// The same of a step that is a page of its own: its heading is the page's.
+pub fn page(words: Words, blocks: &[Block]) -> String {
+    written(words, blocks, CHAPTER - 1)
+}
+
+/// The level of a chapter's heading; those below it follow.
+const CHAPTER: usize = 1;
+
+fn written(words: Words, blocks: &[Block], chapter: usize) -> String {
+    let mut writer = Writer { html: String::new(), words, ids: HashSet::new(), chapter };
     writer.blocks(blocks);
     writer.html
 }
@@ -58,6 +70,8 @@ struct Writer<'a> {
     html: String,
     words: Words<'a>,
     ids: HashSet<String>,
+    /// The level of a chapter's heading.
+    chapter: usize,
 }
 
 impl Writer<'_> {
@@ -129,12 +143,13 @@ impl Writer<'_> {
     }
 
     fn heading(&mut self, heading: &Heading) {
-        let level = match heading.rank {
-            Rank::Chapter => "h1",
-            Rank::Step => "h2",
-            Rank::Entry | Rank::Part => "h3",
+        let below = match heading.rank {
+            Rank::Chapter => 0,
+            Rank::Step => 1,
+            Rank::Entry | Rank::Part => 2,
         };
-        self.line(format!("<{level}>{}</{level}>", spans(&heading.text)));
+        let level = self.chapter + below;
+        self.line(format!("<h{level}>{}</h{level}>", spans(&heading.text)));
         if let Some(address) = &heading.address {
             let rows = rows(&heading.rows);
             self.line(format!("<p><a class=\"address\" href=\"#{0}\">{0}</a>{rows}</p>", escape(address)));

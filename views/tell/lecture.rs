@@ -14,9 +14,14 @@ impl Teller<'_> {
     /// The heading of a chapter, and the prose before its first step.
     pub fn chapter(&self, chapter: &Chapter) -> Vec<Block> {
         let mut blocks = vec![self.title(chapter)];
-        let intro = chapter.prose.split("<!-- step:").next().unwrap_or_default();
-        blocks.extend(self.prose(chapter.id, intro, chapter.title));
+        blocks.extend(self.intro(chapter));
         vec![section_at(chapter.id, blocks)]
+    }
+
+    /// The prose before a chapter's first step.
+    pub fn intro(&self, chapter: &Chapter) -> Vec<Block> {
+        let intro = chapter.prose.split("<!-- step:").next().unwrap_or_default();
+        self.prose(chapter.id, intro, chapter.title)
     }
 
     /// The heading of a chapter.

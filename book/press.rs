@@ -1,0 +1,92 @@
+//! From pages to a book: the program is built, fills the pages, and mdBook sets them.
+
+use crate::Fault;
+use mdbook_driver::MDBook;
+use mdbook_driver::config::Config;
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// The folder of the book's sources.
+pub const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// Where the book goes if nothing else is said.
+pub const OUT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/out");
+
+/// Builds the book into the folder `out`, which is replaced when all of it is there.
+///
+/// # Errors
+/// Says what failed; the folder is then as it was.
+pub fn build(out: &Path) -> Result<(), Fault> {
+    if out.exists() && !is_ours(out) {
+        return Err(format!("{}: there is something else than a book; valid: another folder", out.display()));
+    }
+    let parent = out.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    fs::create_dir_all(parent).map_err(|error| format!("{}: {error}", parent.display()))?;
+    let draft = draft_in(parent)?;
+    let built = set(&program()?, &draft).and_then(|()| replace(out, &draft));
+    if built.is_err() {
+        // What is not whole is of no use to anybody.
+        let _ = fs::remove_dir_all(&draft);
+    }
+    built
+}
+
+/// Whether a folder holds a book that mdBook has set, or nothing.
+fn is_ours(folder: &Path) -> bool {
+    let is_empty = fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_none());
+    is_empty || ["index.html", "toc.html"].iter().all(|file| folder.join(file).is_file())
+}
+
+/// A folder of our own beside the one to come, so that a rename puts it there.
+fn draft_in(parent: &Path) -> Result<PathBuf, Fault> {
+    let draft = parent.join(format!(".book-{}", std::process::id()));
+    let refused = |error| format!("{}: cannot be written to: {error}", parent.display());
+    if draft.exists() {
+        fs::remove_dir_all(&draft).map_err(refused)?;
+    }
+    fs::create_dir(&draft).map_err(refused)?;
+    draft.canonicalize().map_err(refused)
+}
+
+/// Puts the draft where the book is to be.
+fn replace(out: &Path, draft: &Path) -> Result<(), Fault> {
+    let refused = |error| format!("{}: cannot be replaced: {error}", out.display());
+    if out.exists() {
+        fs::remove_dir_all(out).map_err(refused)?;
+    }
+    fs::rename(draft, out).map_err(refused)
+}
+
+/// Sets the book into a folder, its pages filled by the program at `lesson`.
+fn set(lesson: &Path, folder: &Path) -> Result<(), Fault> {
+    let told = |error: mdbook_driver::errors::Error| format!("{error:#}");
+    let mut config = Config::from_disk(Path::new(ROOT).join("book.toml")).map_err(told)?;
+    config.build.build_dir = folder.to_owned();
+    let command = lesson.to_str().ok_or_else(|| format!("{}: not a name that mdBook can run", lesson.display()))?;
+    // mdBook splits it as a shell does.
+    let command = format!("'{command}' mdbook");
+    config.set("preprocessor.lesson.command", command).map_err(told)?;
+    MDBook::load_with_config(ROOT, config).and_then(|book| book.build()).map_err(told)
+}
+
+/// The program, built if it is not up to date.
+fn program() -> Result<PathBuf, Fault> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let built = Command::new(&cargo)
+        .args(["build", "--release", "--package", "lesson", "--message-format", "json-render-diagnostics"])
+        .current_dir(ROOT)
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|error| format!("{}: {error}", Path::new(&cargo).display()))?;
+    if !built.status.success() {
+        return Err("the program `lesson` cannot be built (above)".to_owned());
+    }
+    let messages = String::from_utf8_lossy(&built.stdout);
+    let executable = messages.lines().rev().find_map(|line| {
+        let message: Value = serde_json::from_str(line).ok()?;
+        message["executable"].as_str().map(PathBuf::from)
+    });
+    executable.ok_or_else(|| "cargo does not say where the program `lesson` is".to_owned())
+}
