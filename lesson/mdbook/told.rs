@@ -173,7 +173,8 @@ impl Told {
             blocks.extend(self.teller.machine(&report.machine));
         }
         let html = if is_page { html::page } else { html::fragment };
-        let html = html(self.teller.words(), &blocks);
+        let mut html = html(self.teller.words(), &blocks);
+        html.extend(selection.steps.iter().zip(steps).filter_map(|(chosen, found)| setting(chosen, found)));
         if report.failed > 0 {
             out::say(&format!(
                 "note: {place}: {} verdicts are against the lecture; the page shows them",
@@ -204,6 +205,19 @@ impl Told {
             _ => Parts { checks: true, stress: true, races: self.options.races },
         }
     }
+}
+
+/// What a step was told at, for a page whose figures answer; None if it has none, or nothing can be set.
+fn setting(chosen: &Chosen, found: &StepReport) -> Option<String> {
+    let has_figures = chosen.step.exhibit.figures.iter().any(|figure| chosen.wants(figure.id));
+    // A text that ends the element would end it.
+    let setting = serde_json::to_string(&found.setting).ok()?.replace("</", "<\\/");
+    (has_figures && !found.setting.is_empty()).then(|| {
+        format!(
+            "<script type=\"application/json\" class=\"lesson-setting\" data-step=\"{}\">{setting}</script>\n",
+            found.address
+        )
+    })
 }
 
 /// What decides how a step is told.
