@@ -1,6 +1,7 @@
 //! The course as pages. The program `lesson` fills the pages of `book/pages`, mdBook sets them; a book is put in its place when
 //! it is whole.
 
+mod modules;
 mod press;
 mod serve;
 
@@ -14,6 +15,9 @@ use std::process::ExitCode;
 struct Cli {
     #[command(subcommand)]
     command: Command,
+    /// A folder with the figures' modules; without it they are built, if this toolchain can.
+    #[arg(long, value_name = "DIR", global = true)]
+    modules: Option<PathBuf>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -36,9 +40,13 @@ enum Command {
 type Fault = String;
 
 fn main() -> ExitCode {
-    let done = match Cli::parse().command {
-        Command::Build { out } => press::build(&out).map(|()| println!("{}", out.join("index.html").display())),
-        Command::Serve { port } => serve::serve(port),
+    let Cli { command, modules } = Cli::parse();
+    let modules = modules.as_deref();
+    let done = match command {
+        Command::Build { out } => {
+            press::build(&out, modules).map(|()| println!("{}", out.join("index.html").display()))
+        }
+        Command::Serve { port } => serve::serve(port, modules),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

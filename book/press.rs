@@ -1,9 +1,10 @@
 //! From pages to a book: the program is built, fills the pages, and mdBook sets them.
 
-use crate::Fault;
+use crate::{Fault, modules};
 use mdbook_driver::MDBook;
 use mdbook_driver::config::Config;
 use serde_json::Value;
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -14,18 +15,21 @@ pub const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 /// Where the book goes if nothing else is said.
 pub const OUT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/out");
 
-/// Builds the book into the folder `out`, which is replaced when all of it is there.
+/// Builds the book into the folder `out`, which is replaced when all of it is there; `modules` is the folder that has those of
+/// the figures, if they are not to be built.
 ///
 /// # Errors
 /// Says what failed; the folder is then as it was.
-pub fn build(out: &Path) -> Result<(), Fault> {
+pub fn build(out: &Path, modules: Option<&Path>) -> Result<(), Fault> {
     if out.exists() && !is_ours(out) {
         return Err(format!("{}: there is something else than a book; valid: another folder", out.display()));
     }
     let parent = out.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
     fs::create_dir_all(parent).map_err(|error| format!("{}: {error}", parent.display()))?;
+    let lesson = program()?;
+    let modules = modules::found(modules)?;
     let draft = draft_in(parent)?;
-    let built = set(&program()?, &draft).and_then(|()| replace(out, &draft));
+    let built = set(&lesson, &draft).and_then(|()| put(&modules, &draft)).and_then(|()| replace(out, &draft));
     if built.is_err() {
         // What is not whole is of no use to anybody.
         let _ = fs::remove_dir_all(&draft);
@@ -50,6 +54,17 @@ fn draft_in(parent: &Path) -> Result<PathBuf, Fault> {
     draft.canonicalize().map_err(refused)
 }
 
+/// Puts the figures' modules into the book.
+fn put(modules: &[PathBuf], book: &Path) -> Result<(), Fault> {
+    let folder = book.join("modules");
+    let refused = |error| format!("{}: {error}", folder.display());
+    fs::create_dir_all(&folder).map_err(refused)?;
+    modules.iter().try_for_each(|module| {
+        let name = module.file_name().unwrap_or_default();
+        fs::copy(module, folder.join(name)).map(|_| ()).map_err(refused)
+    })
+}
+
 /// Puts the draft where the book is to be.
 fn replace(out: &Path, draft: &Path) -> Result<(), Fault> {
     let refused = |error| format!("{}: cannot be replaced: {error}", out.display());
@@ -71,15 +86,19 @@ fn set(lesson: &Path, folder: &Path) -> Result<(), Fault> {
     MDBook::load_with_config(ROOT, config).and_then(|book| book.build()).map_err(told)
 }
 
+/// The cargo that runs us, or the one there is.
+pub fn cargo() -> OsString {
+    std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
+}
+
 /// The program, built if it is not up to date.
 fn program() -> Result<PathBuf, Fault> {
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let built = Command::new(&cargo)
+    let built = Command::new(cargo())
         .args(["build", "--release", "--package", "lesson", "--message-format", "json-render-diagnostics"])
         .current_dir(ROOT)
         .stderr(Stdio::inherit())
         .output()
-        .map_err(|error| format!("{}: {error}", Path::new(&cargo).display()))?;
+        .map_err(|error| format!("cargo: {error}"))?;
     if !built.status.success() {
         return Err("the program `lesson` cannot be built (above)".to_owned());
     }

@@ -17,12 +17,12 @@ const WAIT: Duration = Duration::from_millis(500);
 ///
 /// # Errors
 /// Says why there is no book or no port.
-pub fn serve(port: u16) -> Result<(), Fault> {
+pub fn serve(port: u16, modules: Option<&Path>) -> Result<(), Fault> {
     // A port in use is found before anything is built.
     let server = Server::http(("127.0.0.1", port))
         .map_err(|error| format!("port {port}: {error}; valid: another one, or 0 for any that is free"))?;
     let mut built = newest();
-    press::build(Path::new(OUT))?;
+    press::build(Path::new(OUT), modules)?;
     println!("http://{}/", server.server_addr());
     std::thread::scope(|scope| {
         scope.spawn(|| server.incoming_requests().for_each(answer));
@@ -31,7 +31,7 @@ pub fn serve(port: u16) -> Result<(), Fault> {
             let now = newest();
             if now != built {
                 built = now;
-                match press::build(Path::new(OUT)) {
+                match press::build(Path::new(OUT), modules) {
                     Ok(()) => eprintln!("built again"),
                     Err(fault) => eprintln!("error: {fault}"),
                 }

@@ -1,0 +1,263 @@
+//! The book in a real browser: what a reader without any other host gets to see.
+//!
+//! `cargo test --release -p book --test browser` builds the book first. Chromium and its driver must be installed
+//! (`apt-get install chromium chromium-driver`); without them nothing is tried, but where `CI` is set that fails. `LESSON_WASM` may
+//! name a folder with the figures' modules.
+
+mod driver;
+
+use driver::Browser;
+use libtest_mimic::{Arguments, Failed, Trial};
+use serde_json::{Value, json};
+use std::collections::{HashMap, HashSet};
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitCode, Stdio};
+use std::sync::Arc;
+
+/// The book, shown by the program that builds it.
+struct Book {
+    server: Child,
+    url: String,
+}
+
+impl Book {
+    fn serve() -> Self {
+        let mut server = Command::new(env!("CARGO_BIN_EXE_book"))
+            .args(["serve", "--port", "0"])
+            .args(std::env::var_os("LESSON_WASM").into_iter().flat_map(|folder| ["--modules".into(), folder]))
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("the program of the book runs");
+        let told = BufReader::new(server.stdout.take().expect("piped"));
+        let url = told.lines().map_while(Result::ok).find(|line| line.starts_with("http://"));
+        let url = url.expect("the book is built, and where it is shown is said");
+        Self { server, url }
+    }
+}
+
+impl Drop for Book {
+    fn drop(&mut self) {
+        let _ = self.server.kill();
+        let _ = self.server.wait();
+    }
+}
+
+fn main() -> ExitCode {
+    let arguments = Arguments::from_args();
+    let Some(browser) = Browser::start() else {
+        println!("skipped: no chromedriver on this machine");
+        return if std::env::var("CI").is_ok_and(|ci| ci == "true") { ExitCode::FAILURE } else { ExitCode::SUCCESS };
+    };
+    drop(browser);
+    let book = Arc::new(Book::serve());
+    let tests: [(&str, fn(&Book) -> Result<(), String>); 5] = [
+        ("pages_are_whole", pages_are_whole),
+        ("links_lead_somewhere", links_lead_somewhere),
+        ("nothing_is_wider_than_a_phone", nothing_is_wider_than_a_phone),
+        ("figures_answer", figures_answer),
+        ("without_modules_figures_stay", without_modules_figures_stay),
+    ];
+    let trials = tests.map(|(name, test)| {
+        let book = Arc::clone(&book);
+        Trial::test(name, move || test(&book).map_err(Failed::from))
+    });
+    let conclusion = libtest_mimic::run(&arguments, trials.into());
+    drop(book);
+    conclusion.exit_code()
+}
+
+fn browser() -> Browser {
+    Browser::start().expect("there was one")
+}
+
+/// The folder that the book was built into.
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("out")
+}
+
+/// Every page, from the book's root; the one for printing is all of them once more.
+fn pages() -> Vec<String> {
+    fn collect(folder: &Path, pages: &mut Vec<PathBuf>) {
+        for entry in std::fs::read_dir(folder).expect("there").flatten() {
+            let path = entry.path();
+            if path.is_dir() {
+                collect(&path, pages);
+            } else if path.extension().is_some_and(|extension| extension == "html") {
+                pages.push(path);
+            }
+        }
+    }
+    let mut found = Vec::new();
+    collect(&folder(), &mut found);
+    let names = found.iter().map(|path| path.strip_prefix(folder()).expect("inside").display().to_string());
+    let mut names: Vec<String> =
+        names.filter(|name| !["404.html", "toc.html", "print.html"].contains(&&**name)).collect();
+    names.sort();
+    names
+}
+
+/// Lets a judgement fall on every page, and names those where it falls.
+fn everywhere(book: &Book, judge: impl Fn(&Browser, &str) -> Result<(), String>) -> Result<(), String> {
+    let browser = browser();
+    browser.resize(1280, 900);
+    let faults = pages().into_iter().filter_map(|page| {
+        browser.load(&format!("{}{page}", book.url));
+        judge(&browser, &page).err().map(|fault| format!("{page}: {fault}"))
+    });
+    let faults: Vec<String> = faults.collect();
+    if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }
+}
+
+/// No message of the console, nothing from another host, and mathematics that can be seen.
+fn pages_are_whole(book: &Book) -> Result<(), String> {
+    assert!(pages().len() > 80, "a page for each step: {:?}", pages());
+    everywhere(book, |browser, _| {
+        let said = browser.log("browser");
+        if !said.is_empty() {
+            return Err(format!("the console says {said:?}"));
+        }
+        let own = |url: &String| url.starts_with(&book.url) || url.starts_with("data:");
+        if let Some(foreign) = browser.requests().into_iter().find(|url| !own(url)) {
+            return Err(format!("asks for {foreign}"));
+        }
+        let unseen = browser.run(
+            "document.querySelectorAll('details').forEach((fold) => fold.open = true);
+             await document.fonts.ready;
+             const seen = (math) => { const box = math.getBoundingClientRect(); return box.width > 2 && box.height > 2; };
+             const all = [...document.querySelectorAll('main math')];
+             const fonts = [...document.fonts].filter((font) => font.family.includes('Lesson Math'));
+             return {unseen: all.filter((math) => !seen(math)).length, all: all.length,
+                     font: fonts.some((font) => font.status === 'loaded'),
+                     h1: document.querySelectorAll('main h1').length};",
+            json!([]),
+        );
+        match &unseen {
+            found if found["unseen"] != 0 => Err(format!("{} equations without size", found["unseen"])),
+            found if found["all"] != 0 && found["font"] == false => {
+                Err("the font for mathematics is not used".to_owned())
+            }
+            found if found["h1"] != 1 => Err(format!("{} headings of the first rank", found["h1"])),
+            _ => Ok(()),
+        }
+    })
+}
+
+/// Every link and every anchor within the book, read as the browser reads them.
+fn links_lead_somewhere(book: &Book) -> Result<(), String> {
+    let mut ids: HashMap<String, HashSet<String>> = HashMap::new();
+    let mut links: Vec<(String, String)> = Vec::new();
+    let browser = browser();
+    for page in pages() {
+        browser.load(&format!("{}{page}", book.url));
+        let found = browser.run(
+            "return {ids: [...document.querySelectorAll('[id]')].map((element) => element.id),
+                     links: [...document.querySelectorAll('main a[href], nav a[href]')].map((link) => link.href)};",
+            json!([]),
+        );
+        let texts = |list: &Value| -> Vec<String> {
+            list.as_array().into_iter().flatten().filter_map(Value::as_str).map(str::to_owned).collect()
+        };
+        let own = texts(&found["ids"]);
+        let distinct: HashSet<String> = own.iter().cloned().collect();
+        if own.len() != distinct.len() {
+            let twice = own.iter().find(|id| own.iter().filter(|other| other == id).count() > 1);
+            return Err(format!("{page}: the id {twice:?} stands there twice"));
+        }
+        ids.insert(page.clone(), distinct);
+        links.extend(texts(&found["links"]).into_iter().map(|link| (page.clone(), link)));
+    }
+    let lost = links.iter().filter(|(_, link)| {
+        let Some(inside) = link.strip_prefix(&book.url) else { return link.starts_with("http://127.0.0.1") };
+        let (path, anchor) = inside.split_once('#').unwrap_or((inside, ""));
+        let path = path.split('?').next().unwrap_or_default();
+        let path = if path.is_empty() { "index.html" } else { path };
+        let found = if path == "print.html" { return !folder().join(path).is_file() } else { ids.get(path) };
+        found.is_none_or(|ids| !anchor.is_empty() && !ids.contains(anchor))
+    });
+    let lost: Vec<String> = lost.map(|(page, link)| format!("{page}: {link}")).collect();
+    if lost.is_empty() { Ok(()) } else { Err(lost.join("\n")) }
+}
+
+/// A page of 360 px scrolls in one direction.
+fn nothing_is_wider_than_a_phone(book: &Book) -> Result<(), String> {
+    let browser = browser();
+    browser.resize(360, 740);
+    let faults = pages().into_iter().filter_map(|page| {
+        browser.load(&format!("{}{page}", book.url));
+        let found = browser.run(
+            "const width = document.documentElement.clientWidth;
+             const wide = [...document.querySelectorAll('main > *, main section > *')]
+                 .find((element) => element.getBoundingClientRect().right > width + 1);
+             return {scroll: document.documentElement.scrollWidth - width,
+                     wide: wide ? wide.outerHTML.slice(0, 120) : null};",
+            json!([]),
+        );
+        let fits = found["scroll"].as_i64().is_some_and(|beyond| beyond <= 1) && found["wide"].is_null();
+        (!fits).then(|| format!("{page}: {found}"))
+    });
+    let faults: Vec<String> = faults.collect();
+    if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }
+}
+
+/// What is typed changes the figure, what is wrong is said, and the link says what was set.
+fn figures_answer(book: &Book) -> Result<(), String> {
+    if !folder().join("modules/fresnel.wasm").is_file() {
+        println!("skipped: the book has no modules");
+        return Ok(());
+    }
+    let browser = browser();
+    let set = |name: &str, text: &str| {
+        browser.run(
+            "const [says, text] = given;
+             const row = [...document.querySelectorAll('.live-row')].find((row) => row.textContent.includes(says));
+             const typed = row.querySelector('input[type=text], select');
+             typed.value = text;
+             typed.dispatchEvent(new Event('change'));
+             const busy = () => document.querySelector('figure.drawing');
+             do await new Promise((done) => setTimeout(done, 20)); while (busy());
+             return {svg: document.querySelector('figure.plot svg').outerHTML,
+                     status: document.querySelector('.live-status').textContent, link: location.search};",
+            json!([name, text]),
+        )
+    };
+    let page = format!("{}fresnel/natural.html", book.url);
+    browser.load(&page);
+    let still = browser.run("return document.querySelector('figure.plot svg').outerHTML;", json!([]));
+    let gold = set("behind the interface", "gold");
+    if gold["svg"] == still || gold["status"] != "" {
+        return Err(format!("gold changes nothing: {}", gold["status"]));
+    }
+    let wrong = set("behind the interface", "<b>cheese</b>");
+    let status = wrong["status"].as_str().unwrap_or_default();
+    if !status.contains("n_t") || browser.run("return !!document.querySelector('.live-status b');", json!([])) == true {
+        return Err(format!("to what is wrong it says {status:?}"));
+    }
+    browser.load(&format!("{page}?at=fresnel%2Fnatural&n_t=gold"));
+    let linked = set("behind the interface", "gold");
+    if linked["svg"] != gold["svg"] {
+        return Err("the link shows something else".to_owned());
+    }
+    Ok(())
+}
+
+/// A module that is damaged leaves the figure as it was, and that is said.
+fn without_modules_figures_stay(book: &Book) -> Result<(), String> {
+    let browser = browser();
+    browser.load(&format!("{}fresnel/natural.html", book.url));
+    let found = browser.run(
+        "const still = document.querySelector('figure.plot svg').outerHTML;
+         window.fetch = async () => new Response(new Uint8Array([0, 97, 115, 109, 9, 9]), {headers: {'Content-Type': 'application/wasm'}});
+         const typed = document.querySelector('.live-row input[type=text]');
+         typed.value = '1.2';
+         typed.dispatchEvent(new Event('change'));
+         const status = document.querySelector('.live-status');
+         for (let wait = 0; wait < 100 && status.textContent === ''; wait += 1) await new Promise((done) => setTimeout(done, 20));
+         return {same: document.querySelector('figure.plot svg').outerHTML === still, status: status.textContent,
+                 busy: !!document.querySelector('figure.drawing')};",
+        json!([]),
+    );
+    let stays = found["same"] == true && found["busy"] == false;
+    let says = found["status"].as_str().is_some_and(|status| status.contains("they stay as the book has them"));
+    if stays && says { Ok(()) } else { Err(found.to_string()) }
+}
