@@ -47,6 +47,8 @@ pub struct Options {
     races: bool,
     /// Whether what was put into a book is kept for the next time that it is built.
     cache: bool,
+    /// Whether there is no book when a verdict is against the lecture; otherwise the page shows it.
+    strict: bool,
 }
 
 /// Whether pages of a renderer can show what is put into them: exit code 0 or 1, as mdBook asks.
@@ -154,16 +156,17 @@ fn place(chapter: &Map<String, Value>, source: &str) -> String {
 
 /// What the book asks of us.
 fn options(context: &Value) -> Result<Options, Stop> {
-    let mut options = Options { races: true, cache: true };
+    let mut options = Options { races: true, cache: true, strict: false };
     let Some(table) = context["config"]["preprocessor"]["lesson"].as_object() else { return Ok(options) };
     for (key, value) in table {
         let option = match key.as_str() {
             "races" => &mut options.races,
             "cache" => &mut options.cache,
+            "strict" => &mut options.strict,
             key if MDBOOKS.contains(&key) => continue,
             key => {
                 let place = format!("book.toml: {TABLE}.{}", excerpt(key));
-                return Err(Fault::unknown(place, key, "no such key", ["races", "cache"]).into());
+                return Err(Fault::unknown(place, key, "no such key", ["races", "cache", "strict"]).into());
             }
         };
         let place = || Stop::at(format!("book.toml: {TABLE}.{key}"), "valid: true or false");

@@ -99,7 +99,7 @@ impl Told {
         let html = match directive.kind {
             Kind::Coverage => rows::table(),
             Kind::Chapters => self.chapters(),
-            Kind::Part => self.told(&self.selected(&parts, &changes, place)?, false, place),
+            Kind::Part => self.told(&self.selected(&parts, &changes, place)?, false, place)?,
             Kind::Steps => {
                 let selection = self.selected(&parts, &changes, place)?;
                 let Selection { steps } = &selection;
@@ -107,7 +107,9 @@ impl Told {
                 if steps.len() != chapter.steps.len() {
                     return Err(Stop::at(parts.join("/"), "only a chapter has steps"));
                 }
-                filled.below.extend(selection.steps.into_iter().map(|step| self.below(step, place)));
+                for step in selection.steps {
+                    filled.below.push(self.below(step, place)?);
+                }
                 self.contents(chapter)
             }
         };
@@ -149,18 +151,18 @@ impl Told {
     }
 
     /// A page for a step.
-    fn below(&self, step: Chosen, place: &str) -> Below {
+    fn below(&self, step: Chosen, place: &str) -> Result<Below, Stop> {
         let (name, title) = (step.step.id, self.teller.phrase(&step.address(), "title", step.step.title).to_string());
-        let html = self.told(&Selection { steps: vec![step] }, true, place);
+        let html = self.told(&Selection { steps: vec![step] }, true, place)?;
         let mut ids = HashSet::new();
-        Below { name, title, text: once(&html, &mut ids), ids }
+        Ok(Below { name, title, text: once(&html, &mut ids), ids })
     }
 
     /// The selected steps or the item as HTML; `is_page`, the one step is a page of its own.
-    fn told(&self, selection: &Selection, is_page: bool, place: &str) -> String {
+    fn told(&self, selection: &Selection, is_page: bool, place: &str) -> Result<String, Stop> {
         let key = format!("{is_page} {:?} {:?}", self.options, selection.steps.iter().map(key).collect::<Vec<_>>());
         if let Some(html) = self.kept.as_ref().and_then(|kept| kept.get(&key)) {
-            return html;
+            return Ok(html);
         }
         let report = run::run(selection, self.parts(selection), &Progress::new());
         let steps = report.chapters.iter().flat_map(|chapter| &chapter.steps);
@@ -175,15 +177,11 @@ impl Told {
         let html = if is_page { html::page } else { html::fragment };
         let mut html = html(self.teller.words(), &blocks);
         html.extend(selection.steps.iter().zip(steps).filter_map(|(chosen, found)| setting(chosen, found)));
-        if report.failed > 0 {
-            out::say(&format!(
-                "note: {place}: {} verdicts are against the lecture; the page shows them",
-                report.failed
-            ));
-        } else if let Some(kept) = &self.kept {
-            kept.put(&key, &html);
+        match report.failed {
+            0 => self.kept.iter().for_each(|kept| kept.put(&key, &html)),
+            failed => against(failed, self.options.strict, place)?,
         }
-        html
+        Ok(html)
     }
 
     /// All of a step, or the one item of it that is chosen.
@@ -205,6 +203,16 @@ impl Told {
             _ => Parts { checks: true, stress: true, races: self.options.races },
         }
     }
+}
+
+/// What is done about verdicts against the lecture.
+fn against(failed: usize, strict: bool, place: &str) -> Result<(), Stop> {
+    let says = format!("{failed} verdicts are against the lecture");
+    if strict {
+        return Err(Stop::at(says, "there is no book of it, since book.toml has `strict = true`"));
+    }
+    out::say(&format!("note: {place}: {says}; the page shows them"));
+    Ok(())
 }
 
 /// What a step was told at, for a page whose figures answer; None if it has none, or nothing can be set.
@@ -268,7 +276,7 @@ mod tests {
     use super::*;
 
     fn told() -> Told {
-        Told::new(Options { races: false, cache: false })
+        Told::new(Options { races: false, cache: false, strict: true })
     }
 
     fn page(text: &str) -> String {
@@ -295,6 +303,13 @@ mod tests {
             let page = page(&format!("{{{{#lesson {address}}}}}"));
             assert!(page.contains(sign), "{address}: {page}");
         }
+    }
+
+    #[test]
+    fn a_strict_book_has_no_verdict_against_the_lecture() {
+        assert!(against(1, false, "a.md:1").is_ok());
+        let refused = against(2, true, "a.md:1").expect_err("strict").to_string();
+        assert!(refused.starts_with("2 verdicts are against the lecture: "), "{refused}");
     }
 
     #[test]
