@@ -112,6 +112,7 @@ macro_rules! pack {
             #[inline(always)]
             fn transposed<const K: usize>(rows: &[[f32; K]; $count]) -> [Self; K] {
                 let mut columns = [$pack([0.0; $count]); K];
+                #[cfg_attr(not(any(target_arch = "x86", target_arch = "x86_64")), allow(unused_mut))]
                 let mut start = 0;
                 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
                 if let Some(avx2) = super::avx2() {

@@ -1,8 +1,8 @@
 //! A browser without a window, driven by WebDriver (W3C, *WebDriver*, 2018).
 
 use serde_json::{Value, json};
-use std::io::{BufRead, BufReader};
-use std::process::{Child, Command, Stdio};
+use std::io::{BufRead, BufReader, Read};
+use std::process::{Child, ChildStdout, Command, Stdio};
 use std::time::Duration;
 
 /// What a browser that is driven must not do by itself, and how it runs on a machine without a screen.
@@ -20,6 +20,8 @@ const FLAGS: [&str; 8] = [
 /// A browser with a profile of its own, ended when this is dropped.
 pub struct Browser {
     driver: Child,
+    /// Kept, since what writes to a pipe that nobody has ends.
+    _told: BufReader<ChildStdout>,
     session: String,
     agent: ureq::Agent,
 }
@@ -29,17 +31,17 @@ impl Browser {
     pub fn start() -> Option<Self> {
         let mut driver =
             Command::new("chromedriver").arg("--port=0").stdout(Stdio::piped()).stderr(Stdio::null()).spawn().ok()?;
-        let told = BufReader::new(driver.stdout.take().expect("piped"));
-        let port = told.lines().map_while(Result::ok).find_map(|line| {
+        let mut told = BufReader::new(driver.stdout.take().expect("piped"));
+        let port = told.by_ref().lines().map_while(Result::ok).find_map(|line| {
             line.split_once("successfully on port ").map(|(_, port)| port.trim_end_matches('.').to_owned())
         });
         let port = port.expect("chromedriver says its port");
         let agent = ureq::Agent::config_builder()
-            .timeout_global(Some(Duration::from_secs(120)))
+            .timeout_global(Some(Duration::from_secs(300)))
             .http_status_as_error(false)
             .build()
             .new_agent();
-        let mut browser = Self { driver, session: String::new(), agent };
+        let mut browser = Self { driver, _told: told, session: String::new(), agent };
         let address = format!("http://127.0.0.1:{port}/session");
         let asked = json!({"capabilities": {"alwaysMatch": {
             "goog:chromeOptions": {"args": FLAGS},

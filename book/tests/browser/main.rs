@@ -10,14 +10,16 @@ use driver::Browser;
 use libtest_mimic::{Arguments, Failed, Trial};
 use serde_json::{Value, json};
 use std::collections::{HashMap, HashSet};
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, ExitCode, Stdio};
+use std::process::{Child, ChildStdout, Command, ExitCode, Stdio};
 use std::sync::Arc;
 
 /// The book, shown by the program that builds it.
 struct Book {
     server: Child,
+    /// Kept, since what writes to a pipe that nobody has ends.
+    _told: BufReader<ChildStdout>,
     url: String,
 }
 
@@ -29,10 +31,10 @@ impl Book {
             .stdout(Stdio::piped())
             .spawn()
             .expect("the program of the book runs");
-        let told = BufReader::new(server.stdout.take().expect("piped"));
-        let url = told.lines().map_while(Result::ok).find(|line| line.starts_with("http://"));
+        let mut told = BufReader::new(server.stdout.take().expect("piped"));
+        let url = told.by_ref().lines().map_while(Result::ok).find(|line| line.starts_with("http://"));
         let url = url.expect("the book is built, and where it is shown is said");
-        Self { server, url }
+        Self { server, _told: told, url }
     }
 }
 
