@@ -95,7 +95,8 @@ pub struct Text {
     pub size: f32,
     /// Whether it runs upwards rather than to the right.
     pub upwards: bool,
-    /// What of it stands where it was placed.
+    /// What of it stands where it was placed: who draws letters at widths of their own asks for it.
+    #[cfg_attr(not(feature = "png"), allow(dead_code))]
     pub along: Across,
     /// Its colour.
     pub paint: Paint,
