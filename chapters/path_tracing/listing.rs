@@ -36,7 +36,7 @@ const fn with_listings<const N: usize>(text: &str) -> ([u8; N], usize) {
         length = appended(&mut filled, length, text, at, mark);
         length = appended(&mut filled, length, FENCE[0], 0, FENCE[0].len());
         let (code, from, to) = listing(text, name, end);
-        length = appended(&mut filled, length, code, from, to);
+        length = outdented(&mut filled, length, code, from, to);
         length = appended(&mut filled, length, FENCE[1], 0, FENCE[1].len());
         at = end + END.len();
     }
@@ -52,7 +52,12 @@ const fn listing(text: &[u8], name: usize, end: usize) -> (&'static [u8], usize,
         if known.len() == end - name && is_at(text, known, name) {
             let mark = find(source, b"// ANCHOR: ", 0).expect("an anchor");
             let from = find(source, b"\n", mark).expect("a line") + 1;
-            return (source, from, find(source, b"// ANCHOR_END: ", from).expect("an anchor's end"));
+            // The end's line is indented as the code is.
+            let mut to = find(source, b"// ANCHOR_END: ", from).expect("an anchor's end");
+            while source[to - 1] != b'\n' {
+                to -= 1;
+            }
+            return (source, from, to);
         }
         k += 1;
     }
@@ -92,6 +97,25 @@ const fn appended<const N: usize>(to: &mut [u8; N], length: usize, from: &[u8], 
     length + end - start
 }
 
+/// Copies lines of code as [`appended`] does, without what the first of them is indented by.
+const fn outdented<const N: usize>(to: &mut [u8; N], length: usize, from: &[u8], start: usize, end: usize) -> usize {
+    let mut indent = 0;
+    while from[start + indent] == b' ' {
+        indent += 1;
+    }
+    let (mut length, mut line) = (length, start);
+    while line < end {
+        let next = find(from, b"\n", line).expect("a line's end") + 1;
+        let mut code = line;
+        while code - line < indent && from[code] == b' ' {
+            code += 1;
+        }
+        length = appended(to, length, from, code, next);
+        line = next;
+    }
+    length
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -106,5 +130,17 @@ mod tests {
             "{filled}"
         );
         assert!(!filled.contains("ANCHOR"));
+    }
+
+    #[test]
+    fn every_listing_begins_and_ends_at_the_margin() {
+        const TEXT: &str = "<!-- listing: interpolation -->\n\nafter";
+        const FILLED: [u8; length(TEXT)] = filled(TEXT);
+        let filled = std::str::from_utf8(&FILLED).expect("text");
+        assert!(filled.starts_with("```rust\n///") && filled.ends_with("\n}\n```\n\nafter"), "{filled}");
+        // So that what follows is text again.
+        let prose = crate::path_tracing::CHAPTER.prose;
+        let fences: Vec<&str> = prose.lines().filter(|line| line.contains("```")).collect();
+        assert!(fences.len() >= 2 * SHOWN.len() && fences.iter().all(|line| line.starts_with("```")), "{fences:?}");
     }
 }

@@ -30,6 +30,6 @@ fn row(Coverage { row, steps, met, missing }: &Coverage) -> String {
         row.id,
         html::inline(&Phrase::parse(row.states)),
         letters(met),
-        steps.iter().map(link).collect::<Vec<_>>().join(" ")
+        steps.iter().map(link).collect::<Vec<_>>().join("<br/>")
     )
 }
