@@ -29,7 +29,7 @@ pub fn build(out: &Path, modules: Option<&Path>) -> Result<(), Fault> {
     let lesson = program()?;
     let modules = modules::found(modules)?;
     let draft = draft_in(parent)?;
-    let built = set(&lesson, &draft).and_then(|()| put(&modules, &draft)).and_then(|()| replace(out, &draft));
+    let built = set(&lesson, &modules, &draft).and_then(|()| put(&modules, &draft)).and_then(|()| replace(out, &draft));
     if built.is_err() {
         // What is not whole is of no use to anybody.
         let _ = fs::remove_dir_all(&draft);
@@ -74,8 +74,8 @@ fn replace(out: &Path, draft: &Path) -> Result<(), Fault> {
     fs::rename(draft, out).map_err(refused)
 }
 
-/// Sets the book into a folder, its pages filled by the program at `lesson`.
-fn set(lesson: &Path, folder: &Path) -> Result<(), Fault> {
+/// Sets the book into a folder, its pages filled by the program at `lesson`, the figures of chapters with modules ready to answer.
+fn set(lesson: &Path, modules: &[PathBuf], folder: &Path) -> Result<(), Fault> {
     let told = |error: mdbook_driver::errors::Error| format!("{error:#}");
     let mut config = Config::from_disk(Path::new(ROOT).join("book.toml")).map_err(told)?;
     config.build.build_dir = folder.to_owned();
@@ -83,6 +83,8 @@ fn set(lesson: &Path, folder: &Path) -> Result<(), Fault> {
     // mdBook splits it as a shell does.
     let command = format!("'{command}' mdbook");
     config.set("preprocessor.lesson.command", command).map_err(told)?;
+    let live: Vec<_> = modules.iter().filter_map(|module| module.file_stem()?.to_str()).collect();
+    config.set("preprocessor.lesson.live", live).map_err(told)?;
     MDBook::load_with_config(ROOT, config).and_then(|book| book.build()).map_err(told)
 }
 

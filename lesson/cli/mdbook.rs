@@ -12,6 +12,7 @@ In book.toml:
   races = true        # error against run time, measured where the book is built
   cache = true        # what was computed is kept for the next build
   strict = false      # true: no book when a verdict is against the lecture
+  live = []           # chapters whose modules the book brings: figures answer
 
 In a page, on a line of its own, a chapter, a step or an item of one; within a
 line a number that a step computes; behind it what is set:

@@ -21,6 +21,7 @@ mod told;
 
 use crate::out;
 use crate::stop::Stop;
+use chapters::CURRICULUM;
 use chapters::parameter::{Fault, excerpt};
 use links::Links;
 use serde_json::{Map, Value, json};
@@ -41,7 +42,7 @@ const TABLE: &str = "preprocessor.lesson";
 const MDBOOKS: [&str; 6] = ["command", "before", "after", "renderer", "renderers", "optional"];
 
 /// What a book may ask of us.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Options {
     /// Whether races are run: error against run time, on the machine that builds the book.
     races: bool,
@@ -49,6 +50,8 @@ pub struct Options {
     cache: bool,
     /// Whether there is no book when a verdict is against the lecture; otherwise the page shows it.
     strict: bool,
+    /// The chapters whose modules the book brings, so that their figures can answer.
+    live: Vec<String>,
 }
 
 /// Whether pages of a renderer can show what is put into them: exit code 0 or 1, as mdBook asks.
@@ -156,23 +159,31 @@ fn place(chapter: &Map<String, Value>, source: &str) -> String {
 
 /// What the book asks of us.
 fn options(context: &Value) -> Result<Options, Stop> {
-    let mut options = Options { races: true, cache: true, strict: false };
+    let mut options = Options { races: true, cache: true, strict: false, live: Vec::new() };
     let Some(table) = context["config"]["preprocessor"]["lesson"].as_object() else { return Ok(options) };
     for (key, value) in table {
-        let option = match key.as_str() {
-            "races" => &mut options.races,
-            "cache" => &mut options.cache,
-            "strict" => &mut options.strict,
-            key if MDBOOKS.contains(&key) => continue,
+        let refused = |valid: &str| Stop::at(format!("book.toml: {TABLE}.{key}"), format!("valid: {valid}"));
+        let flag = || value.as_bool().ok_or_else(|| refused("true or false"));
+        match key.as_str() {
+            "races" => options.races = flag()?,
+            "cache" => options.cache = flag()?,
+            "strict" => options.strict = flag()?,
+            "live" => options.live = live(value).ok_or_else(|| refused("a list of chapters"))?,
+            key if MDBOOKS.contains(&key) => {}
             key => {
                 let place = format!("book.toml: {TABLE}.{}", excerpt(key));
-                return Err(Fault::unknown(place, key, "no such key", ["races", "cache", "strict"]).into());
+                return Err(Fault::unknown(place, key, "no such key", ["races", "cache", "strict", "live"]).into());
             }
-        };
-        let place = || Stop::at(format!("book.toml: {TABLE}.{key}"), "valid: true or false");
-        *option = value.as_bool().ok_or_else(place)?;
+        }
     }
     Ok(options)
+}
+
+/// A list of chapters.
+fn live(value: &Value) -> Option<Vec<String>> {
+    let is_known = |name: &&str| CURRICULUM.iter().any(|chapter| chapter.id == *name);
+    let name = |value: &Value| value.as_str().filter(is_known).map(str::to_owned);
+    value.as_array()?.iter().map(name).collect()
 }
 
 #[cfg(test)]
@@ -269,6 +280,23 @@ mod tests {
         assert!(key.starts_with("book.toml: preprocessor.lesson.race: no such key (did you mean `races`?)"), "{key}");
         let kind = fault(["", ""], json!({"races": "yes"}));
         assert_eq!(kind, "book.toml: preprocessor.lesson.races: valid: true or false");
+        for live in [json!("fresnel"), json!(["fresnell"]), json!([1])] {
+            let refused = fault(["", ""], json!({"live": live}));
+            assert_eq!(refused, "book.toml: preprocessor.lesson.live: valid: a list of chapters");
+        }
+    }
+
+    #[test]
+    fn figures_answer_where_the_book_brings_their_modules() {
+        let pages = ["{{#lesson fresnel/brewster/zero_of_r_p}}", "{{#lesson poynting/mean}}"];
+        let table = json!({"races": false, "cache": false, "live": ["fresnel"]});
+        let filled: Value = serde_json::from_str(&filled(&book("items", pages, table)).unwrap()).unwrap();
+        let chapter = &filled["items"][1]["Chapter"];
+        let text = chapter["content"].as_str().unwrap();
+        let setting = text.split_once("class=\"lesson-setting\" data-step=\"fresnel/brewster\">").expect(text).1;
+        let setting: Value = serde_json::from_str(setting.split("</script>").next().unwrap()).unwrap();
+        assert_eq!(setting[1]["name"], "n_t");
+        assert!(!chapter["sub_items"][0]["Chapter"]["content"].as_str().unwrap().contains("<script"));
     }
 
     #[test]

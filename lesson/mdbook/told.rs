@@ -176,7 +176,9 @@ impl Told {
         }
         let html = if is_page { html::page } else { html::fragment };
         let mut html = html(self.teller.words(), &blocks);
-        html.extend(selection.steps.iter().zip(steps).filter_map(|(chosen, found)| setting(chosen, found)));
+        let is_live = |(chosen, _): &(&Chosen, _)| self.options.live.iter().any(|live| live == chosen.chapter.id);
+        let live = selection.steps.iter().zip(steps).filter(is_live);
+        html.extend(live.filter_map(|(chosen, found)| setting(chosen, found)));
         match report.failed {
             0 => self.kept.iter().for_each(|kept| kept.put(&key, &html)),
             failed => against(failed, self.options.strict, place)?,
@@ -276,7 +278,7 @@ mod tests {
     use super::*;
 
     fn told() -> Told {
-        Told::new(Options { races: false, cache: false, strict: true })
+        Told::new(Options { races: false, cache: false, strict: true, live: Vec::new() })
     }
 
     fn page(text: &str) -> String {
