@@ -213,5 +213,15 @@
         }
     }
 
+    // What scrolls by itself can be scrolled by keys.
+    const reachable = () => {
+        for (const wide of document.querySelectorAll("main table, main figure, main .formula, main pre, main .derivation li")) {
+            if (wide.scrollWidth > wide.clientWidth) wide.tabIndex = 0;
+        }
+    };
+    addEventListener("load", reachable);
+    addEventListener("resize", reachable);
+    document.addEventListener("toggle", reachable, true);
+
     document.querySelectorAll("script.lesson-setting").forEach((script) => new Step(script).show());
 })();
