@@ -155,7 +155,8 @@ impl Told {
         let (name, title) = (step.step.id, self.teller.phrase(&step.address(), "title", step.step.title).to_string());
         let html = self.told(&Selection { steps: vec![step] }, true, place)?;
         let mut ids = HashSet::new();
-        Ok(Below { name, title, text: once(&html, &mut ids), ids })
+        let text = format!("# {}\n\n{}", markdown(&title), once(&html, &mut ids));
+        Ok(Below { name, title, text, ids })
     }
 
     /// The selected steps or the item as HTML; `is_page`, the one step is a page of its own.
@@ -254,6 +255,12 @@ fn number(parts: &[String], changes: &[(String, String)]) -> Result<Option<Strin
 
 fn has(chosen: &Chosen, is_named: &dyn Fn(&str) -> bool) -> bool {
     readout(chosen.step, &chosen.setting).iter().any(|quantity| is_named(quantity.key))
+}
+
+/// Text as Markdown, letter by letter.
+fn markdown(text: &str) -> String {
+    let escaped = text.chars().flat_map(|c| c.is_ascii_punctuation().then_some('\\').into_iter().chain([c]));
+    escaped.collect()
 }
 
 /// HTML of ours without the ids that a page has already; those that are new are among them afterwards.

@@ -44,19 +44,16 @@ const BREAK: &str = "&#10;";
 
 /// A part of a page. It has no empty line, which would end it where it stands in Markdown.
 pub fn fragment(words: Words, blocks: &[Block]) -> String {
-    written(words, blocks, CHAPTER)
+    written(words, blocks, false)
 }
 
-/// The same of a step that is a page of its own: its heading is the page's.
+/// The same of a step on a page of its own, whose heading is the page's and stands there already.
 pub fn page(words: Words, blocks: &[Block]) -> String {
-    written(words, blocks, CHAPTER - 1)
+    written(words, blocks, true)
 }
 
-/// The level of a chapter's heading; those below it follow.
-const CHAPTER: usize = 1;
-
-fn written(words: Words, blocks: &[Block], chapter: usize) -> String {
-    let mut writer = Writer { html: String::new(), words, ids: HashSet::new(), chapter };
+fn written(words: Words, blocks: &[Block], is_page: bool) -> String {
+    let mut writer = Writer { html: String::new(), words, ids: HashSet::new(), is_page };
     writer.blocks(blocks);
     writer.html
 }
@@ -70,8 +67,8 @@ struct Writer<'a> {
     html: String,
     words: Words<'a>,
     ids: HashSet<String>,
-    /// The level of a chapter's heading.
-    chapter: usize,
+    /// Whether the page has the heading of the step already.
+    is_page: bool,
 }
 
 impl Writer<'_> {
@@ -143,13 +140,15 @@ impl Writer<'_> {
     }
 
     fn heading(&mut self, heading: &Heading) {
-        let below = match heading.rank {
-            Rank::Chapter => 0,
-            Rank::Step => 1,
-            Rank::Entry | Rank::Part => 2,
+        let level = match heading.rank {
+            Rank::Chapter => 1,
+            Rank::Step => 2,
+            Rank::Entry | Rank::Part => 3,
         };
-        let level = self.chapter + below;
-        self.line(format!("<h{level}>{}</h{level}>", spans(&heading.text)));
+        let level = level - usize::from(self.is_page);
+        if level > 1 || !self.is_page {
+            self.line(format!("<h{level}>{}</h{level}>", spans(&heading.text)));
+        }
         if let Some(address) = &heading.address {
             let rows = rows(&heading.rows);
             self.line(format!("<p><a class=\"address\" href=\"#{0}\">{0}</a>{rows}</p>", escape(address)));
