@@ -1,11 +1,14 @@
 //! From pages to a book: the program is built, fills the pages, and mdBook sets them.
 
 use crate::{Fault, modules};
+use flate2::Compression;
+use flate2::write::GzEncoder;
 use mdbook_driver::MDBook;
 use mdbook_driver::config::Config;
 use serde_json::Value;
 use std::ffi::OsString;
-use std::fs;
+use std::fs::{self, File};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -54,14 +57,19 @@ fn draft_in(parent: &Path) -> Result<PathBuf, Fault> {
     draft.canonicalize().map_err(refused)
 }
 
-/// Puts the figures' modules into the book.
+/// Puts the figures' modules into the book, packed: a third of their size, whatever shows the book.
 fn put(modules: &[PathBuf], book: &Path) -> Result<(), Fault> {
     let folder = book.join("modules");
     let refused = |error| format!("{}: {error}", folder.display());
     fs::create_dir_all(&folder).map_err(refused)?;
     modules.iter().try_for_each(|module| {
-        let name = module.file_name().unwrap_or_default();
-        fs::copy(module, folder.join(name)).map(|_| ()).map_err(refused)
+        let packed = folder.join(module.file_name().unwrap_or_default()).with_extension("wasm.gz");
+        let mut packer = GzEncoder::new(File::create(packed).map_err(refused)?, Compression::best());
+        packer
+            .write_all(&fs::read(module).map_err(refused)?)
+            .and_then(|()| packer.finish())
+            .map(|_| ())
+            .map_err(refused)
     })
 }
 

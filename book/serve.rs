@@ -93,7 +93,7 @@ fn kind(path: &Path) -> Header {
         "json" => "application/json",
         "svg" => "image/svg+xml",
         "png" => "image/png",
-        "wasm" => "application/wasm",
+        "gz" => "application/gzip",
         "woff2" => "font/woff2",
         _ => "application/octet-stream",
     };

@@ -20,8 +20,12 @@ const GALLERIES: &[Gallery] = &[
     chapters::plane_wave::FIGURES,
     #[cfg(feature = "poynting")]
     chapters::poynting::FIGURES,
+    #[cfg(feature = "radiometry")]
+    chapters::radiometry::FIGURES,
     #[cfg(feature = "fresnel")]
     chapters::fresnel::FIGURES,
+    #[cfg(feature = "brdf")]
+    chapters::brdf::FIGURES,
 ];
 
 /// The request that the host writes, and after `lesson_answer` the answer that it reads.

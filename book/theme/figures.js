@@ -8,36 +8,48 @@
     const reach = 30; // so far to either side
     const steps = 1000;
 
-    // A chapter's module: text in, SVG or a fault's text out (bindings/web).
-    class Module {
-        constructor(chapter) {
-            this.url = `${root}modules/${chapter}.wasm`;
-        }
-
-        async instance() {
-            this.loading ??= WebAssembly.instantiateStreaming(fetch(this.url), {}).then((found) => found.instance.exports);
+    // A chapter's module (bindings/web): text in, SVG or a fault's text out. It works beside the page, which stays at hand.
+    const work = async () => {
+        let loading;
+        const load = async (url) => {
+            const packed = (await fetch(url)).body.pipeThrough(new DecompressionStream("gzip"));
+            const module = new Response(packed, { headers: { "Content-Type": "application/wasm" } });
+            return (await WebAssembly.instantiateStreaming(module, {})).instance.exports;
+        };
+        self.onmessage = async ({ data: { url, request } }) => {
             try {
-                return await this.loading;
-            } catch (error) {
-                this.loading = undefined;
-                throw error;
-            }
-        }
-
-        async answer(request) {
-            const lesson = await this.instance();
-            const bytes = new TextEncoder().encode(request);
-            try {
+                const lesson = await (loading ??= load(url));
+                const bytes = new TextEncoder().encode(request);
                 const at = lesson.lesson_request(bytes.length);
                 new Uint8Array(lesson.memory.buffer, at, bytes.length).set(bytes);
                 const failed = lesson.lesson_answer();
                 const text = new Uint8Array(lesson.memory.buffer, lesson.lesson_text(), lesson.lesson_length());
-                return { failed, text: new TextDecoder().decode(text) };
+                self.postMessage({ failed, text: new TextDecoder().decode(text) });
             } catch (error) {
-                // It has panicked and is of no use any more.
-                this.loading = undefined;
-                throw error;
+                self.postMessage({ broken: String(error) });
             }
+        };
+    };
+
+    class Module {
+        constructor(chapter) {
+            this.url = new URL(`${root}modules/${chapter}.wasm.gz`, location.href).href;
+        }
+
+        // One question at a time.
+        answer(request) {
+            this.worker ??= new Worker(URL.createObjectURL(new Blob([`(${work})()`], { type: "text/javascript" })));
+            return new Promise((done, broken) => {
+                const end = (why) => {
+                    // What has panicked, or was never whole, is of no use any more.
+                    this.worker.terminate();
+                    this.worker = undefined;
+                    broken(new Error(why));
+                };
+                this.worker.onmessage = ({ data }) => (data.broken === undefined ? done(data) : end(data.broken));
+                this.worker.onerror = () => end("no worker");
+                this.worker.postMessage({ url: this.url, request });
+            });
         }
     }
 
@@ -203,8 +215,6 @@
                     }
                     const drawn = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
                     figure.querySelector("svg").replaceWith(document.importNode(drawn, true));
-                    // The page draws between figures.
-                    await new Promise((done) => setTimeout(done));
                 }
             } finally {
                 this.figures.forEach((figure) => figure.classList.remove("drawing"));
