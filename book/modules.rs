@@ -20,8 +20,17 @@ pub fn found(named: Option<&Path>) -> Result<Vec<PathBuf>, Fault> {
         let entries = fs::read_dir(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
         let files = entries.flatten().map(|entry| entry.path());
         let modules: Vec<_> = files.filter(|path| path.extension().is_some_and(|kind| kind == "wasm")).collect();
-        let none = || format!("{}: no module (….wasm) is there", folder.display());
-        return if modules.is_empty() { Err(none()) } else { Ok(modules) };
+        let known = chapters()?;
+        let is_known =
+            |path: &PathBuf| known.iter().any(|chapter| path.file_stem().is_some_and(|stem| *stem == **chapter));
+        return match modules.iter().find(|path| !is_known(path)) {
+            Some(other) => {
+                let valid = known.join(".wasm, ");
+                Err(format!("{}: no chapter has such a module; valid: {valid}.wasm", other.display()))
+            }
+            None if modules.is_empty() => Err(format!("{}: no module (….wasm) is there", folder.display())),
+            None => Ok(modules),
+        };
     }
     if !can_build() {
         eprintln!("note: figures will stand still; `rustup target add {TARGET}` lets them answer");

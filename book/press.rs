@@ -9,8 +9,9 @@ use serde_json::Value;
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::{self, Path, PathBuf};
 use std::process::{Command, Stdio};
+use tempfile::TempDir;
 
 /// The folder of the book's sources.
 pub const ROOT: &str = env!("CARGO_MANIFEST_DIR");
@@ -18,43 +19,45 @@ pub const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 /// Where the book goes if nothing else is said.
 pub const OUT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/out");
 
+/// What marks a folder as a book of ours, which may be replaced.
+const MARK: &str = ".lesson-book";
+
 /// Builds the book into the folder `out`, which is replaced when all of it is there; `modules` is the folder that has those of
 /// the figures, if they are not to be built.
 ///
 /// # Errors
 /// Says what failed; the folder is then as it was.
 pub fn build(out: &Path, modules: Option<&Path>) -> Result<(), Fault> {
+    let refused = |error| format!("{}: cannot be written to: {error}", out.display());
+    let out = &path::absolute(out).map_err(refused)?;
     if out.exists() && !is_ours(out) {
-        return Err(format!("{}: there is something else than a book; valid: another folder", out.display()));
+        return Err(format!("{}: there is something else than a book of ours; valid: another folder", out.display()));
     }
-    let parent = out.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    fs::create_dir_all(parent).map_err(|error| format!("{}: {error}", parent.display()))?;
-    let lesson = program()?;
+    let parent = out.parent().ok_or_else(|| format!("{}: no folder for a book", out.display()))?;
+    fs::create_dir_all(parent).map_err(refused)?;
     let modules = modules::found(modules)?;
-    let draft = draft_in(parent)?;
-    let built = set(&lesson, &modules, &draft).and_then(|()| put(&modules, &draft)).and_then(|()| replace(out, &draft));
-    if built.is_err() {
-        // What is not whole is of no use to anybody.
-        let _ = fs::remove_dir_all(&draft);
+    let lesson = program()?;
+    // Beside the one to come, so that a rename puts it there; what is not whole goes with it.
+    let drafts = TempDir::with_prefix_in(".book-", parent).map_err(refused)?;
+    let draft = drafts.path().join("new");
+    set(&lesson, &modules, &draft)?;
+    put(&modules, &draft)?;
+    fs::write(draft.join(MARK), "").map_err(refused)?;
+    let old = drafts.path().join("old");
+    if out.exists() {
+        fs::rename(out, &old).map_err(refused)?;
     }
-    built
+    fs::rename(&draft, out).map_err(|error| {
+        // Better the old one than none.
+        let _ = fs::rename(&old, out);
+        refused(error)
+    })
 }
 
-/// Whether a folder holds a book that mdBook has set, or nothing.
+/// Whether a folder holds a book that was put there by us, or nothing.
 fn is_ours(folder: &Path) -> bool {
     let is_empty = fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_none());
-    is_empty || ["index.html", "toc.html"].iter().all(|file| folder.join(file).is_file())
-}
-
-/// A folder of our own beside the one to come, so that a rename puts it there.
-fn draft_in(parent: &Path) -> Result<PathBuf, Fault> {
-    let draft = parent.join(format!(".book-{}", std::process::id()));
-    let refused = |error| format!("{}: cannot be written to: {error}", parent.display());
-    if draft.exists() {
-        fs::remove_dir_all(&draft).map_err(refused)?;
-    }
-    fs::create_dir(&draft).map_err(refused)?;
-    draft.canonicalize().map_err(refused)
+    is_empty || folder.join(MARK).is_file()
 }
 
 /// Puts the figures' modules into the book, packed: a third of their size, whatever shows the book.
@@ -71,15 +74,6 @@ fn put(modules: &[PathBuf], book: &Path) -> Result<(), Fault> {
             .map(|_| ())
             .map_err(refused)
     })
-}
-
-/// Puts the draft where the book is to be.
-fn replace(out: &Path, draft: &Path) -> Result<(), Fault> {
-    let refused = |error| format!("{}: cannot be replaced: {error}", out.display());
-    if out.exists() {
-        fs::remove_dir_all(out).map_err(refused)?;
-    }
-    fs::rename(draft, out).map_err(refused)
 }
 
 /// Sets the book into a folder, its pages filled by the program at `lesson`, the figures of chapters with modules ready to answer.

@@ -2,13 +2,18 @@
 
 use crate::Fault;
 use crate::press::{self, OUT, ROOT};
+use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::path::{Component, Path, PathBuf};
 use std::time::{Duration, SystemTime};
 use tiny_http::{Header, Method, Request, Response, Server};
 
 /// What the book is made of, from the repository's root.
-const SOURCES: [&str; 7] = ["book", "chapters", "equation", "lesson", "src", "views", "yardstick"];
+const SOURCES: [&str; 10] =
+    ["Cargo.lock", "Cargo.toml", "bindings", "book", "chapters", "equation", "lesson", "src", "views", "yardstick"];
+
+/// How many browsers are answered at once: one that stops reading keeps the others from nothing.
+const ANSWERERS: usize = 4;
 
 /// How often sources are looked at.
 const WAIT: Duration = Duration::from_millis(500);
@@ -21,14 +26,16 @@ pub fn serve(port: u16, modules: Option<&Path>) -> Result<(), Fault> {
     // A port in use is found before anything is built.
     let server = Server::http(("127.0.0.1", port))
         .map_err(|error| format!("port {port}: {error}; valid: another one, or 0 for any that is free"))?;
-    let mut built = newest();
+    let mut built = sources();
     press::build(Path::new(OUT), modules)?;
     println!("http://{}/", server.server_addr());
     std::thread::scope(|scope| {
-        scope.spawn(|| server.incoming_requests().for_each(answer));
+        for _ in 0..ANSWERERS {
+            scope.spawn(|| server.incoming_requests().for_each(answer));
+        }
         loop {
             std::thread::sleep(WAIT);
-            let now = newest();
+            let now = sources();
             if now != built {
                 built = now;
                 match press::build(Path::new(OUT), modules) {
@@ -40,21 +47,24 @@ pub fn serve(port: u16, modules: Option<&Path>) -> Result<(), Fault> {
     })
 }
 
-/// When something of the sources was changed last.
-fn newest() -> Option<SystemTime> {
+/// Every source, how long it is, and when it was changed.
+fn sources() -> BTreeMap<PathBuf, (u64, Option<SystemTime>)> {
     let root = Path::new(ROOT).parent().unwrap_or(Path::new(ROOT));
-    SOURCES.iter().filter_map(|source| newest_in(&root.join(source))).max()
+    let mut found = BTreeMap::new();
+    SOURCES.iter().for_each(|source| collect(root.join(source), &mut found));
+    found
 }
 
-fn newest_in(path: &Path) -> Option<SystemTime> {
-    let about = fs::symlink_metadata(path).ok()?;
+fn collect(path: PathBuf, found: &mut BTreeMap<PathBuf, (u64, Option<SystemTime>)>) {
+    let Ok(about) = fs::symlink_metadata(&path) else { return };
     if !about.is_dir() {
-        return about.modified().ok();
+        found.insert(path, (about.len(), about.modified().ok()));
+        return;
     }
     // What is built is no source.
     let is_source = |path: &PathBuf| path != Path::new(OUT) && !hidden(path);
-    let entries = fs::read_dir(path).ok()?.flatten().map(|entry| entry.path());
-    entries.filter(is_source).filter_map(|path| newest_in(&path)).max()
+    let entries = fs::read_dir(path).into_iter().flatten().flatten().map(|entry| entry.path());
+    entries.filter(is_source).for_each(|path| collect(path, found));
 }
 
 fn hidden(path: &Path) -> bool {
@@ -113,6 +123,8 @@ mod tests {
 
     #[test]
     fn sources_are_seen() {
-        assert!(newest().is_some());
+        let found = sources();
+        assert!(found.keys().any(|path| path.ends_with("pages/index.md")));
+        assert!(found.keys().all(|path| !path.starts_with(OUT)));
     }
 }

@@ -12,9 +12,13 @@
     const work = async () => {
         let loading;
         const load = async (url) => {
-            const packed = (await fetch(url)).body.pipeThrough(new DecompressionStream("gzip"));
-            const module = new Response(packed, { headers: { "Content-Type": "application/wasm" } });
-            return (await WebAssembly.instantiateStreaming(module, {})).instance.exports;
+            let module = await (await fetch(url)).arrayBuffer();
+            // Some servers unpack it themselves.
+            if (new Uint8Array(module, 0, 1)[0] === 0x1f) {
+                const unpacked = new Blob([module]).stream().pipeThrough(new DecompressionStream("gzip"));
+                module = await new Response(unpacked).arrayBuffer();
+            }
+            return (await WebAssembly.instantiate(module, {})).instance.exports;
         };
         self.onmessage = async ({ data: { url, request } }) => {
             try {
@@ -36,8 +40,14 @@
             this.url = new URL(`${root}modules/${chapter}.wasm.gz`, location.href).href;
         }
 
-        // One question at a time.
+        // One question at a time, whichever step of the page asks.
         answer(request) {
+            const asked = (this.last ?? Promise.resolve()).then(() => this.ask(request));
+            this.last = asked.catch(() => {});
+            return asked;
+        }
+
+        ask(request) {
             this.worker ??= new Worker(URL.createObjectURL(new Blob([`(${work})()`], { type: "text/javascript" })));
             return new Promise((done, broken) => {
                 const end = (why) => {
@@ -70,10 +80,12 @@
     const walk = (parameter) => {
         const { kind, min, max, scale } = parameter.domain;
         const value = parameter.value ?? parameter.n;
+        // What absorbs has two numbers, and a slider one.
+        if (parameter.k) return undefined;
         const ends = kind === "number" || kind === "count" ? [min, max] : parameter.domain.n;
         if (!ends || typeof ends[0] !== "number" || typeof value !== "number") return undefined;
         let [from, to] = ends;
-        const logarithmic = (scale === "logarithmic" || kind.endsWith("medium")) && from > 0 && value > 0;
+        const logarithmic = (scale === "logarithmic" || kind !== "number") && from > 0 && value > 0;
         if (logarithmic && to / from > wide) [from, to] = [Math.max(from, value / reach), Math.min(to, value * reach)];
         if (!logarithmic && to - from > wide * Math.max(Math.abs(value), 1)) {
             [from, to] = [Math.max(from, value - reach * (Math.abs(value) || 1)), Math.min(to, value + reach * (Math.abs(value) || 1))];
@@ -82,17 +94,21 @@
         const [, written, suffix] = /^([-+.0-9e]*)(.*)$/.exec(parameter.text);
         const factor = Number(written) && value ? Number(written) / value : 1;
         return {
-            place: (x) => steps * (logarithmic ? Math.log(x / from) / Math.log(to / from) : (x - from) / (to - from)),
+            // Of a text that is a number in that unit; where else the slider stands says nothing.
+            place: (text) => {
+                const x = Number(text.endsWith(suffix) ? text.slice(0, text.length - suffix.length) : text) / factor;
+                const place = logarithmic ? Math.log(x / from) / Math.log(to / from) : (x - from) / (to - from);
+                return Number.isFinite(place) ? steps * place : undefined;
+            },
             text: (place) => {
                 const t = place / steps;
                 const x = logarithmic ? from * (to / from) ** t : from + (to - from) * t;
-                if (kind === "count") return String(Math.round(x));
+                if (kind === "count") return String(Math.round(x < 100 ? x : Number(x.toPrecision(2))));
                 // A rounded end may lie outside.
                 const round = Number((x * factor).toPrecision(4));
                 const clipped = Math.min(Math.max(round, ends[0] * factor), ends[1] * factor);
                 return factor === 1 ? String(clipped) : `${clipped}${suffix}`;
             },
-            value,
         };
     };
 
@@ -109,7 +125,7 @@
         }
 
         show() {
-            if (this.figures.length === 0 || this.parameters.length === 0) return;
+            if (this.figures.length === 0) return;
             this.status = element("p", { class: "live-status", role: "status" });
             const reset = element("button", { type: "button" }, "as it was");
             reset.addEventListener("click", () => this.reset());
@@ -125,13 +141,21 @@
             const { kind, words, names } = parameter.domain;
             const row = element("div", { class: "live-row" }, element("label", { for: id }, parameter.says));
             const set = (text) => this.set(parameter, text);
-            let typed;
+            let typed, slider;
+            const follow = (text) => {
+                const place = way?.place(text);
+                if (place !== undefined) slider.value = place;
+                slider?.setAttribute("aria-valuetext", text);
+            };
             if (kind === "choice") {
                 typed = element("select", { id }, ...words.map((word) => element("option", { value: word }, word)));
                 typed.addEventListener("change", () => set(typed.value));
             } else {
                 typed = element("input", { id, type: "text", size: 10, autocomplete: "off", spellcheck: "false" });
-                typed.addEventListener("change", () => set(typed.value));
+                typed.addEventListener("change", () => {
+                    follow(typed.value);
+                    set(typed.value);
+                });
                 if (names) {
                     const list = `${id}-names`;
                     typed.setAttribute("list", list);
@@ -139,11 +163,11 @@
                 }
             }
             const way = kind === "choice" ? undefined : walk(parameter);
-            let slider;
             if (way) {
                 slider = element("input", { type: "range", min: 0, max: steps, "aria-label": parameter.says });
                 slider.addEventListener("input", () => {
                     typed.value = way.text(Number(slider.value));
+                    slider.setAttribute("aria-valuetext", typed.value);
                     set(typed.value);
                 });
                 row.append(slider);
@@ -151,7 +175,7 @@
             row.append(typed);
             const show = (text) => {
                 typed.value = text;
-                if (slider && text === parameter.text) slider.value = way.place(way.value);
+                follow(text);
             };
             show(parameter.text);
             return { row, show, parameter };
@@ -160,9 +184,18 @@
         set(parameter, text) {
             if (text === parameter.text) this.changed.delete(parameter.name);
             else this.changed.set(parameter.name, text);
-            const hash = new URLSearchParams([["at", this.address], ...this.changed]);
-            history.replaceState(null, "", this.changed.size ? `?${hash}` : location.pathname);
             this.draw();
+            // Browsers take a new address now and then, not with every move of a slider.
+            clearTimeout(this.linking);
+            this.linking = setTimeout(() => this.link(), 300);
+        }
+
+        // The page's address has the setting of the step that was touched last.
+        link() {
+            const isOurs = new URLSearchParams(location.search).get("at") === this.address;
+            const query = new URLSearchParams([["at", this.address], ...this.changed]);
+            if (this.changed.size) history.replaceState(null, "", `?${query}${location.hash}`);
+            else if (isOurs) history.replaceState(null, "", location.pathname + location.hash);
         }
 
         // A link carries a step's setting.
@@ -181,8 +214,8 @@
         reset() {
             this.changed.clear();
             this.controls.forEach(({ show, parameter }) => show(parameter.text));
-            history.replaceState(null, "", location.pathname);
             this.draw();
+            this.link();
         }
 
         // Draws once more when a change has come meanwhile: what is shown last is what was asked for last.

@@ -73,6 +73,9 @@ pub fn pieces(text: &str) -> Result<Vec<Piece<'_>>, Unread> {
         if !(word.is_empty() || word.starts_with('-')) {
             continue;
         }
+        if is_code(&text[..found]) {
+            continue;
+        }
         if text[..found].ends_with('\\') {
             pieces.push(Piece::Text(&text[written..found - 1]));
             written = found;
@@ -104,6 +107,13 @@ pub fn pieces(text: &str) -> Result<Vec<Piece<'_>>, Unread> {
     }
     pieces.push(Piece::Text(&text[written..]));
     Ok(pieces)
+}
+
+/// Whether what follows a text is code in Markdown: within a fence, or behind an odd number of backticks on its line.
+pub fn is_code(text: &str) -> bool {
+    let (before, line) = text.rsplit_once('\n').unwrap_or(("", text));
+    let fences = before.lines().filter(|line| line.trim_start().starts_with("```")).count();
+    fences % 2 == 1 || line.matches('`').count() % 2 == 1
 }
 
 /// The words of an address, and what is set.
@@ -155,6 +165,14 @@ mod tests {
     fn others_and_those_behind_a_backslash_are_left() {
         assert_eq!(pieces("{{#lessons x}} {{#include x}}").unwrap(), [Piece::Text("{{#lessons x}} {{#include x}}")]);
         assert_eq!(pieces("so: \\{{#lesson x}}").unwrap(), [Piece::Text("so: "), Piece::Text("{{#lesson x}}")]);
+    }
+
+    #[test]
+    fn code_is_left() {
+        for code in ["as `{{#lesson x}}` says", "```text\n{{#lesson x}}\n```\n", "  ```\r\n{{#lesson x}}\r\n"] {
+            assert_eq!(pieces(code).unwrap(), [Piece::Text(code)]);
+        }
+        assert_eq!(pieces("```\ncode\n```\n`a` {{#lesson x}}").unwrap().len(), 3);
     }
 
     #[test]

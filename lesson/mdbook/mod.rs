@@ -82,8 +82,9 @@ fn filled(input: &str) -> Result<String, Stop> {
     let list = list.ok_or_else(|| foreign(format!("mdBook {version}: a book without a list of items")))?;
     let source = context["config"]["book"]["src"].as_str().unwrap_or("src");
     let mut links = Links::default();
+    claim(&mut book[list], &mut links);
     fill(&mut book[list], source, &Told::new(options(&context)?), &mut links)?;
-    link(&mut book[list], &links)?;
+    link(&mut book[list], source, &links)?;
     Ok(book.to_string())
 }
 
@@ -91,6 +92,16 @@ fn filled(input: &str) -> Result<String, Stop> {
 fn chapters(items: &mut Value) -> impl Iterator<Item = &mut Map<String, Value>> {
     let items = items.as_array_mut().into_iter().flatten();
     items.filter_map(|item| item.get_mut("Chapter").and_then(Value::as_object_mut))
+}
+
+/// Lets the pages that the book has keep their paths.
+fn claim(items: &mut Value, links: &mut Links) {
+    for chapter in chapters(items) {
+        chapter.get("path").and_then(Value::as_str).map(|path| links.claim(path));
+        if let Some(below) = chapter.get_mut("sub_items") {
+            claim(below, links);
+        }
+    }
 }
 
 /// Fills the chapters of a list of items, and those below them.
@@ -117,11 +128,14 @@ fn fill(items: &mut Value, source: &str, told: &Told, links: &mut Links) -> Resu
     Ok(())
 }
 
-/// A page of ours below a chapter, as mdBook has it.
+/// A page of ours below a chapter, as mdBook has it; no other page may have its path.
 fn page(below: Below, chapter: &Map<String, Value>, place: &str, links: &mut Links) -> Result<Value, Stop> {
     let path = chapter.get("path").and_then(Value::as_str).and_then(|path| path.strip_suffix(".md"));
     let path = path.ok_or_else(|| Stop::at(place, "pages below it need a page in a file `….md`"))?;
     let path = format!("{path}/{}.md", below.name);
+    if !links.claim(&path) {
+        return Err(Stop::at(place, format!("{path} is a page of this book already; valid: a page of another name")));
+    }
     below.ids.into_iter().for_each(|id| links.add(id, &path));
     let before = chapter.get("sub_items").and_then(Value::as_array).map_or(0, Vec::len);
     let number = chapter.get("number").and_then(Value::as_array).map(|number| {
@@ -137,14 +151,15 @@ fn page(below: Below, chapter: &Map<String, Value>, place: &str, links: &mut Lin
 }
 
 /// Leads the links of chapters to the pages that they mean.
-fn link(items: &mut Value, links: &Links) -> Result<(), Stop> {
+fn link(items: &mut Value, source: &str, links: &Links) -> Result<(), Stop> {
     for chapter in chapters(items) {
         if let Some(below) = chapter.get_mut("sub_items") {
-            link(below, links)?;
+            link(below, source, links)?;
         }
         let path = chapter.get("path").and_then(Value::as_str).unwrap_or_default().to_owned();
+        let place = place(chapter, source);
         if let Some(Value::String(content)) = chapter.get_mut("content") {
-            *content = links.resolved(content, &path)?;
+            *content = links.resolved(content, &path, &place)?;
         }
     }
     Ok(())
@@ -256,6 +271,12 @@ mod tests {
             let link = format!("href=\"page/{0}.md#poynting/{0}\"", step.id);
             assert!(chapter["content"].as_str().unwrap().contains(&link), "{link}");
         }
+    }
+
+    #[test]
+    fn no_page_of_an_author_s_is_written_over() {
+        let twice = fault(["{{#lesson-steps poynting}}\n\n{{#lesson-steps poynting}}", ""], table());
+        assert_eq!(twice, "text/page.md: page/flow.md is a page of this book already; valid: a page of another name");
     }
 
     #[test]

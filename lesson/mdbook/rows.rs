@@ -1,6 +1,6 @@
 //! The lecture's rows as a table: what each states, the evidence that it has, and the steps that teach it.
 
-use super::links::SCHEME;
+use super::links::link;
 use chapters::CURRICULUM;
 use chapters::lecture::{Coverage, coverage};
 use chapters::text::Phrase;
@@ -22,7 +22,6 @@ pub fn table() -> String {
 }
 
 fn row(Coverage { row, steps, met, missing }: &Coverage) -> String {
-    let link = |step: &String| format!("<a href=\"{SCHEME}{step}\">{step}</a>");
     let letters = |letters: &[char]| letters.iter().collect::<String>();
     let owed = if missing.is_empty() { String::new() } else { format!(" ({})", letters(missing)) };
     format!(
@@ -30,6 +29,6 @@ fn row(Coverage { row, steps, met, missing }: &Coverage) -> String {
         row.id,
         html::inline(&Phrase::parse(row.states)),
         letters(met),
-        steps.iter().map(link).collect::<Vec<_>>().join("<br/>")
+        steps.iter().map(|step| link(step, step)).collect::<Vec<_>>().join("<br/>")
     )
 }

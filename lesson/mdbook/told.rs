@@ -3,7 +3,7 @@
 use super::Options;
 use super::directive::{Directive, Kind, Piece, pieces};
 use super::kept::Kept;
-use super::links::SCHEME;
+use super::links::link;
 use super::rows;
 use crate::figures;
 use crate::out;
@@ -18,7 +18,7 @@ use views::block::{Block, Details, Picture};
 use views::html;
 use views::number::value;
 use views::report::entry::readout;
-use views::report::{Parts, StepReport};
+use views::report::{Parts, StepReport, Verdict};
 use views::tell::Teller;
 
 /// A page with what it asks for.
@@ -87,12 +87,16 @@ impl Told {
         let changes: Vec<_> =
             directive.changes.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
         if directive.kind == Kind::Part
-            && let Some(number) = number(&parts, &changes)?
+            && let Some(number) = number(&parts, &changes, place)?
         {
             filled.text.push_str(&number);
             return Ok(());
         }
         if !directive.is_alone {
+            if directive.kind == Kind::Part {
+                // A name that is known nowhere is what is wrong then.
+                self.selected(&parts, &changes, place)?;
+            }
             let what = if parts.is_empty() { "{{#lesson…}}".to_owned() } else { parts.join("/") };
             return Err(Stop::at(what, "only a number of a step stands within a line; this needs a line of its own"));
         }
@@ -107,17 +111,20 @@ impl Told {
                 if steps.len() != chapter.steps.len() {
                     return Err(Stop::at(parts.join("/"), "only a chapter has steps"));
                 }
+                filled.ids.insert(chapter.id.to_owned());
                 for step in selection.steps {
                     filled.below.push(self.below(step, place)?);
                 }
                 self.contents(chapter)
             }
         };
-        // What is HTML begins and ends at an empty line.
-        filled.text.truncate(filled.text.trim_end_matches([' ', '\t']).len());
-        filled.text.push_str(if filled.text.is_empty() || filled.text.ends_with("\n\n") { "" } else { "\n" });
-        let html = once(&html, &mut filled.ids);
-        filled.text.push_str(&html);
+        // What is HTML begins and ends at an empty line; within a list it is indented as the item is.
+        let before = filled.text.trim_end_matches([' ', '\t']).len();
+        let indent = filled.text.split_off(before);
+        filled.text.push_str(if before == 0 || filled.text.ends_with("\n\n") { "" } else { "\n" });
+        for line in once(&html, &mut filled.ids).lines() {
+            filled.text.extend([&indent, line, "\n"]);
+        }
         Ok(())
     }
 
@@ -139,7 +146,7 @@ impl Told {
     /// A line on what stands at an address, and the way there.
     fn line(&self, address: &str, title: &str, says: &str) -> String {
         let told = |field, english| html::inline(&self.teller.phrase(address, field, english));
-        format!("<li><a href=\"{SCHEME}{address}\">{}</a>: {}</li>\n", told("title", title), told("says", says))
+        format!("<li>{}: {}</li>\n", link(address, &told("title", title)), told("says", says))
     }
 
     /// What a chapter is about, and a line on each of its steps.
@@ -147,7 +154,7 @@ impl Told {
         let line = |step: &Step| self.line(&format!("{}/{}", chapter.id, step.id), step.title, step.says);
         let steps: String = chapter.steps.iter().map(line).collect();
         let intro = html::fragment(self.teller.words(), &self.teller.intro(chapter));
-        format!("<section id=\"{}\">\n{intro}<ol class=\"steps\">\n{steps}</ol>\n</section>\n", chapter.id)
+        format!("{intro}<ol class=\"steps\">\n{steps}</ol>\n")
     }
 
     /// A page for a step.
@@ -180,9 +187,9 @@ impl Told {
         let is_live = |(chosen, _): &(&Chosen, _)| self.options.live.iter().any(|live| live == chosen.chapter.id);
         let live = selection.steps.iter().zip(steps).filter(is_live);
         html.extend(live.filter_map(|(chosen, found)| setting(chosen, found)));
-        match report.failed {
-            0 => self.kept.iter().for_each(|kept| kept.put(&key, &html)),
-            failed => against(failed, self.options.strict, place)?,
+        match &fallen(report.chapters.iter().flat_map(|chapter| &chapter.steps))[..] {
+            [] => self.kept.iter().for_each(|kept| kept.put(&key, &html)),
+            fallen => against(fallen, self.options.strict, place)?,
         }
         Ok(html)
     }
@@ -208,13 +215,27 @@ impl Told {
     }
 }
 
-/// What is done about verdicts against the lecture.
-fn against(failed: usize, strict: bool, place: &str) -> Result<(), Stop> {
-    let says = format!("{failed} verdicts are against the lecture");
+/// Where verdicts are against the lecture.
+fn fallen<'a>(steps: impl Iterator<Item = &'a StepReport>) -> Vec<&'a str> {
+    let items = steps.flat_map(|step| {
+        let derivations = step.derivations.iter().map(|item| (item.verdict, &item.address));
+        let checks = step.checks.iter().map(|item| (item.verdict, &item.address));
+        let stress = step.stress.iter().map(|item| (item.verdict, &item.address));
+        let lanes = step.races.iter().flat_map(|race| &race.lanes).map(|lane| (lane.verdict, &lane.address));
+        let statements = step.statements.iter().map(|item| (item.verdict, &item.address));
+        let questions = step.questions.iter().map(|item| (item.verdict, &item.address));
+        statements.chain(questions).chain(derivations).chain(checks).chain(stress).chain(lanes)
+    });
+    items.filter(|(verdict, _)| *verdict == Verdict::Failed).map(|(_, address)| address.as_str()).collect()
+}
+
+/// What is done about those.
+fn against(fallen: &[&str], strict: bool, place: &str) -> Result<(), Stop> {
+    let says = "the verdict is against the lecture";
     if strict {
-        return Err(Stop::at(says, "there is no book of it, since book.toml has `strict = true`"));
+        return Err(Stop::at(fallen.join(", "), format!("{says}: no book, since book.toml has `strict = true`")));
     }
-    out::say(&format!("note: {place}: {says}; the page shows them"));
+    out::say(&format!("note: {place}: {}: {says}; the page shows it", fallen.join(", ")));
     Ok(())
 }
 
@@ -239,7 +260,7 @@ fn key(chosen: &Chosen) -> String {
 
 /// A number that a step computes, by the name that it has there; None if that is no such name. An item of the name is
 /// what is meant.
-fn number(parts: &[String], changes: &[(String, String)]) -> Result<Option<String>, Stop> {
+fn number(parts: &[String], changes: &[(String, String)], place: &str) -> Result<Option<String>, Stop> {
     let [_, _, name] = parts else { return Ok(None) };
     let mut selection = select(&parts[..2], &[])?;
     let step = selection.steps[0].step;
@@ -247,7 +268,9 @@ fn number(parts: &[String], changes: &[(String, String)]) -> Result<Option<Strin
     if step.items().any(|item| is_named(item.id())) || !has(&selection.steps[0], &is_named) {
         return Ok(None);
     }
-    selection.set(changes)?;
+    for note in selection.set(changes)? {
+        out::say(&format!("note: {place}: {note}"));
+    }
     let quantities = readout(step, &selection.steps[0].setting);
     let quantity = quantities.iter().find(|quantity| is_named(quantity.key));
     Ok(quantity.map(|quantity| html::inline(&Phrase::parse(&value(quantity.value.0, quantity.unit)))))
@@ -316,9 +339,16 @@ mod tests {
 
     #[test]
     fn a_strict_book_has_no_verdict_against_the_lecture() {
-        assert!(against(1, false, "a.md:1").is_ok());
-        let refused = against(2, true, "a.md:1").expect_err("strict").to_string();
-        assert!(refused.starts_with("2 verdicts are against the lecture: "), "{refused}");
+        assert!(against(&["a/b/c"], false, "a.md:1").is_ok());
+        let refused = against(&["a/b/c", "a/b/d"], true, "a.md:1").expect_err("strict").to_string();
+        assert!(refused.starts_with("a/b/c, a/b/d: the verdict is against the lecture"), "{refused}");
+        let selection = select(&["fresnel/brewster".to_owned()], &[]).unwrap();
+        let parts = Parts { checks: true, ..Parts::default() };
+        let mut report = run::run(&selection, parts, &Progress::new());
+        let step = &mut report.chapters[0].steps[0];
+        assert!(fallen(std::iter::once(&*step)).is_empty());
+        step.checks[1].verdict = Verdict::Failed;
+        assert_eq!(fallen(std::iter::once(&*step)), [step.checks[1].address.as_str()]);
     }
 
     #[test]
@@ -332,5 +362,14 @@ mod tests {
     fn what_is_more_than_a_number_needs_its_line() {
         let refused = told().page("see {{#lesson fresnel/brewster}}", "a.md").expect_err("refused").to_string();
         assert!(refused.starts_with("a.md:1: fresnel/brewster: "), "{refused}");
+        let typed = told().page("at {{#lesson fresnel/brewster/theta_c}}", "a.md").expect_err("refused").to_string();
+        assert!(typed.contains("no such item"), "{typed}");
+    }
+
+    #[test]
+    fn within_a_list_it_stays_within_the_item() {
+        let page = page("- item\n\n  {{#lesson fresnel/snell/snell}}\n\n  more\n");
+        let inside = page.strip_prefix("- item\n\n").and_then(|rest| rest.strip_suffix("\n\n  more\n")).expect(&page);
+        assert!(inside.lines().all(|line| line.starts_with("  ")), "{inside}");
     }
 }
