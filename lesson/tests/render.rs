@@ -148,7 +148,13 @@ fn radiosity_says_what_it_did_and_what_it_cannot_do() {
     {
         assert!(run.out.contains(words), "should say `{words}`: {}", run.out);
     }
-    assert!(fs::read_to_string(folder.join("a.json")).unwrap().contains("\"radiosity\""));
+    let stats: serde_json::Value = serde_json::from_slice(&fs::read(folder.join("a.json")).unwrap()).unwrap();
+    let patches = &stats["patches"][0];
+    assert_eq!((&stats["integrator"], stats["patches"].as_array().map(Vec::len)), (&"radiosity".into(), Some(1)));
+    // As many as --explain tells of, solved as it tells.
+    let count = format!("{} patches for the first two samples", patches["patches"]);
+    assert!(run.out.contains(&count) && patches["faces"] == 17 && patches["solver"] == "elimination", "{patches}");
+    assert!(patches["residual"].as_f64().is_some_and(|left| left < 1e-10), "{patches}");
     let glass = small(&folder, "glass");
     let run = render(&folder, &glass, "--spp 2 --integrator radiosity --out @b.pfm");
     assert_eq!(run.code, 2, "{run:?}");
