@@ -51,7 +51,7 @@ pub const TEXT: Shape = Shape { text: |bytes| 0..bytes.len(), mend: |_, _| {} };
 pub const BYTES: Shape = Shape { text: |_| 0..0, mend: |_, _| {} };
 pub const PLY: Shape = Shape { text: |bytes| 0..after(bytes, b"end_header\n"), mend: |_, _| {} };
 pub const HDR: Shape = Shape { text: |bytes| 0..after(bytes, b"+X 8\n"), mend: |_, _| {} };
-pub const GLB: Shape = Shape { text: piece_of_text, mend: lengths };
+pub const GLB: Shape = Shape { text: piece_of_text, mend: |bytes, text| lengths(bytes, text) };
 pub const PNG: Shape = Shape { text: |_| 0..0, mend: |bytes, _| chunks(bytes) };
 pub const FILM: Shape = Shape { text: |_| 0..0, mend: |bytes, _| sealed(bytes) };
 
@@ -69,7 +69,7 @@ fn piece_of_text(bytes: &[u8]) -> Range<usize> {
     start..(start + number(bytes, 12)).min(bytes.len())
 }
 
-fn lengths(bytes: &mut Vec<u8>, text: Option<usize>) {
+fn lengths(bytes: &mut [u8], text: Option<usize>) {
     if bytes.len() < 20 {
         return;
     }
