@@ -41,7 +41,7 @@ impl Stop {
 impl fmt::Display for Stop {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Refused(message) => message,
+            Self::Refused(message) => return f.write_str(&harmless(message)),
             Self::ClosedPipe => "nobody reads any more",
             Self::Interrupted(_) => "somebody ended it",
         })
@@ -77,6 +77,12 @@ impl Stop {
         let Fault { place, message, .. } = fault;
         Self::Refused(format!("{place}: {message}{meant}{}", fault.choice()))
     }
+}
+
+/// A message with a sign instead of every control character but the end of a line: what it quotes can be anybody's, and such
+/// would be the terminal's to obey.
+pub fn harmless(message: &str) -> String {
+    message.chars().map(|c| if c.is_control() && c != '\n' { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }
 
 /// How alike two names must be for one to be meant by the other.

@@ -31,6 +31,8 @@ mod command;
 #[cfg(test)]
 mod tests;
 
+#[cfg(test)]
+pub use bytes::{read, write};
 pub use command::{Merge, merge, show};
 
 use crate::memory;

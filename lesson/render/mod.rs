@@ -197,6 +197,7 @@ impl Besides {
                 spp_before: 2 * made.before,
                 found: made.found,
                 rounds: &made.rounds,
+                patches: &made.patches,
             };
             drafts.push(folder.draft(name, &facts.json()));
         }

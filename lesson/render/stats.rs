@@ -3,7 +3,9 @@
 use super::clock::{Spent, efficiency};
 use super::deviation;
 use crate::run::machine;
+use light::radiosity::Routes;
 use light::transport::estimate::Estimate;
+use light::transport::radiosity::{self, Solver};
 use serde::Serialize;
 use views::number::Number;
 use views::report::Machine;
@@ -29,6 +31,58 @@ pub struct Round {
     pub deviation: Option<f64>,
 }
 
+/// What is known of the patches of a radiosity, from a sample of every pixel on until there are others.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Patches {
+    first_sample: u32,
+    faces: usize,
+    /// Those of the faces that are backs.
+    backs: usize,
+    patches: usize,
+    pairs: Pairs,
+    /// The least and the largest sum of what a patch sees of all others [1].
+    row_sums: [Number; 2],
+    /// elimination, conjugate gradients or bounces.
+    solver: &'static str,
+    /// Steps of the solver, if it goes by steps.
+    iterations: Option<u32>,
+    /// The largest that is left of any patch's equation, over the brightest patch [1].
+    residual: Number,
+    /// The mean of what patches send back [W m⁻² sr⁻¹].
+    mean: Number,
+}
+
+/// Pairs of patches, by how their form factors were found; those that are hidden are among them.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+struct Pairs {
+    behind: usize,
+    closed: usize,
+    contour: usize,
+    points: usize,
+    hidden: usize,
+}
+
+impl Patches {
+    /// Of the patches that are those of a sample.
+    pub fn of(first_sample: u32, facts: &radiosity::Facts) -> Self {
+        let radiosity::Facts { faces, backs, patches, routes, sums, solver, residual, mean } = *facts;
+        let Routes { behind, closed, points, contour, hidden } = routes;
+        let (solver, iterations) = match solver {
+            Solver::Direct => ("elimination", None),
+            Solver::Conjugate(steps) => ("conjugate gradients", Some(steps)),
+            Solver::Bounces(bounces) => ("bounces", Some(bounces)),
+        };
+        let pairs = Pairs { behind, closed, contour, points, hidden };
+        let (row_sums, residual, mean) = (sums.map(Number), Number(residual), Number(mean));
+        Self { first_sample, faces, backs, patches, pairs, row_sums, solver, iterations, residual, mean }
+    }
+
+    /// How many they are.
+    pub fn count(&self) -> usize {
+        self.patches
+    }
+}
+
 /// The document, but for what it finds out itself.
 #[derive(Debug)]
 pub struct Facts<'a> {
@@ -51,6 +105,8 @@ pub struct Facts<'a> {
     pub spp_before: u32,
     pub found: Estimate,
     pub rounds: &'a [Round],
+    /// Of a radiosity, as their number grows; none of other integrators.
+    pub patches: &'a [Patches],
 }
 
 #[derive(Serialize)]
@@ -82,6 +138,7 @@ struct Document<'a> {
     mean: [Number; 3],
     broken_pixels: usize,
     rounds: &'a [Round],
+    patches: &'a [Patches],
 }
 
 #[derive(Serialize)]
@@ -125,6 +182,7 @@ impl Facts<'_> {
             mean: found.mean.map(Number),
             broken_pixels: found.broken,
             rounds: self.rounds,
+            patches: self.patches,
         };
         let mut bytes = serde_json::to_vec_pretty(&document).expect("numbers and texts can be written as JSON");
         bytes.push(b'\n');
@@ -152,6 +210,7 @@ mod tests {
             spp_before: 0,
             found: Estimate { relative_mse: 0.0025, deviation: 1e-4, mean: [1.0, f64::NAN, 2.0], broken: 1 },
             rounds,
+            patches: &[],
         }
     }
 
@@ -177,6 +236,33 @@ mod tests {
         assert_eq!(found["rounds"], serde_json::json!([round]));
         assert!(found["machine"]["cpu"].is_string() && found["threads"].as_u64() > Some(0));
         assert!(found["relative_mse_is"].as_str().is_some_and(|text| text.contains("(A − B)²/4")));
+    }
+
+    #[test]
+    fn patches_are_told_as_they_were_solved() {
+        let routes = Routes { behind: 1, closed: 2, points: 3, contour: 4, hidden: 5 };
+        let facts = radiosity::Facts {
+            faces: 6,
+            backs: 1,
+            patches: 128,
+            routes,
+            sums: [0.5, 1.0],
+            solver: Solver::Conjugate(32),
+            residual: 1e-11,
+            mean: f64::INFINITY,
+        };
+        let patches = [
+            Patches::of(0, &facts),
+            Patches::of(4, &radiosity::Facts { solver: Solver::Direct, residual: f64::NAN, ..facts }),
+        ];
+        let found = &read(&Facts { patches: &patches, ..self::facts(&[]) })["patches"];
+        let pairs = serde_json::json!({"behind": 1, "closed": 2, "contour": 4, "points": 3, "hidden": 5});
+        let first = serde_json::json!({"first_sample": 0, "faces": 6, "backs": 1, "patches": 128, "pairs": pairs,
+            "row_sums": [0.5, 1.0], "solver": "conjugate gradients", "iterations": 32, "residual": 1e-11, "mean": "inf"});
+        assert_eq!(found[0], first);
+        assert_eq!((&found[1]["first_sample"], &found[1]["solver"]), (&4.into(), &"elimination".into()));
+        assert!(found[1]["iterations"].is_null() && found[1]["residual"] == "nan");
+        assert_eq!(read(&self::facts(&[]))["patches"], serde_json::json!([]));
     }
 
     #[test]

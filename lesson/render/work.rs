@@ -5,7 +5,7 @@ use super::clock::{Spent, Watch};
 use super::goal::{Done, Goal};
 use super::pictures::{About, Kind, Picture};
 use super::preview::{self, Preview};
-use super::stats::Round;
+use super::stats::{Patches, Round};
 use super::{Job, deviation, error_told, percent};
 use crate::interrupt::Interrupt;
 use crate::memory;
@@ -29,6 +29,8 @@ pub struct Rendered {
     pub features: Option<Vec<Feature>>,
     /// After each round.
     pub rounds: Vec<Round>,
+    /// What is known of a radiosity's patches.
+    pub patches: Vec<Patches>,
     /// Pairs that there were before.
     pub before: u32,
     pub making_ready: Spent,
@@ -73,6 +75,7 @@ pub fn rendered(scene: &Scene, manner: &Manner, job: &Job, kinds: &[&Kind]) -> R
     let mut halves = film.halves();
     let mut found = Estimate::of(&halves, width);
     let mut rounds = Vec::new();
+    let mut patches: Vec<Patches> = Vec::new();
     let working = Watch::started();
     'rounds: loop {
         let (ranges, now, elapsed) = (film.ranges(), film.pairs() - before, working.elapsed());
@@ -104,6 +107,15 @@ pub fn rendered(scene: &Scene, manner: &Manner, job: &Job, kinds: &[&Kind]) -> R
             sums.extend(renderer.sums(rows, pairs.clone()));
         }
         let splats = renderer.splats(pairs.clone());
+        // They are there: the round was made with them.
+        for (radiosity, pair) in
+            renderer.radiosity().into_iter().flat_map(|one| pairs.clone().map(move |pair| (one, pair)))
+        {
+            let own = Patches::of(2 * pair, &radiosity.of_sample(2 * pair).facts);
+            if patches.last().is_none_or(|last| last.count() != own.count()) {
+                patches.push(own);
+            }
+        }
         film.add_lit(pairs, sums, splats).expect("pairs that are new");
         halves = film.halves();
         found = Estimate::of(&halves, width);
@@ -154,7 +166,21 @@ pub fn rendered(scene: &Scene, manner: &Manner, job: &Job, kinds: &[&Kind]) -> R
     let (needs, bytes) = (*renderer.needs(), renderer.bytes());
     let features = features.map(|(features, _)| features);
     let size = [width, height];
-    Ok(Rendered { size, halves, spp, found, features, rounds, before, making_ready, spent, needs, bytes, interrupted })
+    Ok(Rendered {
+        size,
+        halves,
+        spp,
+        found,
+        features,
+        rounds,
+        patches,
+        before,
+        making_ready,
+        spent,
+        needs,
+        bytes,
+        interrupted,
+    })
 }
 
 /// What the camera sees without any light, and the time that took [s].

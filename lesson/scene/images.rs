@@ -12,6 +12,10 @@ use std::collections::HashMap;
 use std::io::Cursor;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
+use zune_jpeg::JpegDecoder;
+use zune_jpeg::zune_core::bytestream::ZCursor;
+use zune_jpeg::zune_core::colorspace::ColorSpace;
+use zune_jpeg::zune_core::options::DecoderOptions;
 
 /// Reads images, each file once.
 pub struct Images<'f> {
@@ -45,8 +49,9 @@ impl<'f> Images<'f> {
             ("exr", _) => open_exr,
             ("hdr", Use::Light) => rgbe::read,
             ("png", Use::Colour) => open_png,
+            ("jpg" | "jpeg", Use::Colour) => open_jpeg,
             (_, Use::Light) => return Err("must be the name of an image's file; valid: .exr, .hdr".into()),
-            (_, Use::Colour) => return Err("must be the name of an image's file; valid: .png, .exr".into()),
+            (_, Use::Colour) => return Err("must be the name of an image's file; valid: .png, .jpg, .exr".into()),
         };
         let name = file.display();
         let bytes = (self.files)(file).map_err(|why| format!("{name} {why}"))?;
@@ -118,17 +123,68 @@ pub fn open_exr(bytes: &[u8]) -> Result<Image, String> {
         .ok_or_else(|| "has no texels".into())
 }
 
+/// How a number of a file, as a share of the largest, is a share of light.
+type ShareOf = fn(f64) -> f64;
+
 /// Reads PNG, whose numbers are those of a screen (sRGB), as shares of light. How clear it is, is not asked.
 pub fn open_png(bytes: &[u8]) -> Result<Image, String> {
     shares_of_png(bytes, decoded)
 }
 
-/// The same of one whose numbers are shares themselves.
-pub fn numbers_of_png(bytes: &[u8]) -> Result<Image, String> {
-    shares_of_png(bytes, |number| number)
+/// Reads JPEG, likewise. How it is to be turned (Exif) and profiles of colours are not asked for.
+pub fn open_jpeg(bytes: &[u8]) -> Result<Image, String> {
+    shares_of_jpeg(bytes, decoded)
 }
 
-fn shares_of_png(bytes: &[u8], share_of: fn(f64) -> f64) -> Result<Image, String> {
+/// The image of a file that tells by its own first bytes what it is: a colour's numbers are those of a screen, others are
+/// shares themselves. None of a kind that is not read.
+pub fn drawn(bytes: &[u8], is_colour: bool) -> Option<Result<Image, String>> {
+    let share_of: ShareOf = if is_colour { decoded } else { |number| number };
+    match bytes {
+        [0x89, b'P', b'N', b'G', ..] => Some(shares_of_png(bytes, share_of)),
+        [0xFF, 0xD8, 0xFF, ..] => Some(shares_of_jpeg(bytes, share_of)),
+        _ => None,
+    }
+}
+
+/// The most texels that a byte of JPEG can tell of: a block of 8 × 8 takes at least a bit (ITU-T T.81, F.1.2.1 and G.1.2.1: its
+/// first coefficient has a code of its own). Twice as many, lest a channel of half the size be held to it.
+const TEXELS_OF_JPEG: u64 = 2 * 8 * 64;
+
+fn shares_of_jpeg(bytes: &[u8], share_of: ShareOf) -> Result<Image, String> {
+    let told = |error: zune_jpeg::errors::DecodeErrors| {
+        let text = error.to_string();
+        let first: String = text.lines().next().unwrap_or_default().chars().take(160).collect();
+        format!("is no image that can be read: {first}")
+    };
+    let side = usize::from(u16::MAX);
+    let options = DecoderOptions::new_safe()
+        // What is cut off is no grey, and the largest size is ours to judge.
+        .set_strict_mode(true)
+        .set_max_width(side)
+        .set_max_height(side)
+        .jpeg_set_out_colorspace(ColorSpace::RGB);
+    let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
+    decoder.decode_headers().map_err(told)?;
+    let size = decoder.info().map(|info| [u32::from(info.width), u32::from(info.height)]).ok_or("has no size")?;
+    sized(size)?;
+    let texels = u64::from(size[0]) * u64::from(size[1]);
+    if texels / TEXELS_OF_JPEG > bytes.len() as u64 {
+        return Err(format!("promises {} × {} texels, and has {} bytes for them", size[0], size[1], bytes.len()));
+    }
+    // The decoder takes what is cut off within its last scan for nothing: after that scan's beginning there must be an end.
+    let last = |marker: u8| bytes.windows(2).rposition(|two| two == [0xFF, marker]);
+    if last(0xD9) < last(0xDA) {
+        return Err("is no image that can be read: it ends within its last scan".into());
+    }
+    let numbers = decoder.decode().map_err(told)?;
+    let shares: Vec<f32> = (0..=u8::MAX).map(|number| share_of(f64::from(number) / 255.0) as f32).collect();
+    let (texels, _) = numbers.as_chunks::<3>();
+    let texels = texels.iter().map(|texel| texel.map(|number| shares[usize::from(number)])).collect();
+    Image::new(size, texels).ok_or_else(|| "has fewer texels than it says".into())
+}
+
+fn shares_of_png(bytes: &[u8], share_of: ShareOf) -> Result<Image, String> {
     let told = |error: png::DecodingError| {
         let text = error.to_string();
         let first: String = text.lines().next().unwrap_or_default().chars().take(160).collect();
@@ -253,6 +309,68 @@ mod tests {
         for length in [0, 8, 20, whole.len() / 2] {
             assert!(open_png(&whole[..length]).is_err(), "{length}");
         }
+    }
+
+    /// By libjpeg-turbo 3.1.2 through Pillow 13: what it reads of its own files is what is held against here, an encoder and a
+    /// decoder of other hands. Two may differ by a step or two where they round (ITU-T T.83, accuracy of a decoder).
+    const FLAT: &[u8] = include_bytes!("jpeg/flat.jpg");
+    const PROGRESSIVE: &[u8] = include_bytes!("jpeg/progressive.jpg");
+    const INKS: &[u8] = include_bytes!("jpeg/inks.jpg");
+
+    #[test]
+    fn photographs_are_read_as_another_decoder_reads_them() {
+        let near = |image: &Image, place: [u32; 2], expected: [u8; 3], steps: f64| {
+            let found = image.at(place);
+            for (found, expected) in found.into_iter().zip(expected) {
+                let [low, high] =
+                    [-steps, steps].map(|step| decoded(((f64::from(expected) + step) / 255.0).clamp(0.0, 1.0)));
+                assert!((low - 1e-6..=high + 1e-6).contains(&found), "{place:?}: {found}, and not {expected} of 255");
+            }
+        };
+        let flat = open_jpeg(FLAT).unwrap();
+        assert_eq!(flat.size(), [16, 8]);
+        for row in 0..8 {
+            (0..8).for_each(|column| near(&flat, [column, row], [200, 100, 50], 1.0));
+            (8..16).for_each(|column| near(&flat, [column, row], [0, 187, 254], 1.0));
+        }
+        // Grey, in several passes, and no whole number of blocks: its first column from the top.
+        let grey = open_jpeg(PROGRESSIVE).unwrap();
+        assert_eq!(grey.size(), [9, 17]);
+        let column = [0, 15, 31, 45, 60, 75, 90, 105, 120, 135, 151, 165, 180, 195, 210, 225, 240];
+        column.into_iter().enumerate().for_each(|(row, grey_of)| near(&grey, [0, row as u32], [grey_of; 3], 2.0));
+        near(&grey, [8, 16], [248; 3], 2.0);
+        // Numbers that are no colour are shares themselves.
+        let numbers = drawn(FLAT, false).expect("a kind that is known").unwrap();
+        assert!((numbers.at([0, 0])[0] - 200.0 / 255.0).abs() < 1.01 / 255.0);
+        near(&open_jpeg(INKS).unwrap(), [3, 3], [240, 54, 221], 3.0);
+    }
+
+    #[test]
+    fn photographs_that_are_cut_off_or_promise_too_much_are_refused() {
+        for whole in [FLAT, PROGRESSIVE] {
+            // Without its last two bytes, which say that it ends, nothing of it is missing.
+            for length in 0..whole.len() - 2 {
+                let refused = open_jpeg(&whole[..length]).expect_err(&length.to_string());
+                assert!(refused.starts_with("is no image that can be read: ") || refused == "has no size", "{refused}");
+            }
+        }
+        let frame = FLAT.windows(2).position(|two| two == [0xFF, 0xC0]).expect("a frame");
+        let sized = |size: [u8; 4]| {
+            let mut bytes = FLAT.to_vec();
+            bytes[frame + 5..frame + 9].copy_from_slice(&size);
+            open_jpeg(&bytes).unwrap_err()
+        };
+        assert!(sized([255; 4]).contains("has 65535 × 65535 texels; valid: width × height up to"));
+        assert_eq!(sized([16, 0, 16, 0]), "promises 4096 × 4096 texels, and has 293 bytes for them");
+        assert!(sized([0; 4]).contains("zero"), "{}", sized([0; 4]));
+        let files = |_: &Path| Ok(FLAT.to_vec());
+        let mut images = Images::new(&files);
+        for name in ["a.jpg", "a.JPEG"] {
+            assert_eq!(images.read(Path::new(name), Use::Colour).unwrap().size(), [16, 8]);
+        }
+        let light = images.read(Path::new("a.jpg"), Use::Light).unwrap_err();
+        assert_eq!(light, "must be the name of an image's file; valid: .exr, .hdr");
+        assert!(drawn(b"GIF89a", true).is_none());
     }
 
     proptest! {

@@ -190,7 +190,7 @@ pub const PATTERN: Object = Object {
             "image",
             Kind::Text,
             Need::Unless("checker"),
-            "a .png (sRGB) or .exr (linear), from the scene's folder; its lower left corner lies at a quad's first, the right one at the second",
+            "a .png or .jpg (sRGB) or .exr (linear), from the scene's folder; its lower left corner lies at a quad's first, the right one at the second",
         ),
         may("scale", Kind::Number(domain::SQUARES), "8", "squares along each side of the shape; only with checker"),
     ]],

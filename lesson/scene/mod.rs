@@ -1,6 +1,8 @@
 //! Scenes: the lecture's own by name, others from files; and back into files.
 
 mod fields;
+#[cfg(test)]
+mod fuzz;
 mod gltf;
 mod images;
 mod json;
@@ -22,7 +24,7 @@ pub use print::stem;
 pub use reference::blocks as keys;
 
 use crate::out::{self, Folder};
-use crate::stop::{Stop, plain};
+use crate::stop::{Stop, harmless, plain};
 use chapters::parameter::{Fault, excerpt};
 use chapters::text::Phrase;
 use images::Images;
@@ -48,7 +50,7 @@ pub fn load(name: &str) -> Result<Scene, Stop> {
             read_gltf(path, &bytes, &files)?
         }
     };
-    notes.iter().for_each(|note| out::say(&format!("note: {note}")));
+    notes.iter().for_each(|note| out::say(&format!("note: {}", harmless(note))));
     Ok(scene)
 }
 

@@ -66,7 +66,8 @@ impl Source {
     /// The refusal of the file for a snag: file, line and column, what is wrong, and the line.
     pub fn refuse(&self, snag: Snag) -> Stop {
         let path = self.path.display();
-        let what = Stop::unknown(snag.fault, std::iter::empty());
+        let fault = Fault { place: shortened(&snag.fault.place), ..snag.fault };
+        let what = Stop::unknown(fault, std::iter::empty());
         let Some(span) = snag.span else { return what.within(path) };
         let span = self.first_line(span);
         let (before, column) = self.place(span.start);
@@ -93,6 +94,22 @@ impl Source {
         let line = before.rfind('\n').map_or(0, |end| end + 1);
         (1 + before.matches('\n').count(), 1 + before[line..].chars().count())
     }
+}
+
+/// The longest place that is told as it is, and what is left of a longer one's beginning and end [characters]: names in a file
+/// may be of any length.
+const PLACE: usize = 160;
+const ENDS: [usize; 2] = [80, 60];
+
+fn shortened(place: &str) -> String {
+    let count = place.chars().count();
+    if count <= PLACE {
+        return place.to_owned();
+    }
+    let [first, last] = ENDS;
+    let beginning: String = place.chars().take(first).collect();
+    let end: String = place.chars().skip(count - last).collect();
+    format!("{beginning}…{end}")
 }
 
 /// What a file holds, if that is at most `largest` bytes.
@@ -139,6 +156,17 @@ mod tests {
         assert_eq!(shown("{\n1\n}\n", 0..6).lines().count(), 4);
         let long = format!("a = [{}]", "1.0, ".repeat(100_000));
         assert!(shown(&long, 250_001..250_004).lines().all(|line| line.chars().count() <= WIDTH));
+    }
+
+    #[test]
+    fn a_place_of_long_names_is_told_by_its_ends() {
+        let source = Source::new(Path::new("s.toml"), b"a = 1".to_vec()).unwrap();
+        let told = |place: &str| source.refuse(Snag { span: None, fault: Fault::new(place, "is wrong") }).to_string();
+        let name = "ä".repeat(151);
+        assert_eq!(told(&format!("materials{name}")), format!("s.toml: materials{name}: is wrong"));
+        let long = told(&format!("materials.{}.alpha", "ä".repeat(3000)));
+        assert!(long.starts_with("s.toml: materials.ää") && long.ends_with("ää.alpha: is wrong"), "{long}");
+        assert_eq!(long.chars().count(), "s.toml: : is wrong".len() + 80 + 1 + 60);
     }
 
     #[test]

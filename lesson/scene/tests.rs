@@ -101,7 +101,7 @@ fn patterns_survive_print_and_read() {
 }
 
 /// The example of the contract, and a bit of everything else.
-const WHOLE: &str = r#"
+pub(super) const WHOLE: &str = r#"
 name = "cornell"
 max_depth = 16
 filter = "tent"
@@ -297,7 +297,7 @@ fn whole() -> Scene {
 }
 
 /// A tree as JSON, which no code of ours writes otherwise.
-fn as_json(node: &Node) -> String {
+pub(super) fn as_json(node: &Node) -> String {
     use tree::Value;
     match &node.value {
         Value::Null | Value::Date => "null".into(),

@@ -148,7 +148,20 @@ fn radiosity_says_what_it_did_and_what_it_cannot_do() {
     {
         assert!(run.out.contains(words), "should say `{words}`: {}", run.out);
     }
-    assert!(fs::read_to_string(folder.join("a.json")).unwrap().contains("\"radiosity\""));
+    let stats: serde_json::Value = serde_json::from_slice(&fs::read(folder.join("a.json")).unwrap()).unwrap();
+    let patches = &stats["patches"][0];
+    assert_eq!((&stats["integrator"], stats["patches"].as_array().map(Vec::len)), (&"radiosity".into(), Some(1)));
+    // As many as --explain tells of, solved as it tells.
+    let residual = patches["residual"].as_f64().expect("a number");
+    for words in [
+        format!("{} faces", patches["faces"]),
+        format!("{} patches for the first two", patches["patches"]),
+        format!("solved by {} bounces", patches["iterations"]),
+        format!("residual {residual:.1e}"),
+    ] {
+        assert!(run.out.contains(&words), "should say `{words}`: {}", run.out);
+    }
+    assert_eq!(patches["solver"], "bounces");
     let glass = small(&folder, "glass");
     let run = render(&folder, &glass, "--spp 2 --integrator radiosity --out @b.pfm");
     assert_eq!(run.code, 2, "{run:?}");

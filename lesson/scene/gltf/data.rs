@@ -2,9 +2,14 @@
 //! against its buffer, so that no more memory is taken than the file's own size asks for.
 
 use super::super::meshes::{Files, LARGEST};
+use gltf::accessor::sparse::IndexType;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::{Accessor, Document, buffer};
+use std::borrow::Cow;
 use std::path::Path;
+
+/// The most rows that an accessor may stand for without a view of its own: no bytes of the file are behind them.
+const ZEROS: usize = 1 << 20;
 
 /// What every `.glb` begins with.
 const MAGIC: [u8; 4] = *b"glTF";
@@ -104,8 +109,14 @@ fn base64(text: &str) -> Result<Vec<u8>, String> {
     if text.len() % 4 == 1 { Err("is a data URI that is cut off".into()) } else { Ok(out) }
 }
 
+/// What lets positions and the like be whole numbers, which nodes' matrices bring to their size.
+pub const QUANTIZATION: &str = "KHR_mesh_quantization";
+
 /// The buffers of a document.
-pub struct Data(Vec<Vec<u8>>);
+pub struct Data {
+    buffers: Vec<Vec<u8>>,
+    is_quantized: bool,
+}
 
 impl Data {
     pub fn open(document: &Document, own: Option<&[u8]>, folder: &Path, files: Files) -> Result<Self, String> {
@@ -134,74 +145,105 @@ impl Data {
             }
             all.push(bytes);
         }
-        Ok(Self(all))
+        let is_quantized = document.extensions_used().any(|name| name == QUANTIZATION);
+        Ok(Self { buffers: all, is_quantized })
     }
 
     /// The bytes of a view.
     pub fn view(&self, view: &buffer::View) -> Result<&[u8], String> {
-        let bytes = &self.0[view.buffer().index()];
+        let bytes = &self.buffers[view.buffer().index()];
         let end = view.offset().checked_add(view.length()).filter(|end| *end <= bytes.len());
         let end =
             end.ok_or_else(|| format!("bufferViews[{}]: is beyond its buffer's {} bytes", view.index(), bytes.len()))?;
         Ok(&bytes[view.offset()..end])
     }
 
-    /// The numbers of an accessor, so many a row, each by its kind.
-    fn rows<'d>(
-        &'d self,
-        accessor: &Accessor,
-        parts: usize,
-    ) -> Result<impl Iterator<Item = &'d [u8]> + use<'d>, String> {
+    /// The numbers of an accessor, so many a row, each by its kind; those that it says otherwise of (sparse) put in.
+    fn rows(&self, accessor: &Accessor, parts: usize) -> Result<Rows<'_>, String> {
         let place = format!("accessors[{}]", accessor.index());
-        if accessor.sparse().is_some() {
-            return Err(format!("{place}: is sparse, which cannot be read"));
+        let (size, count) = (parts * width(accessor.data_type()), accessor.count());
+        let own = accessor.view().map(|view| self.placed(&view, accessor.offset(), view.stride(), size, count));
+        let own = own.transpose().map_err(|why| format!("{place}: {why}"))?;
+        let Some(sparse) = accessor.sparse() else { return own.ok_or_else(|| format!("{place}: has no bufferView")) };
+        let mut all = match own {
+            Some(own) => own.iter().flatten().copied().collect(),
+            None if count <= ZEROS => vec![0; size * count],
+            None => return Err(format!("{place}: stands for {count} rows of zeros; valid: up to {ZEROS}")),
+        };
+        let (indices, values) = (sparse.indices(), sparse.values());
+        let wide = match indices.index_type() {
+            IndexType::U8 => 1,
+            IndexType::U16 => 2,
+            IndexType::U32 => 4,
+        };
+        let told = |of: &'static str| {
+            let place = &place;
+            move |why: String| format!("{place}.sparse.{of}: {why}")
+        };
+        let at = self.placed(&indices.view(), indices.offset(), None, wide, sparse.count()).map_err(told("indices"))?;
+        let values = self.placed(&values.view(), values.offset(), None, size, sparse.count());
+        let mut next = 0;
+        for (at, value) in at.iter().zip(values.map_err(told("values"))?.iter()) {
+            let row = whole(at) as usize;
+            if !(next..count).contains(&row) {
+                return Err(told("indices")(format!(
+                    "row {row} of {count}; valid: each is there, and above the one before"
+                )));
+            }
+            all[row * size..][..size].copy_from_slice(value);
+            next = row + 1;
         }
-        let view = accessor.view().ok_or_else(|| format!("{place}: has no bufferView"))?;
-        let bytes = self.view(&view)?;
-        let size = parts * width(accessor.data_type());
-        let stride = view.stride().unwrap_or(size);
-        if stride < size {
-            return Err(format!("{place}: rows of {size} bytes, {stride} apart"));
-        }
-        let needed = accessor.count().checked_sub(1).and_then(|last| {
-            last.checked_mul(stride)?
-                .checked_add(size)?
-                .checked_add(accessor.offset())
-                .filter(|end| *end <= bytes.len())
-        });
-        if needed.is_none() {
-            let count = accessor.count();
-            return Err(format!(
-                "{place}: {count} rows of {size} bytes from byte {} on are not in its view's {} bytes",
-                accessor.offset(),
-                bytes.len()
-            ));
-        }
-        let start = accessor.offset();
-        Ok((0..accessor.count()).map(move |row| &bytes[start + row * stride..start + row * stride + size]))
+        Ok(Rows { bytes: Cow::Owned(all), size, stride: size, count })
     }
 
-    /// Rows of single numbers; whole ones stand for shares if the accessor says so.
+    /// So many rows of `size` bytes in a view.
+    fn placed(
+        &self,
+        view: &buffer::View,
+        offset: usize,
+        stride: Option<usize>,
+        size: usize,
+        count: usize,
+    ) -> Result<Rows<'_>, String> {
+        let bytes = self.view(view)?;
+        let stride = stride.unwrap_or(size);
+        if stride < size {
+            return Err(format!("rows of {size} bytes, {stride} apart"));
+        }
+        let end = |last: usize| last.checked_mul(stride)?.checked_add(size)?.checked_add(offset);
+        match count.checked_sub(1).and_then(end).filter(|end| *end <= bytes.len()) {
+            Some(end) => Ok(Rows { bytes: Cow::Borrowed(&bytes[offset..end]), size, stride, count }),
+            None => Err(format!(
+                "{count} rows of {size} bytes from byte {offset} on are not in its view's {} bytes",
+                bytes.len()
+            )),
+        }
+    }
+
+    /// Rows of single numbers; whole ones stand for shares if the accessor says so, or for themselves in a file that says so.
     pub fn numbers<const K: usize>(
         &self,
         accessor: &Accessor,
         dimensions: Dimensions,
     ) -> Result<Vec<[f32; K]>, String> {
         let place = format!("accessors[{}]", accessor.index());
-        let kind = accessor.data_type();
-        let is_share = accessor.normalized() && matches!(kind, DataType::U8 | DataType::U16);
-        if accessor.dimensions() != dimensions || !(kind == DataType::F32 || is_share) {
+        let (kind, is_share) = (accessor.data_type(), accessor.normalized());
+        let is_known = match kind {
+            DataType::F32 => true,
+            DataType::U8 | DataType::U16 => is_share || self.is_quantized,
+            DataType::I8 | DataType::I16 => self.is_quantized,
+            DataType::U32 => false,
+        };
+        if accessor.dimensions() != dimensions || !is_known {
             let found = (accessor.dimensions(), kind);
             return Err(format!("{place}: is {found:?}; valid: ({dimensions:?}, F32)"));
         }
+        let rows = self.rows(accessor, K)?;
+        let wide = width(kind);
         let row = |bytes: &[u8]| -> [f32; K] {
-            std::array::from_fn(|at| match kind {
-                DataType::U8 => f32::from(bytes[at]) / 255.0,
-                DataType::U16 => f32::from(u16::from_le_bytes([bytes[2 * at], bytes[2 * at + 1]])) / 65535.0,
-                _ => f32::from_le_bytes([0, 1, 2, 3].map(|byte| bytes[4 * at + byte])),
-            })
+            std::array::from_fn(|at| number(&bytes[wide * at..][..wide], kind, is_share))
         };
-        let rows: Vec<[f32; K]> = self.rows(accessor, K)?.map(row).collect();
+        let rows: Vec<[f32; K]> = rows.iter().map(row).collect();
         match rows.iter().flatten().all(|number| number.is_finite()) {
             true => Ok(rows),
             false => Err(format!("{place}: has what is no finite number")),
@@ -216,8 +258,39 @@ impl Data {
             let found = (accessor.dimensions(), kind);
             return Err(format!("accessors[{}]: is {found:?}; valid: whole numbers from 0", accessor.index()));
         }
-        let number = |bytes: &[u8]| bytes.iter().rev().fold(0, |sum, byte| sum << 8 | u32::from(*byte));
-        Ok(self.rows(accessor, 1)?.map(number).collect())
+        Ok(self.rows(accessor, 1)?.iter().map(whole).collect())
+    }
+}
+
+/// Rows of an accessor, each so far behind the one before.
+struct Rows<'d> {
+    bytes: Cow<'d, [u8]>,
+    size: usize,
+    stride: usize,
+    count: usize,
+}
+
+impl Rows<'_> {
+    fn iter(&self) -> impl Iterator<Item = &[u8]> {
+        (0..self.count).map(|row| &self.bytes[row * self.stride..][..self.size])
+    }
+}
+
+/// A whole number, little end first.
+fn whole(bytes: &[u8]) -> u32 {
+    bytes.iter().rev().fold(0, |sum, byte| sum << 8 | u32::from(*byte))
+}
+
+/// A number of a kind; a whole one perhaps as a share of the largest (glTF 2.0, §3.11, "Animations": f = c/255 and the like).
+fn number(bytes: &[u8], kind: DataType, is_share: bool) -> f32 {
+    let part = |number: f32, most: i16| if is_share { (number / f32::from(most)).max(-1.0) } else { number };
+    match kind {
+        DataType::I8 => part(f32::from(bytes[0] as i8), i8::MAX.into()),
+        DataType::U8 => part(f32::from(bytes[0]), u8::MAX.into()),
+        DataType::I16 => part(f32::from(whole(bytes) as u16 as i16), i16::MAX),
+        DataType::U16 if is_share => whole(bytes) as f32 / f32::from(u16::MAX),
+        DataType::U16 | DataType::U32 => whole(bytes) as f32,
+        DataType::F32 => f32::from_bits(whole(bytes)),
     }
 }
 

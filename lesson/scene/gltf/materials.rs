@@ -10,7 +10,7 @@
 
 use super::Reading;
 use super::data::fetched;
-use crate::scene::images::{numbers_of_png, open_png};
+use crate::scene::images::drawn;
 use gltf::image::Source;
 use gltf::texture::{Info, WrappingMode};
 use light::bsdf::microfacet::{Joint, LEAST_ALPHA, Slopes};
@@ -130,9 +130,13 @@ pub fn made(reading: &mut Reading, material: &gltf::Material) -> Result<Made, St
         }
     };
     let strength = f64::from(material.emissive_strength().unwrap_or(1.0));
-    let radiance = material.emissive_factor().map(|factor| f64::from(factor) * strength);
-    if material.emissive_texture().is_some() && radiance != [0.0; 3] {
-        reading.left_out("emissiveTexture (the factor is used all over)");
+    let mut radiance = material.emissive_factor().map(|factor| f64::from(factor) * strength);
+    if let Some(info) = material.emissive_texture().filter(|_| radiance != [0.0; 3]) {
+        reading.left_out("emissiveTexture (its mean is used all over)");
+        if let Some((image, _)) = image(reading, &info.texture(), true)? {
+            let mean = Pattern::Image { file: None, image }.mean();
+            radiance = [0, 1, 2].map(|channel| radiance[channel] * mean[channel]);
+        }
     }
     let emission = (radiance != [0.0; 3]).then_some(Emission { radiance, two_sided: material.double_sided() });
     Ok(Made { name, material: made, emission })
@@ -210,13 +214,8 @@ fn unread(reading: &mut Reading, material: &gltf::Material) {
 
 /// An image as a base colour, times a factor; None if it cannot be drawn, which is told.
 fn pattern(reading: &mut Reading, info: &Info, factor: Triple) -> Result<Option<Pattern>, String> {
-    if info.extensions().is_some_and(|extensions| !extensions.is_empty()) {
-        reading.left_out("KHR_texture_transform");
-    }
-    if info.tex_coord() != 0 {
-        reading.left_out("textures by a second set of coordinates");
-        return Ok(None);
-    }
+    let keys = info.extensions().into_iter().flat_map(|extensions| extensions.keys());
+    keys.for_each(|key| reading.left_out(key));
     let sampler = info.texture().sampler();
     if [sampler.wrap_s(), sampler.wrap_t()] != [WrappingMode::Repeat; 2] {
         reading.left_out("textures that are not repeated (they are)");
@@ -253,12 +252,11 @@ fn image(
             fetched(uri, &reading.folder, reading.files).map_err(|why| format!("{place}: {why}"))?
         }
     };
-    if !bytes.starts_with(b"\x89PNG") {
-        reading.left_out("images that are no PNG (their factor is used all over)");
+    let Some(read) = drawn(&bytes, is_colour) else {
+        reading.left_out("images that are no PNG and no JPEG (their factor is used all over)");
         return Ok(None);
-    }
-    let read = if is_colour { open_png } else { numbers_of_png };
-    let image = Arc::new(read(&bytes).map_err(|why| format!("{place}: {why}"))?);
+    };
+    let image = Arc::new(read.map_err(|why| format!("{place}: {why}"))?);
     reading.holds(&image)?;
     reading.images.insert(key, Arc::clone(&image));
     Ok(Some((image, key.0)))

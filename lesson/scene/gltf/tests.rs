@@ -31,8 +31,8 @@ const JSON: u32 = 0x4E4F_534A;
 const BIN: u32 = 0x004E_4942;
 
 /// A document that grows, and its bytes.
-struct Model {
-    text: Value,
+pub struct Model {
+    pub text: Value,
     data: Vec<u8>,
 }
 
@@ -73,6 +73,19 @@ impl Model {
         self.accessor(&bytes, 5126, if K == 2 { "VEC2" } else { "VEC3" }, rows.len())
     }
 
+    /// Positions of a square, of which two of zeros are said otherwise.
+    fn sparse(&mut self) -> usize {
+        let (rows, values) =
+            (self.accessor(&[1, 3], 5121, "SCALAR", 2), self.floats(&[[1.0, 0.0, 0.0], [1.0, 1.0, 0.0]]));
+        let own = self.floats(&[[0.0; 3], [7.0; 3], [0.0, 1.0, 0.0], [9.0; 3]]);
+        let view = |model: &Self, accessor: usize| model.text["accessors"][accessor]["bufferView"].clone();
+        let (rows, values) = (view(self, rows), view(self, values));
+        let indices = json!({"bufferView": rows, "componentType": 5121});
+        self.text["accessors"][own]["sparse"] =
+            json!({"count": 2, "indices": indices, "values": {"bufferView": values}});
+        own
+    }
+
     /// A mesh of one primitive.
     fn mesh(&mut self, positions: &[[f32; 3]], more: Value) -> usize {
         let mut primitive = json!({"attributes": {"POSITION": self.floats(positions)}});
@@ -89,15 +102,95 @@ impl Model {
         at
     }
 
-    fn bytes(&self) -> Vec<u8> {
+    /// As a .glb.
+    pub fn bytes(&self) -> Vec<u8> {
         let mut text = self.text.clone();
         text["buffers"][0]["byteLength"] = json!(self.data.len());
         glb(&text, &self.data)
     }
 
+    /// As a .gltf that carries its own bytes.
+    pub fn as_text(&self) -> Vec<u8> {
+        const SIGNS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        let mut padded = self.data.clone();
+        padded.resize(padded.len().next_multiple_of(3), 0);
+        let (threes, _) = padded.as_chunks::<3>();
+        let four = |three: &[u8; 3]| {
+            let bits = three.iter().fold(0_usize, |bits, byte| bits << 8 | usize::from(*byte));
+            [18, 12, 6, 0].map(|shift| char::from(SIGNS[bits >> shift & 63]))
+        };
+        let data: String = threes.iter().flat_map(four).collect();
+        let mut text = self.text.clone();
+        let uri = format!("data:application/octet-stream;base64,{data}");
+        text["buffers"][0] = json!({"byteLength": self.data.len(), "uri": uri});
+        text.to_string().into_bytes()
+    }
+
+    /// An image of its own view; the number of its texture.
+    fn texture(&mut self, bytes: &[u8]) -> usize {
+        self.data.resize(self.data.len().next_multiple_of(4), 0);
+        let view = json!({"buffer": 0, "byteOffset": self.data.len(), "byteLength": bytes.len()});
+        self.data.extend(bytes);
+        let view = self.push("bufferViews", view);
+        let image = self.push("images", json!({"bufferView": view, "mimeType": "image/png"}));
+        self.push("textures", json!({"source": image}))
+    }
+
     fn read(&self) -> Result<(Scene, Vec<String>), String> {
         read(&self.bytes())
     }
+}
+
+/// A PNG of so many columns and rows, three numbers each.
+fn png(size: [u32; 2], numbers: &[u8]) -> Vec<u8> {
+    let mut png = Vec::new();
+    let mut encoder = png::Encoder::new(&mut png, size[0], size[1]);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.write_header().unwrap().write_image_data(numbers).unwrap();
+    png
+}
+
+/// Models that have a little of all that is read.
+pub fn seeds() -> Vec<Model> {
+    let mut rich = Model::new();
+    let coloured = rich.texture(&png([2, 1], &[255, 188, 0, 0, 188, 255]));
+    let photo = rich.texture(include_bytes!("../jpeg/flat.jpg"));
+    let transform = json!({"offset": [0, 1], "rotation": 1.5, "scale": [0.5, 0.5], "texCoord": 1});
+    rich.push("materials", json!({"name": "drawn", "doubleSided": true, "alphaMode": "MASK", "pbrMetallicRoughness": {
+        "baseColorTexture": {"index": coloured, "extensions": {"KHR_texture_transform": transform}},
+        "baseColorFactor": [0.5, 1, 1, 1], "metallicFactor": 0, "roughnessFactor": 0.5},
+        "emissiveFactor": [1, 0.5, 0], "emissiveTexture": {"index": photo},
+        "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 3}, "KHR_materials_specular": {"specularFactor": 0.5}}}));
+    rich.push("materials", json!({"pbrMetallicRoughness": {"metallicRoughnessTexture": {"index": photo}}}));
+    rich.push(
+        "materials",
+        json!({"pbrMetallicRoughness": {"roughnessFactor": 0}, "extensions": {
+        "KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_ior": {"ior": 1.4},
+        "KHR_materials_volume": {"attenuationDistance": 2, "attenuationColor": [1, 0.5, 0.25]},
+        "KHR_materials_dispersion": {"dispersion": 0.3}}}),
+    );
+    let places = rich.floats(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]);
+    let normals = rich.floats(&[[0.0, 0.0, 1.0]; 4]);
+    let corners = rich.accessor(&[0, 0, 1, 0, 2, 0, 3, 0], 5123, "SCALAR", 4);
+    let positions = rich.sparse();
+    let attributes = json!({"POSITION": positions, "NORMAL": normals, "TEXCOORD_0": places, "TEXCOORD_1": places});
+    let strip = json!({"attributes": attributes, "indices": corners, "mode": 5, "material": 0});
+    let fan = json!({"attributes": attributes, "mode": 6, "material": 1});
+    let mesh = rich.push("meshes", json!({"primitives": [strip, fan]}));
+    let glass = rich.mesh(&TRIANGLE, json!({"material": 2}));
+    let inner = rich.push("nodes", json!({"mesh": glass, "rotation": [0, 0.6, 0, 0.8], "scale": [1, -2, 3]}));
+    rich.node(json!({"mesh": mesh, "children": [inner], "translation": [1, 2, 3]}));
+    rich.node(json!({"mesh": mesh, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1]}));
+    rich.text["extensionsUsed"] = json!(["KHR_lights_punctual", "KHR_texture_transform"]);
+    rich.text["extensionsRequired"] = json!(["KHR_texture_transform"]);
+    rich.text["extensions"] = json!({"KHR_lights_punctual": {"lights": [
+        {"type": "point", "color": [1, 0.5, 0], "intensity": 683, "range": 9}, {"type": "directional", "intensity": 1366}]}});
+    rich.node(json!({"translation": [1, 2, 3], "extensions": {"KHR_lights_punctual": {"light": 0}}}));
+    rich.node(json!({"rotation": [1, 0, 0, 0], "extensions": {"KHR_lights_punctual": {"light": 1}}}));
+    rich.text["cameras"] =
+        json!([{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1, "aspectRatio": 1.5}}]);
+    rich.node(json!({"camera": 0, "translation": [0, 0, 9]}));
+    vec![triangle(), rich]
 }
 
 fn none(file: &Path) -> Result<Vec<u8>, String> {
@@ -317,15 +410,7 @@ fn materials_become_those_of_a_scene() {
 #[test]
 fn lights_and_images_are_read() {
     let mut model = Model::new();
-    let mut png = Vec::new();
-    let mut encoder = png::Encoder::new(&mut png, 1, 2);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.write_header().unwrap().write_image_data(&[255, 255, 255, 0, 0, 0]).unwrap();
-    let at = model.data.len();
-    model.data.extend(&png);
-    let view = model.push("bufferViews", json!({"buffer": 0, "byteOffset": at, "byteLength": png.len()}));
-    model.text["images"] = json!([{"bufferView": view, "mimeType": "image/png"}]);
-    model.text["textures"] = json!([{"source": 0}]);
+    model.texture(&png([1, 2], &[255, 255, 255, 0, 0, 0]));
     let pbr = json!({"baseColorTexture": {"index": 0}, "baseColorFactor": [0.5, 1, 1, 1], "metallicFactor": 0});
     model.push("materials", json!({"pbrMetallicRoughness": pbr}));
     let (position, places) = (model.floats(&TRIANGLE), model.floats(&[[0.0, 0.0], [1.0, 0.0], [0.0, 0.75]]));
@@ -354,6 +439,149 @@ fn lights_and_images_are_read() {
 }
 
 #[test]
+fn rows_that_are_said_otherwise_are_those() {
+    let mut model = Model::new();
+    let positions = model.sparse();
+    let mesh = model.push("meshes", json!({"primitives": [{"attributes": {"POSITION": positions}, "mode": 5}]}));
+    model.node(json!({"mesh": mesh}));
+    let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
+    assert_eq!(mesh_of(&model.read().unwrap().0, 0).positions, square);
+    // Of nothing, all others are 0: an empty triangle beside one of three corners.
+    let accessor = &mut model.text["accessors"][positions];
+    let (own, rows, values) =
+        (accessor["bufferView"].take(), accessor["sparse"]["indices"].clone(), accessor["sparse"]["values"].clone());
+    accessor.as_object_mut().expect("a table").remove("bufferView");
+    assert_eq!(mesh_of(&model.read().unwrap().0, 0).positions, [[0.0; 3], square[1], [0.0; 3], square[3]]);
+    type Slip = fn(&mut Model, usize);
+    let slips: [(Slip, &str); 8] = [
+        (|m, at| m.text["accessors"][at]["count"] = json!(1_u64 << 40), "stands for 1099511627776 rows of zeros"),
+        (|m, at| m.text["accessors"][at]["count"] = json!(3), ".sparse.indices: row 3 of 3"),
+        (|m, at| m.text["accessors"][at]["sparse"]["count"] = json!(3), ".sparse.indices: 3 rows of 1 bytes"),
+        (|m, at| m.text["accessors"][at]["sparse"]["count"] = json!(0), ".sparse.indices: 0 rows"),
+        (
+            |m, at| m.text["accessors"][at]["sparse"]["values"]["byteOffset"] = json!(1),
+            ".sparse.values: 2 rows of 12 bytes",
+        ),
+        (|m, at| m.text["accessors"][at]["sparse"]["indices"]["componentType"] = json!(5123), "2 rows of 2 bytes"),
+        (|m, at| m.text["accessors"][at]["sparse"]["indices"]["bufferView"] = json!(77), "names what is not there"),
+        (
+            |m, _| m.data[..2].copy_from_slice(&[3, 1]),
+            ".sparse.indices: row 1 of 4; valid: each is there, and above the one",
+        ),
+    ];
+    for (slip, why) in slips {
+        let mut other = Model { text: model.text.clone(), data: model.data.clone() };
+        slip(&mut other, positions);
+        let refused = other.read().map(|_| ()).unwrap_err();
+        assert!(refused.contains(why) && refused.contains("accessors["), "{why}: {refused}");
+    }
+    // The same with its own rows, which must be there too.
+    let accessor = &mut model.text["accessors"][positions];
+    *accessor = json!({"bufferView": own, "componentType": 5126, "count": 5, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0],
+        "sparse": {"count": 2, "indices": rows, "values": values}});
+    assert!(model.read().map(|_| ()).unwrap_err().contains("5 rows of 12 bytes"));
+}
+
+/// A square that is drawn upon by the corners of the first set of coordinates as `texture` says.
+fn drawn(texture: Value, factor: f64) -> Model {
+    let mut model = Model::new();
+    model.texture(&png([1, 2], &[255, 255, 255, 0, 0, 0]));
+    model.push("materials", json!({"pbrMetallicRoughness": {"metallicFactor": factor, "baseColorTexture": texture}}));
+    let positions = model.floats(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]]);
+    let first = model.floats(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]);
+    let other = model.floats(&[[0.25, 0.5]; 4]);
+    let attributes = json!({"POSITION": positions, "TEXCOORD_0": first, "TEXCOORD_1": other});
+    let mesh = model.push("meshes", json!({"primitives": [{"attributes": attributes, "mode": 5, "material": 0}]}));
+    model.node(json!({"mesh": mesh}));
+    model
+}
+
+#[test]
+fn places_on_images_are_moved_as_the_material_says() {
+    let with = |transform: Value| {
+        let texture = json!({"index": 0, "extensions": {"KHR_texture_transform": transform}});
+        let (scene, notes) = drawn(texture, 0.0).read().unwrap();
+        assert!(notes.iter().all(|note| !note.contains("left out")), "{notes:?}");
+        // From the upper left corner, as files have it.
+        mesh_of(&scene, 0).texture.iter().map(|[s, t]| [*s, 1.0 - *t]).collect::<Vec<_>>()
+    };
+    let near = |found: Vec<[f32; 2]>, expected: [[f32; 2]; 4]| {
+        let far = found.iter().flatten().zip(expected.as_flattened()).map(|(a, b)| (a - b).abs());
+        assert!(far.fold(0.0, f32::max) < 1e-6, "{found:?}: {expected:?}");
+    };
+    let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+    near(with(json!({})), corners);
+    near(with(json!({"offset": [0.25, -2]})), corners.map(|[s, t]| [s + 0.25, t - 2.0]));
+    near(with(json!({"scale": [3, -0.5]})), corners.map(|[s, t]| [3.0 * s, -0.5 * t]));
+    // The extension's own example: the lower left quarter of the image, turned clockwise by a quarter.
+    let quarter = json!({"offset": [0, 1], "rotation": std::f64::consts::FRAC_PI_2, "scale": [0.5, 0.5]});
+    near(with(quarter), [[0.0, 1.0], [0.0, 0.5], [0.5, 1.0], [0.5, 0.5]]);
+    // Scaled before it is turned: what is as wide as it is high would not tell.
+    let uneven = json!({"rotation": std::f64::consts::FRAC_PI_2, "scale": [2, 1]});
+    near(with(uneven), [[0.0, 0.0], [0.0, -2.0], [1.0, 0.0], [1.0, -2.0]]);
+    // Another set of coordinates, by either word for it; the extension's holds.
+    near(with(json!({"texCoord": 1})), [[0.25, 0.5]; 4]);
+    let (scene, _) = drawn(json!({"index": 0, "texCoord": 1}), 0.0).read().unwrap();
+    assert_eq!(mesh_of(&scene, 0).texture, [[0.25, 0.5]; 4]);
+    let both = json!({"index": 0, "texCoord": 1, "extensions": {"KHR_texture_transform": {"texCoord": 0}}});
+    let both = drawn(both, 0.0);
+    assert_eq!(mesh_of(&both.read().unwrap().0, 0).texture[0], [0.0, 1.0]);
+    // Alone, as a mesh of another scene, it is as it was made.
+    let moved = json!({"index": 0, "extensions": {"KHR_texture_transform": {"offset": [5, 5], "texCoord": 1}}});
+    let alone = mesh(Path::new("m.glb"), &drawn(moved, 0.0).bytes(), &none, true).unwrap();
+    assert_eq!(alone.texture[0], [0.0, 1.0]);
+    // What is not there, and where no number is.
+    let refused = |texture: Value| drawn(texture, 0.0).read().map(|_| ()).unwrap_err();
+    let missing = refused(json!({"index": 0, "texCoord": 3}));
+    assert_eq!(missing, "meshes[0].primitives[0]: TEXCOORD_3 places the image of its material, and it has none");
+    let far = json!({"index": 0, "extensions": {"KHR_texture_transform": {"scale": [3e38, 1], "offset": [3e38, 0]}}});
+    assert!(refused(far).contains("meshes[0].primitives[0]: lies on its image where single numbers end"));
+    // Metal has its mean, wherever it lies.
+    assert!(drawn(json!({"index": 0, "texCoord": 3}), 1.0).read().is_ok());
+}
+
+#[test]
+fn photographs_are_read_and_what_shines_by_an_image_shines_as_its_mean() {
+    let mut model = drawn(json!({"index": 1}), 0.0);
+    model.texture(include_bytes!("../jpeg/flat.jpg"));
+    model.text["materials"][0]["emissiveFactor"] = json!([0.5, 1, 1]);
+    model.text["materials"][0]["emissiveTexture"] = json!({"index": 0});
+    let (scene, notes) = model.read().unwrap();
+    // 188 of 255 is half the light to 1/255; half of the other image is white.
+    let blue = scene.materials[0].1.pattern().expect("a pattern").at([0.9, 0.5]);
+    assert!(blue[0] < 1e-3 && (blue[1] - 0.5).abs() < 0.01 && blue[2] > 0.98, "{blue:?}");
+    assert_eq!(scene.shapes[0].emission.map(|of| of.radiance), Some([0.25, 0.5, 0.5]));
+    assert!(notes.iter().any(|note| note.contains("emissiveTexture (its mean is used all over)")), "{notes:?}");
+    let view = model.text["images"][1]["bufferView"].as_u64().expect("a number");
+    model.text["bufferViews"][view as usize]["byteLength"] = json!(200);
+    let refused = model.read().map(|_| ()).unwrap_err();
+    assert!(refused.starts_with("images[1]: is no image that can be read"), "{refused}");
+}
+
+#[test]
+fn whole_numbers_are_places_where_the_file_says_so() {
+    let mut model = Model::new();
+    let bytes = [0_i16, 0, 0, 0, 1000, 0, 0, 0, 0, -500, 0, 0].map(i16::to_le_bytes);
+    let positions = model.accessor(bytes.as_flattened(), 5122, "VEC3", 3);
+    model.text["bufferViews"][0]["byteStride"] = json!(8);
+    let normals = model.accessor(&[0, 0, 127, 0, 0, 0, 129, 0, 0, 0, 127, 0], 5120, "VEC3", 3);
+    model.text["bufferViews"][1]["byteStride"] = json!(4);
+    model.text["accessors"][normals]["normalized"] = json!(true);
+    let attributes = json!({"POSITION": positions, "NORMAL": normals});
+    let mesh = model.push("meshes", json!({"primitives": [{"attributes": attributes}]}));
+    model.node(json!({"mesh": mesh, "scale": [0.001, 0.002, 1]}));
+    let refused = model.read().map(|_| ()).unwrap_err();
+    assert!(refused.contains("accessors[0]: is (Vec3, I16); valid: (Vec3, F32)"), "{refused}");
+    model.text["extensionsUsed"] = json!(["KHR_mesh_quantization", "EXT_of_nobody"]);
+    model.text["extensionsRequired"] = json!(["KHR_mesh_quantization"]);
+    let (scene, notes) = model.read().unwrap();
+    let mesh = mesh_of(&scene, 0);
+    assert_eq!(mesh.positions, [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, -1.0, 0.0]]);
+    assert_eq!(mesh.normals, [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]);
+    assert!(notes.iter().any(|note| note.ends_with("left out: EXT_of_nobody")), "{notes:?}");
+}
+
+#[test]
 fn what_is_wrong_is_refused_with_its_place() {
     type Slip = fn(&mut Model);
     let slips: [(Slip, &str); 21] = [
@@ -371,7 +599,10 @@ fn what_is_wrong_is_refused_with_its_place() {
         (|m| m.text["nodes"][0]["scale"] = json!([0, 0, 0]), "none of its 1 triangles has an area"),
         (|m| m.text["nodes"][0]["scale"] = json!([1e30, 1e30, 1e30]), "is out of range"),
         (|m| m.text["meshes"][0]["primitives"][0]["attributes"] = json!({}), "POSITION"),
-        (|m| m.text["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]), "is needed, and cannot be read"),
+        (
+            |m| m.text["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]),
+            "extensionsRequired[0]: KHR_draco_mesh_compression is needed, and cannot be read",
+        ),
         (
             |m| {
                 m.text["extensions"] = json!({"KHR_lights_punctual": {"lights": [{"type": "spot", "spot": {}}]}});
