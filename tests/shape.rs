@@ -246,6 +246,15 @@ fn every_figure_is_reached_without_its_step() {
 }
 
 #[test]
+fn every_step_asks_before_it_shows() {
+    let asks_nothing = |(chapter, step): (&chapters::Chapter, &'static Step)| {
+        step.questions.is_empty().then(|| format!("{}/{}", chapter.id, step.id))
+    };
+    let silent: Vec<String> = steps().filter_map(asks_nothing).collect();
+    assert!(silent.is_empty(), "no question in {}", silent.join(", "));
+}
+
+#[test]
 fn every_wrong_choice_is_told_what_leads_there() {
     for (chapter, step) in steps() {
         let setting = Setting::defaults(step.parameters());
