@@ -136,6 +136,8 @@ fn answers_at_the_ends(chapter: &str, step: &'static Step) {
             for question in step.questions {
                 let place = format!("{chapter}/{}/{} at {end}", step.id, question.id);
                 assert!(chapters::judge::question(question, &setting), "{place}");
+                let mistake = chapters::judge::can_fail(Item::Question(question), &setting, &place);
+                assert_eq!(mistake, Some(Ok(())), "{place}");
             }
             for figure in step.exhibit.figures {
                 let plot = (figure.plot)(&setting);

@@ -28,7 +28,7 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     INTERFACE,
     &[figure(
         "curves",
-        "R_n relative to normal incidence: below 2+√3 it only rises, above it dips first; metals may do so too.",
+        "R_n relative to normal incidence: below 2+√3 it only rises, above it dips first; metals may do so too. Rings: the least, by its closed form.",
         dips,
     )],
 );
@@ -312,7 +312,7 @@ fn dips(setting: &Setting) -> Plot {
         Chart::new(
             title,
             Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
-            Axis::linear("R_n / R_n(0)", "").range(0.6, 1.2),
+            Axis::linear("R_n / R_n(0)", "").range(0.6, 1.5),
         )
         .at_y(1.0, "")
     };
@@ -329,7 +329,7 @@ fn dips(setting: &Setting) -> Plot {
         lowest.extend(dip(n).map(|dip| [dip.theta.to_degrees(), dip.r_n / normal]));
     }
     let clear = clear.with(Mark::Points {
-        label: "least, closed form".into(),
+        label: "least".into(),
         hue: Hue::Reference,
         shape: Shape::Ring,
         joined: false,

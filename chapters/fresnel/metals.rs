@@ -531,7 +531,7 @@ fn against_angle(setting: &Setting) -> Plot {
     let Input { n_i, n_t, .. } = interface(setting);
     let curve = |power: fn(&Powers) -> f64| over_angle(|incidence| power(&powers(incidence, n_i, n_t)));
     let chart = Chart::new(
-        super::media(n_i, n_t),
+        super::own_media(setting),
         Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
         Axis::share("reflectance R"),
     )
@@ -545,10 +545,12 @@ fn against_angle(setting: &Setting) -> Plot {
 fn phases(setting: &Setting) -> Plot {
     let Input { n_i, n_t, .. } = interface(setting);
     let curve = |ratio: fn(&Amplitudes) -> Complex64| {
-        over_angle(|incidence| ratio(&amplitudes(incidence, n_i, n_t)).arg().to_degrees())
+        // Half a turn is one way round or the other: one of them, lest the curve jump.
+        let turn = |degrees: f64| if degrees > 181.0 { degrees - 360.0 } else { degrees };
+        over_angle(|incidence| turn(ratio(&amplitudes(incidence, n_i, n_t)).arg().to_degrees()))
     };
     let chart = Chart::new(
-        super::media(n_i, n_t),
+        super::own_media(setting),
         Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
         Axis::linear("phase of the reflected field", "°").range(-180.0, 180.0).tick(60.0),
     )

@@ -209,16 +209,22 @@ fn space_time(_: &Setting) -> Plot {
     Plot::of("Two pulses that meet", map)
 }
 
+/// The moment at which the middles of both pulses lie on each other, as vt [m].
+const TOGETHER: f64 = 3.0;
+
 fn strip(_: &Setting) -> Plot {
-    let panel = |step: u32| {
-        let t = f64::from(step) * 1.2;
+    let panel = |t: f64| {
         let points = (0..=2000).map(|at| -5.0 + f64::from(at) / 200.0).map(|z| [z, meeting(z, t)]).collect();
         let axes = Chart::new(
-            format!("vt = {t:.1} m"),
+            format!("vt = {t:.1} m{}", if t == TOGETHER { ": on each other" } else { "" }),
             Axis::linear("z", "m").range(-5.0, 5.0),
             Axis::linear("E_x / A", "").range(-0.8, 1.1),
         );
         axes.line(Hue::Nth(0), "", points).at_y(0.0, "").into()
     };
-    Plot::grid("Two pulses that meet, from instant to instant", 2, (0..6).map(panel).collect())
+    Plot::grid(
+        "Two pulses that meet, from instant to instant",
+        2,
+        [0.0, 1.5, 2.4, TOGETHER, 3.6, 6.0].map(panel).into(),
+    )
 }

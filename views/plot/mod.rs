@@ -104,10 +104,25 @@ fn draw_as<C: Canvas>(plot: &Plot, columns: usize, usual: (f64, f64)) -> Sheet {
     let mut top = MARGIN + head;
     for (row, height) in plot.panels.chunks(columns).zip(&heights) {
         let mut left = MARGIN;
+        let mut beside = Vec::new();
         for ((panel, width), has_bar) in row.iter().zip(&widths).zip(&bars) {
-            laid.push(lay(panel, Frame::at((left, top), *width, *height), *has_bar));
+            let room = Frame::at((left, top), *width, *height);
+            beside.push((panel, room, *has_bar, lay(panel, room, *has_bar)));
             left += width + MARGIN;
         }
+        // What stands under one frame of a row stands under none of the others: all end at one height.
+        let bottoms = beside.iter_mut().filter_map(|(.., laid)| Some(laid.axes()?.frame.bottom));
+        let end = bottoms.fold(f64::INFINITY, f64::min);
+        laid.extend(beside.into_iter().map(|(panel, room, has_bar, mut one)| {
+            let over = one.axes().map_or(0.0, |axes| axes.frame.bottom - end);
+            if over < 0.5 {
+                return one;
+            }
+            // A key that no longer fits into the lower frame would take more of it: then rather unequal.
+            let mut lower = lay(panel, Frame { bottom: room.bottom - over, ..room }, has_bar);
+            let is_level = lower.axes().is_some_and(|axes| axes.frame.bottom > end - 2.0);
+            if is_level { lower } else { one }
+        }));
         top += height + MARGIN;
     }
     Axes::agree(&mut laid.iter_mut().filter_map(Laid::axes).collect::<Vec<_>>());
