@@ -54,7 +54,7 @@ pub(super) const STEP: Step = step(
 .checks(&[&INTEGRAL_FORM]);
 
 const CIRCLES: Question = question(
-    "circles",
+    "winds",
     "In empty space an electric field points upwards and grows. Seen from above and counted counter-clockwise, \
      which sign has the circulation of B around it?",
     Answer::Sign {

@@ -25,7 +25,7 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     "transverse",
     &[VACUUM, FREQUENCY],
     &[figure(
-        "square",
+        "side_view",
         "E, B and k along a clear wave: E up where B comes out of the page, and the other way half a wavelength on.",
         square,
     )],

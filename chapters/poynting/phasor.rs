@@ -72,7 +72,7 @@ pub(super) const STEP: Step = step(
 .checks(&[&OUT_OF_STEP, &SQUARE]);
 
 const LAGGING: Question = question(
-    "lagging",
+    "share",
     "In copper H lags E by an eighth of a period. Which share of ½|E||H| flows on average?",
     Answer::Number {
         unit: "1",

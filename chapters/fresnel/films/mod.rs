@@ -73,7 +73,7 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     &[N_I, N_S, N_H, N_L, PAIRS, THETA, DESIGN],
     &[
         figure(
-            "bounces",
+            "round_trips",
             "A film and the waves in it: each way round adds r_{21}r_{23}e^{2iδ}, and all that comes out on one side adds up.",
             bounces_drawn,
         ),
