@@ -545,10 +545,11 @@ fn against_angle(setting: &Setting) -> Plot {
 fn phases(setting: &Setting) -> Plot {
     let Input { n_i, n_t, .. } = interface(setting);
     let curve = |ratio: fn(&Amplitudes) -> Complex64| {
-        // Half a turn is one way round or the other: one of them, lest the curve jump.
-        let turn = |degrees: f64| if degrees > 181.0 { degrees - 360.0 } else { degrees };
-        over_angle(|incidence| turn(ratio(&amplitudes(incidence, n_i, n_t)).arg().to_degrees()))
+        over_angle(|incidence| ratio(&amplitudes(incidence, n_i, n_t)).arg().to_degrees())
     };
+    // Along the normal it is half a turn, either way round: one of them, lest the curve jump.
+    let one_way = |[theta, degrees]: [f64; 2]| [theta, if degrees > 90.0 { degrees - 360.0 } else { degrees }];
+    let between = curve(|a| a.r_p / a.r_s).into_iter().map(one_way).collect();
     let chart = Chart::new(
         super::own_media(setting),
         Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
@@ -556,7 +557,7 @@ fn phases(setting: &Setting) -> Plot {
     )
     .line(Hue::S, "δ_s", curve(|a| a.r_s))
     .line(Hue::P, "δ_p", curve(|a| a.r_p))
-    .dashed(Hue::Natural, "δ_p − δ_s", curve(|a| a.r_p / a.r_s))
+    .dashed(Hue::Natural, "δ_p − δ_s", between)
     .at_x(pseudo_brewster(n_i, n_t).to_degrees(), "R_p least");
     Plot::of("Phase on reflection", chart)
 }

@@ -73,7 +73,7 @@ pub(super) const STEP: Step = step(
 .races(&[SPEED, TABLE]);
 
 const FROM_INSIDE: Question = question(
-    "from_inside",
+    "beyond_critical",
     "Inside glass of n = 1.5 light meets the surface at 50°, beyond the critical angle: R is 1. What does Schlick's \
      formula give with that angle?",
     Answer::Choice {
