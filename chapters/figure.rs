@@ -99,6 +99,11 @@ impl Axis {
         Self { scale: Scale::Log, ..Self::linear(label, unit) }
     }
 
+    /// A linear axis for shares of a whole: curves at 0 and at 1 stay clear of the frame.
+    pub fn share(label: impl Into<String>) -> Self {
+        Self::linear(label, "").range(-0.03, 1.03).tick(0.2)
+    }
+
     /// A linear axis without name and ticks, for drawings in perspective; two of them have no frame either.
     pub fn bare(first: f64, last: f64) -> Self {
         Self::linear("", "").range(first, last).tick(f64::INFINITY)
@@ -153,6 +158,11 @@ impl Chart {
     /// With a dashed curve.
     pub fn dashed(self, hue: Hue, label: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
         self.with(Mark::Line { label: label.into(), hue, dash: Dash::Dashed, points })
+    }
+
+    /// With a lying bar of the length `x` between two heights.
+    pub fn bar(self, hue: Hue, label: impl Into<String>, x: f64, [low, high]: [f64; 2]) -> Self {
+        self.with(Mark::Bar { label: label.into(), hue, end: [[x, low], [x, high]] })
     }
 
     /// With a vertical reference line.
@@ -210,6 +220,15 @@ pub enum Mark {
         shape: Shape,
         /// Their x in axis units.
         at: Vec<f64>,
+    },
+    /// A bar that lies: from the left edge of the frame to its end.
+    Bar {
+        /// Legend entry; none if empty.
+        label: String,
+        /// Colour.
+        hue: Hue,
+        /// The lower and the upper corner of its end, (x, y) in axis units.
+        end: [[f64; 2]; 2],
     },
     /// A thin vertical reference line with its name; beyond the axis only the name, with an arrow.
     AtX {

@@ -136,6 +136,8 @@ fn answers_at_the_ends(chapter: &str, step: &'static Step) {
             for question in step.questions {
                 let place = format!("{chapter}/{}/{} at {end}", step.id, question.id);
                 assert!(chapters::judge::question(question, &setting), "{place}");
+                let mistake = chapters::judge::can_fail(Item::Question(question), &setting, &place);
+                assert_eq!(mistake, Some(Ok(())), "{place}");
             }
             for figure in step.exhibit.figures {
                 let plot = (figure.plot)(&setting);
@@ -243,6 +245,15 @@ fn every_figure_is_reached_without_its_step() {
         assert_eq!(chapter.figures.chapter, chapter.id);
         assert_eq!(apart, shown(&mut chapter.steps.iter().map(|step| step.exhibit)), "{}", chapter.id);
     }
+}
+
+#[test]
+fn every_step_asks_before_it_shows() {
+    let asks_nothing = |(chapter, step): (&chapters::Chapter, &'static Step)| {
+        step.questions.is_empty().then(|| format!("{}/{}", chapter.id, step.id))
+    };
+    let silent: Vec<String> = steps().filter_map(asks_nothing).collect();
+    assert!(silent.is_empty(), "no question in {}", silent.join(", "));
 }
 
 #[test]

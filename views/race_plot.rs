@@ -1,6 +1,6 @@
 //! A race as a figure: error against time on logarithmic axes.
 
-use crate::number::hundredths;
+use crate::number::{hundredths, significant};
 use crate::report::{LaneReport, RaceReport};
 use chapters::figure::{Axis, Chart, Dash, Hue, Mark, Plot, Shape};
 use chapters::vocabulary::Expects;
@@ -14,14 +14,15 @@ const LOWEST: f64 = -17.0;
 /// Share of the errors' span that is left free on both sides.
 const MARGIN: f64 = 0.05;
 
-/// Error against time: of a whole run [µs or ms] where an order is asserted, otherwise of one unit of work [ns].
+/// Error against the time of a run [µs or ms]; where no order is asserted, bars of the time for one unit of work [ns].
 pub fn plot(race: &RaceReport) -> Plot {
-    let whole = race.lanes.iter().any(|lane| matches!(lane.asserted, Expects::Order { .. }));
-    let unit = whole.then(|| unit(race));
-    let (label, name) = unit.map_or(("time per unit of work", "ns"), |(name, _)| ("time of a run", name));
-    let mut chart = Chart::new("", Axis::log(label, name), errors(race));
+    if !race.lanes.iter().any(|lane| matches!(lane.asserted, Expects::Order { .. })) {
+        return Plot::of(sentence(race.claim), bars(race));
+    }
+    let (name, units) = unit(race);
+    let mut chart = Chart::new("", Axis::log("time of a run", name), errors(race));
     for (lane, at) in race.lanes.iter().zip(0..) {
-        let points = curve(lane, unit.map(|(_, units)| units));
+        let points = curve(lane, units);
         if let Expects::Order { order, .. } = lane.asserted {
             chart.marks.extend(guide(lane, &points, order).filter(|_| works_for_time(lane)));
         }
@@ -45,6 +46,48 @@ pub fn plot(race: &RaceReport) -> Plot {
     Plot::of(sentence(race.claim), chart)
 }
 
+/// Times further apart than this are shown on a logarithmic axis, lest the short ones vanish.
+const FAR: f64 = 25.0;
+/// What bars take of the height that a lane has.
+const FILLED: f64 = 0.76;
+
+/// What a unit of work costs: a bar for each amount of work, the lanes from the top; the key says how wrong they are.
+fn bars(race: &RaceReport) -> Chart {
+    let times = || race.lanes.iter().flat_map(|lane| &lane.points).map(|point| point.ns_per_work);
+    let (shortest, longest) = (times().fold(f64::INFINITY, f64::min), times().fold(0.0, f64::max));
+    let label = format!("time of one of the {}", unit_of_work(race.work));
+    let axis = match longest / shortest < FAR {
+        true => Axis::linear(label, "ns").range(0.0, 1.05 * longest),
+        false => Axis::log(label, "ns").range(0.5 * shortest, 1.4 * longest),
+    };
+    let lanes = race.lanes.len();
+    let mut chart = Chart::new("", axis, Axis::bare(0.0, lanes as f64));
+    for (at, lane) in race.lanes.iter().enumerate() {
+        let height = FILLED / lane.points.len().max(1) as f64;
+        let top = (lanes - at) as f64 - (1.0 - FILLED) / 2.0;
+        for (k, point) in lane.points.iter().enumerate() {
+            let name = if k == 0 { told(lane) } else { String::new() };
+            let low = top - height * (k + 1) as f64;
+            chart = chart.bar(Hue::Nth(at as u8), name, point.ns_per_work, [low, low + 0.86 * height]);
+        }
+    }
+    chart
+}
+
+/// What is counted, without the bracket that explains it.
+fn unit_of_work(work: &str) -> &str {
+    work.split(" (").next().unwrap_or(work)
+}
+
+/// A lane and its largest error.
+fn told(lane: &LaneReport) -> String {
+    let worst = lane.points.iter().map(|point| point.error.0.abs()).max_by(f64::total_cmp).unwrap_or(f64::NAN);
+    match worst.is_finite() {
+        true => format!("{}: error {}", lane.label, significant(worst, 2)),
+        false => format!("{}: no number", lane.label),
+    }
+}
+
 /// A claim as a heading: with a capital.
 fn sentence(claim: &str) -> String {
     let mut letters = claim.chars();
@@ -57,19 +100,15 @@ fn unit(race: &RaceReport) -> (&'static str, f64) {
     if longest < 0.01 { ("µs", 1e6) } else { ("ms", 1e3) }
 }
 
-/// Errors over the time of a run, in units of which so many are a second, or else over that of one unit of work.
-fn curve(lane: &LaneReport, units: Option<f64>) -> Vec<[f64; 2]> {
-    let points = lane.points.iter().map(|point| {
-        let time = units.map_or(point.ns_per_work, |units| point.seconds * units);
-        [time, point.error.0]
-    });
-    points.collect()
+/// Errors over the time of a run, in units of which so many are a second.
+fn curve(lane: &LaneReport, units: f64) -> Vec<[f64; 2]> {
+    lane.points.iter().map(|point| [point.seconds * units, point.error.0]).collect()
 }
 
 /// The axis of the errors, wide enough that roundings of the same size stand at the same height.
 fn errors(race: &RaceReport) -> Axis {
     let axis = Axis::log(race.error, "");
-    let drawn = race.lanes.iter().flat_map(|lane| curve(lane, None)).map(|[_, error]| error.log10());
+    let drawn = race.lanes.iter().flat_map(|lane| curve(lane, 1.0)).map(|[_, error]| error.log10());
     let ends = drawn.filter(|power| power.is_finite()).fold(None, |ends: Option<(f64, f64)>, power| {
         Some(ends.map_or((power, power), |(low, high)| (low.min(power), high.max(power))))
     });
@@ -208,7 +247,7 @@ mod tests {
 
     #[test]
     fn what_no_axis_holds_stands_in_bands_of_its_own() {
-        let race = race(&[0.0, 1e-3, f64::NAN, f64::INFINITY], Expects::Breaks { limit: 1.0, why: "" });
+        let race = race(&[0.0, 1e-3, f64::NAN, f64::INFINITY], Expects::Order { order: 2.0, tolerance: 0.1 });
         let marks = marks(&race);
         let [
             Mark::Points { points, hue, shape, label, .. },
@@ -219,16 +258,37 @@ mod tests {
             panic!("{marks:?}")
         };
         assert_eq!(points.iter().map(|point| point[1]).collect::<Vec<_>>(), [1e-3]);
-        assert_eq!((broken.len(), vanished.len(), label.as_str()), (2, 1, "lane (breaks)"));
+        assert_eq!((broken.len(), vanished.len(), label.as_str()), (2, 1, "lane (order 2.00)"));
         assert_eq!([(hue, shape); 2], [(broken_hue, broken_shape), (vanished_hue, vanished_shape)]);
     }
 
     fn error_axis(errors: &[f64]) -> Axis {
-        let race = race(errors, Expects::Within { limit: 1.0, why: "" });
+        let race = race(errors, Expects::Order { order: 2.0, tolerance: 0.1 });
         match plot(&race).panels.remove(0) {
             Panel::Chart(chart) => chart.y,
             other => panic!("{other:?}"),
         }
+    }
+
+    #[test]
+    fn where_no_order_is_asserted_a_unit_of_work_is_a_bar() {
+        let mut race = race(&[3e-16, 2e-15], Expects::Within { limit: 1.0, why: "" });
+        (race.work, race.lanes[0].points[1].ns_per_work) = ("evaluations (of R)", 3e3);
+        let Panel::Chart(chart) = plot(&race).panels.remove(0) else { panic!("no chart") };
+        let [Mark::Bar { label, end: first, .. }, Mark::Bar { label: none, end: second, .. }] = &chart.marks[..] else {
+            panic!("{:?}", chart.marks)
+        };
+        assert_eq!([first[0][0], second[0][0]], [1e3, 3e3]);
+        // One under the other, apart, within the axis.
+        assert!(second[0][1] > 0.0 && second[1][1] < first[0][1] && first[1][1] < 1.0);
+        assert_eq!((label.as_str(), none.as_str()), ("lane: error 2e-15", ""));
+        assert_eq!((chart.x.label.as_str(), chart.x.range), ("time of one of the evaluations", Some((0.0, 3150.0))));
+        // Lengths further apart than eyes compare: logarithms.
+        race.lanes[0].points[1].ns_per_work = 1e6;
+        race.lanes[0].points[0].error = Number(f64::NAN);
+        let Panel::Chart(chart) = plot(&race).panels.remove(0) else { panic!("no chart") };
+        assert_eq!(chart.x.range, Some((500.0, 1.4e6)));
+        assert!(matches!(&chart.marks[0], Mark::Bar { label, .. } if label == "lane: no number"));
     }
 
     #[test]

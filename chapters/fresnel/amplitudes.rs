@@ -8,8 +8,8 @@ use super::{INTERFACE, extremes, incidence, interface, media, over_angle, over_a
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    ALLOWED_ULPS, Bench, Bound, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
-    stress,
+    ALLOWED_ULPS, Answer, Bench, Bound, Exhibit, Measured, Misled, Quantity, Question, Step, check, derivation,
+    exhibit, figure, question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{asin, cos, sin, tan};
@@ -17,7 +17,7 @@ use equation::value::Bindings;
 use equation::{Equation, Expr};
 use light::Complex64;
 use light::Polarisation;
-use light::optics::fresnel::{Amplitudes, amplitudes, brewster_angle, critical_angle};
+use light::optics::fresnel::{Amplitudes, amplitudes, brewster_angle, critical_angle, powers};
 use light::optics::{Direction, Incidence};
 use light::references::fresnel::{Exact, Input};
 use std::f64::consts::FRAC_PI_2;
@@ -48,6 +48,7 @@ pub(super) const R_S_STEP: Step = step(
 )
 .rows(&["E36"])
 .statements(&[statement("ratio", "reflected over incident electric field, s", || Equation::new(R_S, r_s()))])
+.questions(&[R_S_SIGN])
 .derivations(&[derivation("from_boundary", "E35 solved for E₁′/E₁, with H = nE/Z₀", || s_chain(r_s()))
     .slip("the sign of r_s", || s_chain(-r_s()))])
 .readout(|setting| readout(setting, ["r_s_re", "r_s_im"], ["Re r_s", "Im r_s"], |a| a.r_s))
@@ -64,6 +65,23 @@ pub(super) const R_S_STEP: Step = step(
 .textbook("−sin(θ₁−θ₂)/sin(θ₁+θ₂)")
 .against("(q₁ − q₂)/(q₁ + q₂) in 256 bits")]);
 
+const R_S_SIGN: Question = question(
+    "which_sign",
+    "Light in air meets glass along the normal. Which sign has the reflected electric field, beside the incident \
+     one?",
+    Answer::Sign {
+        replies: [
+            "In glass the same field drives more current, and the field at its face is pulled down: the reflected \
+             wave takes away.",
+            "It is zero only where the two indices are the same.",
+            "That is from glass into air, as at the free end of a rope. Glass is the heavier rope.",
+        ],
+        right: |_| amplitudes(Incidence::NORMAL, 1.0, 1.5.into()).r_s.re,
+        slip: |_| amplitudes(Incidence::NORMAL, 1.5, 1.0.into()).r_s.re,
+    },
+    "Negative, −0.2: at a denser medium the field is turned over, as a wave on a rope is at a heavier rope.",
+);
+
 pub(super) const T_S_EXHIBIT: Exhibit = exhibit(
     "t_s",
     INTERFACE,
@@ -76,6 +94,7 @@ pub(super) const T_S_STEP: Step =
     step(T_S_EXHIBIT, "Transmitted, s", "The transmitted field is the sum of the incident and the reflected one.")
         .rows(&["E37"])
         .statements(&[statement("ratio", "transmitted over incident electric field, s", || Equation::new(T_S, t_s()))])
+        .questions(&[T_S_OUT])
         .derivations(&[derivation("from_boundary", "E35 solved for E₂/E₁, with H = nE/Z₀", || t_s_chain(t_s()))
             .slip("the angles are interchanged", || {
                 t_s_chain(2 * sin(THETA_1) * cos(THETA_2) / sin(THETA_1 + THETA_2))
@@ -94,6 +113,30 @@ pub(super) const T_S_STEP: Step =
         .textbook("2 sin θ₂ cos θ₁/sin(θ₁+θ₂)")
         .against("2 q₁/(q₁ + q₂) in 256 bits")]);
 
+const T_S_OUT: Question = question(
+    "out_of_glass",
+    "Light leaves glass of n = 1.5 along the normal, and a part of it comes back. The field that goes on into the \
+     air: how large is it, over the incident one?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| amplitudes(Incidence::NORMAL, 1.5, 1.0.into()).t_s.re,
+        slips: &[
+            Misled {
+                value: |_| amplitudes(Incidence::NORMAL, 1.0, 1.5.into()).t_s.re,
+                reply: "That is the way into the glass. Here the reflected field has the sign of the incident one, \
+                 and adds to it.",
+            },
+            Misled {
+                value: |_| powers(Incidence::NORMAL, 1.5, 1.0.into()).t_s,
+                reply: "That is the share of the *power*. A field may grow where the light gets faster.",
+            },
+            Misled { value: |_| 1.0, reply: "Then nothing could come back: at the interface 1 + r_s is t_s." },
+        ],
+    },
+    "1.2: more than came. It is no gain of energy, since in air the same field carries less.",
+);
+
 pub(super) const R_P_EXHIBIT: Exhibit = exhibit(
     "r_p",
     INTERFACE,
@@ -106,6 +149,7 @@ pub(super) const R_P_STEP: Step =
     step(R_P_EXHIBIT, "Reflected, p", "In the plane of incidence the reflected field passes through zero.")
         .rows(&["E39"])
         .statements(&[statement("ratio", "reflected over incident electric field, p", || Equation::new(R_P, r_p()))])
+        .questions(&[R_P_NORMAL])
         .derivations(&[derivation("from_boundary", "E38 solved for E₁′/E₁, with H = nE/Z₀", || p_chain(r_p()))
             .slip("sine for tangent", || p_chain(sin(THETA_1 - THETA_2) / sin(THETA_1 + THETA_2)))])
         .readout(|setting| readout(setting, ["r_p_re", "r_p_im"], ["Re r_p", "Im r_p"], |a| a.r_p))
@@ -127,6 +171,30 @@ pub(super) const R_P_STEP: Step =
         .textbook("tan(θ₁−θ₂)/tan(θ₁+θ₂)")
         .against("(n₂²q₁ − n₁²q₂)/(n₂²q₁ + n₁²q₂) in 256 bits")]);
 
+const R_P_NORMAL: Question = question(
+    "along_the_normal",
+    "Along the normal s and p are the same light. For air and glass r_s is −0.2 there. What is r_p in this lecture?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| amplitudes(Incidence::NORMAL, 1.0, 1.5.into()).r_p.re,
+        slips: &[
+            Misled {
+                value: |_| amplitudes(Incidence::NORMAL, 1.0, 1.5.into()).r_s.re,
+                reply: "The *field* is the same, the number is not: E_p turns with its ray, so that along the \
+                 normal E_p of the reflected wave counts the other way.",
+            },
+            Misled { value: |_| 0.0, reply: "r_p vanishes at Brewster's angle, not along the normal." },
+            Misled {
+                value: |_| powers(Incidence::NORMAL, 1.0, 1.5.into()).r_p,
+                reply: "That is R, the share of the power.",
+            },
+        ],
+    },
+    "+0.2. The field does the same; which way it counts as positive is a convention, and the diagram of the \
+     boundary conditions shows ours.",
+);
+
 pub(super) const T_P_EXHIBIT: Exhibit = exhibit(
     "t_p",
     INTERFACE,
@@ -138,6 +206,7 @@ pub(super) const T_P_STEP: Step =
     step(T_P_EXHIBIT, "Transmitted, p", "With r_s, t_s and r_p the fourth ratio completes the interface.")
         .rows(&["E40"])
         .statements(&[statement("ratio", "transmitted over incident electric field, p", || Equation::new(T_P, t_p()))])
+        .questions(&[T_P_ALL])
         .derivations(&[derivation("from_boundary", "E38 solved for E₂/E₁, with H = nE/Z₀", || t_p_chain(t_p()))
             .slip("the factor 1/cos(θ₁−θ₂) is forgotten", || t_p_chain(t_s()))])
         .readout(|setting| readout(setting, ["t_p_re", "t_p_im"], ["Re t_p", "Im t_p"], |a| a.t_p))
@@ -153,6 +222,28 @@ pub(super) const T_P_STEP: Step =
         )
         .textbook("2 sin θ₂ cos θ₁/(sin(θ₁+θ₂) cos(θ₁−θ₂))")
         .against("2 n₁n₂q₁/(n₂²q₁ + n₁²q₂) in 256 bits")]);
+
+const T_P_ALL: Question = question(
+    "all_goes_in",
+    "At Brewster's angle all p light goes from air into glass of n = 1.5, and none comes back. What is t_p there?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| amplitudes(Incidence::from_angle(brewster_angle(1.0, 1.5)), 1.0, 1.5.into()).t_p.re,
+        slips: &[
+            Misled {
+                value: |_| 1.0,
+                reply: "T is 1. But in glass a smaller field carries the same power, and the beam there is wider.",
+            },
+            Misled {
+                value: |_| amplitudes(Incidence::NORMAL, 1.0, 1.5.into()).t_p.re,
+                reply: "That is along the normal.",
+            },
+            Misled { value: |_| 1.5, reply: "In the denser medium the field is smaller, not larger." },
+        ],
+    },
+    "1/n = 0.667: with T = 1, since the power counts n cos θ as well as t².",
+);
 
 /// E36
 pub(super) fn r_s() -> Expr {

@@ -81,7 +81,8 @@ const P_ALONE: Question = question(
             "At grazing incidence a surface is a mirror: where anything is reflected at all, the curve ends at its highest.",
         ],
         right: |setting, at| at_share(setting, at).r_p,
-        slip: |setting, at| at_share(setting, at).r_s,
+        // Even where nothing is reflected whoever takes it for s says that it rises.
+        slip: |setting, at| at_share(setting, at).r_s + at,
     },
     "Where the media differ, R_p falls until the reflected and the refracted ray stand at right angles, to zero if both \
      are clear, and climbs from there to 1. Equal media reflect nothing.",
@@ -198,7 +199,7 @@ fn zeros(setting: &Setting) -> Plot {
     for (at, (name, n)) in media.into_iter().enumerate() {
         chart = chart.line(Hue::Nth(at as u8), format!("{name}, n = {n}"), reflectance(1.0, n.into()));
     }
-    chart = chart.dashed(Hue::Natural, "the setting", reflectance(own.n_i, own.n_t));
+    chart = chart.dashed(Hue::Natural, super::own_media(setting), reflectance(own.n_i, own.n_t));
     Plot::of("Where p is not reflected", chart)
 }
 

@@ -5,8 +5,8 @@ use super::{N_I, N_T, interface};
 use crate::figure::{Axis, Map, Panel, Plot, Ramp};
 use crate::parameter::{Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{
-    ALLOWED_ULPS, Bench, Exhibit, Expects, Heat, Lane, Quantity, Race, Step, digits, exhibit, figure, lane, race, step,
-    stress,
+    ALLOWED_ULPS, Answer, Bench, Exhibit, Expects, Heat, Lane, Quantity, Question, Race, Step, choice, digits, exhibit,
+    figure, lane, question, race, step, stress,
 };
 use light::Complex64;
 use light::optics::fresnel::{natural_reflectance, natural_reflectance_absorbing, powers};
@@ -34,6 +34,7 @@ pub(super) const STEP: Step = step(
      media; one identity cures both.",
 )
 .rows(&["C10"])
+.questions(&[OF_SIXTEEN])
 .readout(readout)
 .stress(&[stress(
     "promise",
@@ -45,6 +46,36 @@ pub(super) const STEP: Step = step(
 .textbook("E36–E42 as written")
 .against("256-bit arithmetic; cond from difference quotients with a relative step of 1e−30")])
 .races(&[FORMS, FORMS_ABSORBING]);
+
+const OF_SIXTEEN: Question = question(
+    "of_sixteen",
+    "Two media differ in index by one part in a million. R_n at 45°, by the formula as written, in sixteen digits: \
+     how many of them are right?",
+    Answer::Choice {
+        options: &[
+            choice(
+                "all but the last",
+                "Each operation is right to the last digit. But θ₁ − θ₂ is a difference of two angles that agree in \
+                 six digits, and these are gone.",
+            ),
+            choice("some nine or ten", ""),
+            choice("hardly any", "So it is where they differ by a part in 10¹⁵, or close to normal incidence."),
+        ],
+        right: |_| {
+            let (theta, n) = (45f64.to_radians(), 1.000_001);
+            let exact = Exact::new(&Input { direction: Direction::Angle(theta), n_i: 1.0, n_t: n.into() });
+            let at = NAMES.iter().position(|name| *name == "R_n").expect("an output");
+            match digits(precise::relative_error(by_angles(theta, n), &exact.outputs[at])) {
+                kept if kept > 14.0 => 0,
+                kept if kept > 6.0 => 1,
+                _ => 2,
+            }
+        },
+        slip: |_| 0,
+    },
+    "Six of the sixteen cancel in θ₁ − θ₂, and nothing brings them back. Formed from n₁ − n₂, which is exact, the \
+     same number keeps them all.",
+);
 
 fn readout(setting: &Setting) -> Vec<Quantity> {
     let input = interface(setting);
@@ -78,7 +109,7 @@ const FORMS: Race = race(
      contrasts down to 1e−9",
 )
 .lanes(&[
-    entrant("written", "E42 as written", BREAKS, |bench, work| {
+    entrant("written", "angles, as written", BREAKS, |bench, work| {
         clear(bench, work, singly(|cos, n_t| by_angles(cos.acos(), n_t.re)))
     }),
     entrant("cosines", "cosines", BREAKS, |bench, work| {
@@ -207,7 +238,7 @@ const ROWS: usize = 54;
 fn digits_lost(_: &Setting) -> Plot {
     let at = NAMES.iter().position(|name| *name == "R_n").expect("an output");
     let forms: [(&str, Form); 3] = [
-        ("as written (E42)", |cos, n_t| by_angles(cos.acos(), n_t.re)),
+        ("as written", |cos, n_t| by_angles(cos.acos(), n_t.re)),
         ("by the cosines", |cos, n_t| natural_reflectance_by_cosines(cos, 1.0, n_t.re)),
         ("the program", one_by_one),
     ];

@@ -6,7 +6,8 @@ use super::{INTERFACE, golden_section, interface};
 use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+    Answer, Bench, Check, Exhibit, Measured, Quantity, Question, Step, check, derivation, exhibit, figure, question,
+    statement, step,
 };
 use equation::derivation::Chain;
 use equation::expr::{cos, d, ratio, sqrt};
@@ -27,7 +28,7 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     INTERFACE,
     &[figure(
         "curves",
-        "R_n relative to normal incidence: below 2+√3 it only rises, above it dips first; metals may do so too.",
+        "R_n relative to normal incidence: below 2+√3 it only rises, above it dips first; metals may do so too. Rings: the least, by its closed form.",
         dips,
     )],
 );
@@ -48,6 +49,7 @@ pub(super) const STEP: Step = step(
     }),
     statement("depth", "its value", || Equation::new(R_MIN, depth())),
 ])
+.questions(&[RADIO])
 .derivations(&[
     derivation("in_one_variable", "R_n from E35 and E38, with x for both cosines and n for both indices", || {
         in_one_variable(natural(&X.into()))
@@ -74,6 +76,30 @@ pub(super) const STEP: Step = step(
 ])
 .readout(readout)
 .checks(&[&THRESHOLD, &FLAT, &PLACE_AND_DEPTH, &METALS]);
+
+const RADIO: Question = question(
+    "radio",
+    "For radio waves water has n = 9. From the normal to grazing, how does R_n run, the reflectance of s and p \
+     together?",
+    Answer::Trend {
+        replies: [
+            "At grazing incidence everything is a mirror: the curve ends at 1.",
+            "Near the normal it does, nearly: what s gains p loses. Not further on.",
+            "So it is with s alone, and with both below n = 2 + √3. At high indices p falls faster than s can rise.",
+            "p falls before it rises, and at a high index it takes the mean with it.",
+            "At grazing incidence everything is a mirror: the curve ends at its highest.",
+        ],
+        right: |_, at| radio_waves(at).r_n(),
+        slip: |_, at| radio_waves(at).r_s,
+    },
+    "It falls first, from 0.64 to 0.47, and climbs to 1 at grazing. *Reflectance rises with the angle* is true of \
+     glass, not of every medium.",
+);
+
+/// What water reflects of radio waves, at a share of a right angle.
+fn radio_waves(at: f64) -> Powers {
+    powers(Incidence::from_angle(at * FRAC_PI_2), 1.0, 9.0.into())
+}
 
 fn depth() -> Expr {
     ratio(1, 2) - 2 * N_REL.pow(2) / (N_REL.pow(2) - 1).pow(2)
@@ -286,7 +312,7 @@ fn dips(setting: &Setting) -> Plot {
         Chart::new(
             title,
             Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
-            Axis::linear("R_n / R_n(0)", "").range(0.6, 1.2),
+            Axis::linear("R_n / R_n(0)", "").range(0.6, 1.5),
         )
         .at_y(1.0, "")
     };
@@ -303,20 +329,20 @@ fn dips(setting: &Setting) -> Plot {
         lowest.extend(dip(n).map(|dip| [dip.theta.to_degrees(), dip.r_n / normal]));
     }
     let clear = clear.with(Mark::Points {
-        label: "least, closed form".into(),
+        label: "least".into(),
         hue: Hue::Reference,
         shape: Shape::Ring,
         joined: false,
         points: lowest,
     });
     let own = interface(setting);
-    let mut absorbing = axes("absorbing media at 550 nm, and the setting");
+    let mut absorbing = axes("absorbing media at 550 nm");
     for (at, name) in ["gold", "aluminium", "chromium", "silicon"].into_iter().enumerate() {
         let medium = light::media::named(name).and_then(|material| material.index(550e-9).ok());
         if let Some(index) = medium {
             absorbing = absorbing.line(Hue::Nth(at as u8), name, relative(1.0, index));
         }
     }
-    let absorbing = absorbing.dashed(Hue::Natural, "the setting", relative(own.n_i, own.n_t));
+    let absorbing = absorbing.dashed(Hue::Natural, super::own_media(setting), relative(own.n_i, own.n_t));
     Plot::grid("Reflectance of natural light relative to normal incidence", 2, vec![clear.into(), absorbing.into()])
 }

@@ -2,19 +2,24 @@
 
 use super::amplitudes::{r_p, r_s, t_p, t_s};
 use super::extremes::{self, cases_against, describe};
+use super::geometry::depth;
 use super::snell::with_snell;
 use super::symbols::{N_1, N_2, R_N, R_P, R_S, T_P, T_S, THETA_1, THETA_2};
 use super::{INTERFACE, incidence, interface};
+use crate::diagram::{Behind, Diagram, Part};
+use crate::figure::{Dash, Hue, Plot};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    ALLOWED_ULPS, Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, statement,
-    step, stress,
+    ALLOWED_ULPS, Answer, Bench, Check, Exhibit, Extreme, Measured, Quantity, Question, Step, check, choice,
+    derivation, exhibit, figure, question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{asin, cos, sin};
 use equation::value::Bindings;
 use equation::{Dimension, Equation, Expr, Symbol};
+use light::Complex64;
 use light::optics::Direction;
+use light::optics::Incidence;
 use light::optics::fresnel::{critical_angle, powers};
 use light::references::fresnel::{Exact, Input, NAMES};
 use std::f64::consts::FRAC_PI_2;
@@ -22,7 +27,15 @@ use yardstick::precise;
 
 const T_N: Symbol = Symbol::scalar("T_n", Dimension::ONE);
 
-pub(super) const EXHIBIT: Exhibit = exhibit("energy", INTERFACE, &[]);
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "energy",
+    INTERFACE,
+    &[figure(
+        "box",
+        "A flat box about the interface: it can keep nothing, so what enters it leaves it. Areas are shares of the power.",
+        flat_box,
+    )],
+);
 
 pub(super) const STEP: Step = step(
     EXHIBIT,
@@ -31,6 +44,7 @@ pub(super) const STEP: Step = step(
 )
 .rows(&["E43"])
 .statements(&[statement("balance", "energy is conserved", || Equation::new(R_N + T_N, Expr::from(1)))])
+.questions(&[INTO_GOLD])
 .derivations(&[
     derivation("s", "R_s + T_s from E36, E37 and E41", || s_balance(weight()))
         .slip("T taken as t²", || s_balance(Expr::from(1))),
@@ -48,6 +62,34 @@ pub(super) const STEP: Step = step(
 )
 .textbook("T = 1 − R, as most programs have it")
 .against("E41 in 256 bits")]);
+
+const INTO_GOLD: Question = question(
+    "into_gold",
+    "Gold reflects a part of the light and swallows the rest. At its surface, what is R + T?",
+    Answer::Choice {
+        options: &[
+            choice(
+                "R alone, since nothing comes through gold",
+                "T counts what crosses the *surface*. How far it gets behind it is not asked here.",
+            ),
+            choice(
+                "less than 1, by what is swallowed",
+                "It is swallowed in the depth of the gold. The surface has none, and swallows nothing.",
+            ),
+            choice("1", ""),
+        ],
+        right: |_| {
+            let gold = powers(Incidence::from_angle(45f64.to_radians()), 1.0, Complex64::new(0.42, 2.47));
+            match gold.r_n() + gold.t_n() {
+                sum if (sum - 1.0).abs() < 1e-12 => 2,
+                sum if (sum - gold.r_n()).abs() < 1e-12 => 0,
+                _ => 1,
+            }
+        },
+        slip: |_| 1,
+    },
+    "One, at every interface: it is too thin to keep anything. T is what goes in, whatever becomes of it.",
+);
 
 /// What T is more than t².
 fn weight() -> Expr {
@@ -188,4 +230,30 @@ fn small_transmittances(setting: &Setting) -> Vec<Extreme> {
     };
     debug_assert_eq!([NAMES[9], NAMES[11], NAMES[13]], ["T_s", "T_p", "T_n"]);
     cases_against(&["T_s", "T_p", "T_n"], &inputs, by_difference)
+}
+
+/// The flows through a flat box, each as wide as its share.
+fn flat_box(setting: &Setting) -> Plot {
+    let input = interface(setting);
+    let shares = powers(incidence(setting), input.n_i, input.n_t);
+    let (wide, high) = (1.5, 1.0);
+    // A block of an arrow: as wide as its share, and at least a line.
+    let block = |x: f64, share: f64, from: f64, to: f64, hue: Hue, label: String| -> Vec<Part> {
+        let half = 0.4 * share;
+        let edges = [-half, half].map(|side| Part::line([x + side, from], [x + side, to]).hue(hue));
+        let arrow = Part::ray([x, from], [x, to]).hue(hue).label(label);
+        edges.into_iter().chain([arrow]).collect()
+    };
+    let diagram = Diagram::new("", [-wide, -high], [wide, high])
+        .with(Part::surface([wide, 0.0], [-wide, 0.0], Behind::Tinted(depth(input.n_i))))
+        .with(Part::surface([-wide, 0.0], [wide, 0.0], Behind::Tinted(depth(input.n_t.re))))
+        .with(
+            Part::curve(vec![[-1.3, -0.12], [1.3, -0.12], [1.3, 0.12], [-1.3, 0.12], [-1.3, -0.12]])
+                .hue(Hue::Reference)
+                .dash(Dash::Dashed),
+        )
+        .with_all(block(-0.75, 1.0, 0.85, 0.15, Hue::Natural, "1".into()))
+        .with_all(block(0.55, shares.r_n(), 0.15, 0.85, Hue::Ours, format!("R_n = {:.3}", shares.r_n())))
+        .with_all(block(-0.1, shares.t_n(), -0.15, -0.85, Hue::Transmitted, format!("T_n = {:.3}", shares.t_n())));
+    Plot::of("What enters a flat box leaves it", diagram)
 }

@@ -71,7 +71,7 @@ pub(super) fn plot(setting: &Setting) -> Plot {
 }
 
 /// How dark a medium is drawn.
-fn depth(n: f64) -> f64 {
+pub(super) fn depth(n: f64) -> f64 {
     if n > 1.0 { 1.0 - n.recip() } else { 0.0 }
 }
 

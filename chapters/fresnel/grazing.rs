@@ -5,7 +5,8 @@ use super::{INTERFACE, incidence, interface};
 use crate::figure::{Axis, Chart, Hue, Panel, Picture, Plot};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+    Answer, Bench, Check, Exhibit, Measured, Quantity, Question, Step, check, choice, derivation, exhibit, figure,
+    question, statement, step,
 };
 use equation::derivation::Chain;
 use equation::expr::{cos, d, ratio, sqrt};
@@ -46,6 +47,7 @@ pub(super) const STEP: Step = step(
 .statements(&[statement("near_grazing", "near grazing, with n = n₂/n₁ > 1", || {
     Equation::approximate(R_N, 1 - 2 * (N_REL.pow(2) + 1) / sqrt(N_REL.pow(2) - 1) * cos(THETA_1))
 })])
+.questions(&[LIMITS])
 .derivations(&[
     derivation("derivative", "dR_n/dc with c = cos θ₁, and the refracted cosine by Snell's law", || {
         derivative(slope(N_REL.pow(2)))
@@ -67,6 +69,35 @@ pub(super) const STEP: Step = step(
     all.map(|(key, symbol, says, value)| Quantity { key, symbol, says, value, unit: "1" }).into()
 })
 .checks(&[&APPROACH]);
+
+const LIMITS: Question = question(
+    "limits",
+    "Face on, water reflects 2 % and diamond 17 %. To which values do they tend as one looks along their surface?",
+    Answer::Choice {
+        options: &[
+            choice(
+                "each to its own, diamond to the higher",
+                "The index only says how *fast* the curve gets there. A wave that skims the surface has nothing \
+                 across it to match.",
+            ),
+            choice("both to all of the light", ""),
+            choice(
+                "both to one half: p goes in and s comes back",
+                "So it is near Brewster's angle of a high index. Further on p comes back too.",
+            ),
+        ],
+        right: |_| {
+            let [water, diamond] = [1.33, 2.42].map(|n| powers(Incidence::from_cos(1e-9), 1.0, n.into()).r_n());
+            match () {
+                () if (water - diamond).abs() > 1e-3 => 0,
+                () if water > 0.99 => 1,
+                () => 2,
+            }
+        },
+        slip: |_| 0,
+    },
+    "Both to one: at grazing incidence everything is a mirror, as every wet road at sunset shows.",
+);
 
 /// cos θ₁
 const COSINE: Symbol = Symbol::scalar("c", Dimension::ONE).within(0.1, 0.9);
@@ -133,7 +164,7 @@ fn approach(setting: &Setting) -> Plot {
     }
     Plot::of(
         "What a grazed surface does not reflect",
-        chart.dashed(Hue::Natural, "the setting", curve(own.n_i, own.n_t)),
+        chart.dashed(Hue::Natural, super::own_media(setting), curve(own.n_i, own.n_t)),
     )
 }
 

@@ -4,11 +4,11 @@ use super::boundary::bounded;
 use super::fields::{flow, waves};
 use super::symbols::{E_1, E_1R, E_2, K_0, N_1, N_2, Q_2, R_0, R_P, R_S, THETA_1, THETA_2, Z};
 use super::{N_I, N_T, extremes, incidence, interface, over_angle, pseudo_brewster, sample_media, total_reflection};
-use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::figure::{Axis, Chart, Hue, Picture, Plot};
 use crate::parameter::{Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{
-    ALLOWED_ULPS, Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, figure,
-    statement, step, stress,
+    ALLOWED_ULPS, Answer, Bench, Check, Exhibit, Extreme, Measured, Quantity, Question, Step, check, choice,
+    derivation, exhibit, figure, question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{conj, cos, exp, i, sin, sqrt, tan};
@@ -16,6 +16,7 @@ use equation::value::Bindings;
 use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
 use light::Polarisation;
+use light::colour::response::response;
 use light::media::{self, Medium};
 use light::optics::fresnel::{Amplitudes, Powers, amplitudes, brewster_angle, critical_angle, powers};
 use light::optics::incidence::{normal_squared, outgoing_root};
@@ -72,6 +73,7 @@ pub(super) const STEP: Step = step(
         Equation::new(N_2, from_ellipsometer())
     }),
 ])
+.questions(&[GOLD])
 .derivations(&[
     derivation("decay", "a wave along the normal: what is imaginary in the index fades it", || {
         fading(exp(-(KAPPA * K_0 * Z)) * exp(i() * N * K_0 * Z))
@@ -122,6 +124,37 @@ pub(super) const STEP: Step = step(
     .textbook("E36–E42 with complex θ₂ = asin(n₁ sin θ₁/n₂)")
     .against("the boundary conditions solved in 256 bits"),
 ]);
+
+const GOLD: Question = question(
+    "gold",
+    "Why is gold yellow?",
+    Answer::Choice {
+        options: &[
+            choice(
+                "it reflects yellow, and neither red nor blue",
+                "Then it would be a dim metal with a narrow band. In red it is as good a mirror as silver.",
+            ),
+            choice("it reflects all but blue", ""),
+            choice(
+                "it reflects all colours alike; the yellow comes from inside",
+                "Nothing comes back from inside: within a few tens of nanometres the light is gone.",
+            ),
+        ],
+        right: |_| {
+            let gold = media::named("gold").expect("a known metal");
+            let [blue, yellow, red] = [450e-9, 580e-9, 680e-9]
+                .map(|wavelength| normal_reflectance(1.0, gold.index(wavelength).expect("within the data")));
+            match () {
+                () if (red - blue).abs() < 0.1 => 2,
+                () if yellow > red + 0.1 => 0,
+                () => 1,
+            }
+        },
+        slip: |_| 0,
+    },
+    "Red, yellow and a good deal of green come back, blue hardly: what is left of white light without blue is \
+     yellow.",
+);
 
 fn contrast(near: Expr, far: Expr) -> Expr {
     (&near - &far) / (near + far)
@@ -454,8 +487,9 @@ fn over_the_visible(setting: &Setting) -> Plot {
     let mut chart = Chart::new(
         "",
         Axis::linear("vacuum wavelength λ", "nm").range(380.0, 750.0).tick(50.0),
-        Axis::linear("reflectance R_0", "").range(0.0, 1.0),
+        Axis::share("reflectance R_0"),
     );
+    let swatches = swatches(&from, &media);
     for (place, (name, medium)) in (0..).zip(media) {
         let reflectance = |nanometres: f64| {
             let wavelength = nanometres * 1e-9;
@@ -466,16 +500,40 @@ fn over_the_visible(setting: &Setting) -> Plot {
         let curve = wavelengths.map(|nanometres| [nanometres, reflectance(nanometres).unwrap_or(f64::NAN)]);
         chart = chart.line(Hue::Nth(place), name, curve.collect());
     }
-    Plot::of("Metals at normal incidence", chart)
+    Plot::grid("Metals at normal incidence", 1, vec![chart.into(), swatches.into()])
+}
+
+/// What the media look like under light of all wavelengths alike, as the eye weighs them: one patch for each.
+fn swatches(from: &Medium, media: &[(&str, Medium)]) -> Picture {
+    const PATCH: [usize; 2] = [60, 36];
+    let of = |medium: &Medium| -> [f32; 3] {
+        let (mut seen, mut white) = ([0.0; 3], [0.0; 3]);
+        for nanometres in (380..=750).step_by(5) {
+            let wavelength = f64::from(nanometres) * 1e-9;
+            let (Ok(n_i), Ok(n_t)) = (from.index(wavelength), medium.index(wavelength)) else { continue };
+            let share = powers(Incidence::NORMAL, n_i.re, n_t).r_n();
+            for (at, weight) in response().at(wavelength).into_iter().enumerate() {
+                seen[at] += share * weight;
+                white[at] += weight;
+            }
+        }
+        // Of what was never measured there is nothing to see.
+        [0, 1, 2].map(|at| (seen[at] / white[at]).max(0.0) as f32)
+    };
+    let colours: Vec<[f32; 3]> = media.iter().map(|(_, medium)| of(medium)).collect();
+    let row = || colours.iter().flat_map(|colour| [*colour; PATCH[0]]);
+    let names: Vec<&str> = media.iter().map(|(name, _)| *name).collect();
+    let title = format!("{}: as the eye sees their curves", names.join(", "));
+    Picture::new(title, PATCH[0] * colours.len(), (0..PATCH[1]).flat_map(|_| row()).collect())
 }
 
 fn against_angle(setting: &Setting) -> Plot {
     let Input { n_i, n_t, .. } = interface(setting);
     let curve = |power: fn(&Powers) -> f64| over_angle(|incidence| power(&powers(incidence, n_i, n_t)));
     let chart = Chart::new(
-        super::media(n_i, n_t),
+        super::own_media(setting),
         Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
-        Axis::linear("reflectance R", "").range(0.0, 1.0),
+        Axis::share("reflectance R"),
     )
     .line(Hue::S, "R_s", curve(|p| p.r_s))
     .line(Hue::P, "R_p", curve(|p| p.r_p))
@@ -489,13 +547,17 @@ fn phases(setting: &Setting) -> Plot {
     let curve = |ratio: fn(&Amplitudes) -> Complex64| {
         over_angle(|incidence| ratio(&amplitudes(incidence, n_i, n_t)).arg().to_degrees())
     };
+    // Along the normal it is half a turn, either way round: one of them, lest the curve jump.
+    let one_way = |[theta, degrees]: [f64; 2]| [theta, if degrees > 90.0 { degrees - 360.0 } else { degrees }];
+    let between = curve(|a| a.r_p / a.r_s).into_iter().map(one_way).collect();
     let chart = Chart::new(
-        super::media(n_i, n_t),
+        super::own_media(setting),
         Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
         Axis::linear("phase of the reflected field", "°").range(-180.0, 180.0).tick(60.0),
     )
-    .line(Hue::S, "arg r_s", curve(|a| a.r_s))
-    .line(Hue::P, "arg r_p", curve(|a| a.r_p))
+    .line(Hue::S, "δ_s", curve(|a| a.r_s))
+    .line(Hue::P, "δ_p", curve(|a| a.r_p))
+    .dashed(Hue::Natural, "δ_p − δ_s", between)
     .at_x(pseudo_brewster(n_i, n_t).to_degrees(), "R_p least");
     Plot::of("Phase on reflection", chart)
 }

@@ -143,6 +143,15 @@ pub(crate) fn media(n_i: f64, n_t: Complex64) -> String {
     format!("n {} → {}{absorbed}", short(n_i), short(n_t.re))
 }
 
+/// `1 → 1.5`, `1 → gold, 550 nm`: the setting's media as they were named, for a label.
+pub(crate) fn own_media(setting: &Setting) -> String {
+    let (n_i, n_t) = (setting.text("n_i"), setting.text("n_t"));
+    let is_named = [&n_i, &n_t].iter().any(|text| text.starts_with(char::is_alphabetic));
+    let nanometres = (setting.wavelength() * 1e12).round() / 1e3;
+    let at = if is_named { format!(", {nanometres} nm") } else { String::new() };
+    format!("{n_i} → {n_t}{at}")
+}
+
 /// The sample media and the setting's own pair, each at every angle of a coarse fan.
 pub(crate) fn sample_inputs(setting: &Setting) -> Vec<Input> {
     let own = interface(setting);

@@ -7,8 +7,8 @@ use super::{INTERFACE, hemisphere, incidence, interface, over_angle, over_angle_
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Heat, Measured, Quantity, Race, Step, check, derivation, exhibit, figure, lane, race,
-    statement, step, stress,
+    Answer, Bench, Check, Exhibit, Heat, Measured, Misled, Quantity, Question, Race, Step, check, derivation, exhibit,
+    figure, lane, question, race, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{cos, integral_between, pi, ratio, sin, tan};
@@ -38,6 +38,7 @@ pub(super) const STEP: Step = step(
 )
 .rows(&["E42"])
 .statements(&[statement("reflectance", "reflected share of natural light", || Equation::new(R_N, natural()))])
+.questions(&[MEAN_OF_POWERS])
 .derivations(&[derivation("mean", "the mean over all directions of vibration, with E36 and E39", || mean(natural()))
     .slip("the mean of the fields, squared", || {
         mean(
@@ -87,6 +88,37 @@ pub(super) const STEP: Step = step(
 .textbook("½[sin²(θ₁−θ₂)/sin²(θ₁+θ₂) + tan²(θ₁−θ₂)/tan²(θ₁+θ₂)]")
 .against("256 bits")])
 .races(&[HEMISPHERE]);
+
+const MEAN_OF_POWERS: Question = question(
+    "mean_of_powers",
+    "Natural light falls on glass of n = 1.5 at Brewster's angle, where r_s = −0.385 and r_p = 0. Which share of \
+     its power comes back?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| at_brewster().1,
+        slips: &[
+            Misled {
+                value: |_| (0.5 * at_brewster().0).powi(2),
+                reply: "The mean of the fields, squared. s and p of natural light keep no step; their powers add, \
+                 not their fields.",
+            },
+            Misled { value: |_| at_brewster().0.powi(2), reply: "That is R_s. Half of natural light is p." },
+            Misled {
+                value: |_| 0.5 * at_brewster().0.abs(),
+                reply: "A mean of amplitudes; power goes as their \
+             squares.",
+            },
+        ],
+    },
+    "0.074, half of R_s: powers are averaged, not fields.",
+);
+
+/// r_s and R_n of glass in air at Brewster's angle.
+fn at_brewster() -> (f64, f64) {
+    let incidence = Incidence::from_angle(brewster_angle(1.0, 1.5));
+    (amplitudes(incidence, 1.0, 1.5.into()).r_s.re, powers(incidence, 1.0, 1.5.into()).r_n())
+}
 
 fn natural() -> Expr {
     let (sum, difference) = (THETA_1 + THETA_2, THETA_1 - THETA_2);
@@ -218,7 +250,7 @@ fn reflectance(setting: &Setting) -> Plot {
         let mut chart = Chart::new(
             super::media(n_i, n_t),
             Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
-            Axis::linear("share of the power", "").range(0.0, 1.0),
+            Axis::share("share of the power"),
         )
         .line(Hue::S, "R_s", curve(|p| p.r_s))
         .line(Hue::P, "R_p", curve(|p| p.r_p))

@@ -3,17 +3,21 @@
 use super::boundary::{with_fields, with_impedance};
 use super::extremes::{cases, describe};
 use super::fields::{flow, waves};
+use super::geometry::depth;
 use super::symbols::{E_1, E_1R, E_2, ELECTRIC, MAGNETIC, N_1, N_2, NORMAL, R_S, T_P, T_S, THETA_1, THETA_2, Z_0};
 use super::{INTERFACE, incidence, interface, sample_inputs};
+use crate::diagram::{Behind, Diagram, Part};
+use crate::figure::{Dash, Hue, Plot};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, statement, step, stress,
+    Answer, Bench, Check, Exhibit, Measured, Misled, Quantity, Question, Step, check, derivation, exhibit, figure,
+    question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{abs, cos, cross, dot};
 use equation::{Dimension, Equation, Expr, Symbol};
 use light::Polarisation;
-use light::optics::fresnel::{Amplitudes, Powers, amplitudes, powers};
+use light::optics::fresnel::{Amplitudes, Powers, amplitudes, powers, refract};
 use light::optics::{Direction, Incidence};
 use light::references::fresnel::Input;
 
@@ -23,7 +27,15 @@ const S_I: Symbol = Symbol::vector("S_i", Dimension::WATT_PER_SQUARE_METRE);
 const S_R: Symbol = Symbol::vector("S_r", Dimension::WATT_PER_SQUARE_METRE);
 const S_T: Symbol = Symbol::vector("S_t", Dimension::WATT_PER_SQUARE_METRE);
 
-pub(super) const EXHIBIT: Exhibit = exhibit("powers", INTERFACE, &[]);
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "powers",
+    INTERFACE,
+    &[figure(
+        "beams",
+        "One patch of the interface and the three beams on it: it is as wide as a cos θ that each flow counts.",
+        beams,
+    )],
+);
 
 pub(super) const STEP: Step = step(
     EXHIBIT,
@@ -44,6 +56,7 @@ pub(super) const STEP: Step = step(
         || Equation::new(TRANSMITTANCE, N_2 * cos(THETA_2) / (N_1 * cos(THETA_1)) * T_S.pow(2)),
     ),
 ])
+.questions(&[NOT_T_SQUARED])
 .derivations(&[
     derivation(
         "reflected_from_poynting",
@@ -69,6 +82,25 @@ pub(super) const STEP: Step = step(
 )
 .textbook("|r|² and (n₂cosθ₂/n₁cosθ₁)|t|² from the angles")
 .against("the amplitudes in 256 bits")]);
+
+const NOT_T_SQUARED: Question = question(
+    "not_t_squared",
+    "From glass of n = 1.5 into air, along the normal, t is 1.2. Which share of the power goes on?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| powers(Incidence::NORMAL, 1.5, 1.0.into()).t_s,
+        slips: &[
+            Misled {
+                value: |_| amplitudes(Incidence::NORMAL, 1.5, 1.0.into()).t_s.norm_sqr(),
+                reply: "t² is the ratio of the fields' squares. More than came cannot go on: in air the same field \
+                 carries less.",
+            },
+            Misled { value: |_| 1.2, reply: "That is the ratio of the fields." },
+        ],
+    },
+    "0.96, which is t²/1.5: the flow of a wave is as n E².",
+);
 
 /// `chain` with the mean flows of real fields, S = ½ E×H.
 fn with_flows(chain: Chain, polarisation: Polarisation) -> Chain {
@@ -146,4 +178,46 @@ fn hard_inputs(setting: &Setting) -> Vec<Input> {
         clear(Direction::Angle(0.3), 1.0, 1e6),
         Input { direction: Direction::Grazing(1e-12), n_i: 1.0, n_t: light::Complex64::new(0.2, 3.4) },
     ]
+}
+
+/// Half of the patch that is lit.
+const PATCH: f64 = 0.32;
+
+/// The beams on a patch of the interface.
+fn beams(setting: &Setting) -> Plot {
+    let (n_i, n_t) = (setting.index("n_i").re, setting.index("n_t"));
+    let incidence = Incidence::from_angle(setting.number("theta").clamp(0.35, 1.1));
+    let (sin, cos) = (incidence.sin(), incidence.cos());
+    let behind = if n_t.im == 0.0 { refract(incidence, n_i, n_t.re) } else { None };
+    let shares = powers(incidence, n_i, n_t);
+    let (wide, high) = (1.7, 1.05);
+    let mut diagram = Diagram::new("", [-wide, -high], [wide, high])
+        .with(Part::surface([wide, 0.0], [-wide, 0.0], Behind::Tinted(depth(n_i))))
+        .with(Part::surface([-wide, 0.0], [wide, 0.0], Behind::Tinted(depth(n_t.re))))
+        .with_all(beam([-sin, cos], true, "S_i", Hue::Natural))
+        .with_all(beam([sin, cos], false, "S_r", Hue::Natural));
+    if let Some((sin, cos)) = behind {
+        diagram = diagram.with_all(beam([sin, -cos], false, "S_t", Hue::Transmitted));
+    }
+    let through = format!("T_s = {:.3}, T_p = {:.3}", shares.t_s, shares.t_p);
+    let diagram = diagram
+        .with(Part::ray_with_heads([-PATCH, 0.0], [PATCH, 0.0], &[]).label("a"))
+        .with(Part::note([-1.65, 0.92], format!("θ_1 = {:.1}°", sin.atan2(cos).to_degrees())))
+        .with(Part::note([-1.65, -0.92], through));
+    Plot::of("Beams on a patch of the interface", diagram)
+}
+
+/// Edges, width and flow of the beam that leaves the patch by `way`, or comes from there.
+fn beam(way: [f64; 2], comes: bool, name: &str, hue: Hue) -> Vec<Part> {
+    let along = |from: f64, share: f64| [from + share * way[0], share * way[1]];
+    let edge = |from: f64| Part::line(along(from, 0.0), along(from, 0.95)).hue(hue).dash(Dash::Dashed);
+    let (tip, end) = if comes { (along(0.0, 0.4), along(0.0, 0.85)) } else { (along(0.0, 0.85), along(0.0, 0.4)) };
+    // Across the beam, from one of its edges to the other.
+    let cosine = way[1].abs();
+    let shift = 2.0 * PATCH * way[0];
+    let nearer = 0.3 - shift.min(0.0);
+    let (near, far) = (along(PATCH, nearer), along(-PATCH, nearer + shift));
+    let width = Part::line(near, far).hue(Hue::Reference);
+    let width = if cosine > 0.25 && !comes { width.label(format!("{name}: a · {cosine:.2}")) } else { width };
+    vec![edge(-PATCH), edge(PATCH), width, Part::vector(end, tip).hue(hue).label(name)]
 }

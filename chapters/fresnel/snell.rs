@@ -5,8 +5,8 @@ use super::{INTERFACE, extremes, incidence};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
-    stress,
+    Answer, Bench, Check, Exhibit, Extreme, Measured, Misled, Quantity, Question, Step, check, derivation, exhibit,
+    figure, question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{asin, cos, partial, pi, sin};
@@ -49,6 +49,7 @@ pub(super) const STEP: Step = step(
     }),
     statement("snell", "Snell's law", || Equation::new(N_1 * sin(THETA_1), N_2 * sin(THETA_2))),
 ])
+.questions(&[INTO_GLASS])
 .derivations(&[
     derivation(
         "mirror",
@@ -72,6 +73,38 @@ pub(super) const STEP: Step = step(
 )
 .textbook("cos(asin(n₁ sin θ₁/n₂))")
 .against("√(1 − (n₁ sin θ₁/n₂)²) in 256 bits")]);
+
+const INTO_GLASS: Question = question(
+    "into_glass",
+    "Light falls from air on glass of n = 1.5, at 60° from the normal. At which angle from the normal does it go \
+     on?",
+    Answer::Number {
+        unit: "rad",
+        tolerance: 0.01,
+        right: |_| {
+            let (sin, cos) =
+                refract(Incidence::from_angle(60f64.to_radians()), 1.0, 1.5).unwrap_or((f64::NAN, f64::NAN));
+            sin.atan2(cos)
+        },
+        slips: &[
+            Misled {
+                value: |_| 40f64.to_radians(),
+                reply: "60/1.5: as if angles were in the ratio of the indices. Their *sines* are, for it is along \
+                 the interface that crests must meet.",
+            },
+            Misled {
+                value: |_| (30f64.to_radians().sin() / 1.5).asin(),
+                reply: "That is with the angle to the surface for the one to the normal.",
+            },
+            Misled {
+                value: |_| 60f64.to_radians(),
+                reply: "So the reflected wave leaves. Behind the interface crests are closer, and must lean to stay \
+                 in step along it.",
+            },
+        ],
+    },
+    "35.3°, whose sine is sin 60°/1.5: shorter waves lean closer to the normal to keep step along the interface.",
+);
 
 /// k·r − ωt in the plane of incidence; a wave that `runs_back` from the interface has −cos θ.
 fn phase(k: Symbol, angle: Symbol, runs_back: bool) -> Expr {

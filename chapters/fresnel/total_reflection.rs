@@ -3,11 +3,12 @@
 use super::amplitudes::contrast;
 use super::extremes::{cases, describe};
 use super::fields::{Wave, flow, waves};
-use super::{incidence, interface};
+use super::{geometry, incidence, interface};
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::parameter::{Kind, Parameter, Setting, THETA, WAVELENGTH};
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step, stress,
+    Answer, Bench, Check, Exhibit, Measured, Quantity, Question, Step, check, choice, derivation, exhibit, figure,
+    question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{abs, asin, conj, cos, cross, dot, exp, i, laplacian, re, sin, tan, vector};
@@ -15,7 +16,7 @@ use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
 use light::Polarisation;
 use light::optics::film::{Layer, Stack};
-use light::optics::fresnel::{amplitudes, critical_angle, evanescent_depth};
+use light::optics::fresnel::{amplitudes, critical_angle, evanescent_depth, powers};
 use light::optics::{Direction, Incidence};
 use light::references::fresnel::Input;
 use std::f64::consts::FRAC_PI_2;
@@ -48,6 +49,11 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     "total_reflection",
     &[N_I, N_T, THETA.default("50deg"), WAVELENGTH],
     &[
+        figure(
+            "geometry",
+            "Beyond the critical angle: all comes back, and a wave that fades runs along the surface.",
+            geometry::plot,
+        ),
         figure("phase", "Phases of r_s and r_p and their difference beyond the critical angle.", phases),
         figure("depth", "How deep the evanescent field reaches, in wavelengths.", depths),
     ],
@@ -70,6 +76,7 @@ pub(super) const STEP: Step = step(
         Equation::new(tan((DELTA_P - DELTA_S) / 2), -(GAMMA * cos(THETA_1R) / (N_1R * sin(THETA_1R).pow(2))))
     }),
 ])
+.questions(&[BEHIND])
 .derivations(&[
     derivation(
         "normal_wave",
@@ -132,6 +139,34 @@ pub(super) const STEP: Step = step(
 )
 .textbook("E36, E39 with complex θ₂")
 .against("256 bits")]);
+
+const BEHIND: Question = question(
+    "behind",
+    "In glass, light meets its surface beyond the critical angle, and all of it comes back. What is in the air \
+     behind?",
+    Answer::Choice {
+        options: &[
+            choice("nothing", "Fields cannot just end: along the surface E must be the same on both sides."),
+            choice(
+                "a weak wave that carries a little power away",
+                "Then less than all would come back. E and the tangential H behind are a quarter of a period apart.",
+            ),
+            choice("a field that fades, and on average carries nothing away", ""),
+        ],
+        right: |_| {
+            let (incidence, glass, air) = (Incidence::from_angle(50f64.to_radians()), 1.5, Complex64::ONE);
+            let behind = amplitudes(incidence, glass, air);
+            match powers(incidence, glass, air).t_n() {
+                _ if behind.t_s.norm() == 0.0 => 0,
+                0.0 => 2,
+                _ => 1,
+            }
+        },
+        slip: |_| 0,
+    },
+    "A field that clings to the surface: it sloshes in and out twice a period, and fades within a wavelength or so. \
+     A second piece of glass near enough takes power from it.",
+);
 
 /// (n₂cosθ₂)² = −γ².
 pub(super) fn normal_wave(projection: Expr) -> Chain {
@@ -411,7 +446,7 @@ fn depths(setting: &Setting) -> Plot {
         chart = chart.line(Hue::Nth(at as u8), label, depth_curve(n_i, n_t));
     }
     if critical_angle(own.n_i, own.n_t.re).is_some() {
-        chart = chart.dashed(Hue::Natural, "the setting", depth_curve(own.n_i, own.n_t.re));
+        chart = chart.dashed(Hue::Natural, super::own_media(setting), depth_curve(own.n_i, own.n_t.re));
     }
     Plot::of("How deep the evanescent field reaches", chart)
 }

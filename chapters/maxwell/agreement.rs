@@ -5,7 +5,8 @@ use crate::figure::{Axis, Chart, Dash, Hue, Map, Mark, Panel, Plot, Ramp, Shape}
 use crate::fresnel::media;
 use crate::parameter::{Alias, Kind, Parameter, Setting};
 use crate::vocabulary::{
-    Bench, Bound, Check, Exhibit, Measured, Quantity, Step, check, exhibit, figure, fitted_order, statement, step,
+    Answer, Bench, Bound, Check, Exhibit, Measured, Misled, Quantity, Question, Step, check, exhibit, figure,
+    fitted_order, question, statement, step,
 };
 use equation::{Dimension, Equation, Symbol};
 use light::Complex64;
@@ -40,7 +41,11 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
             space_time,
         ),
         figure("reflectance", "Fresnel's curves, and what the grid finds without knowing them.", reflectance),
-        figure("conductor", "A harmonic wave driven into a conductor: the field on the grid, and E18.", conductor),
+        figure(
+            "conductor",
+            "A harmonic wave driven into a conductor: the field on the grid, and the formula for a wave that decays.",
+            conductor,
+        ),
     ],
 );
 
@@ -54,8 +59,37 @@ pub(super) const STEP: Step = step(
 .statements(&[statement("second_order", "what is left between grid and formula", || {
     Equation::proportional(DELTA_R, CELL.pow(2))
 })])
+.questions(&[HALVED])
 .readout(readout)
 .checks(&[&OPEN_SPACE, &INTERFACES, &LIMITS, &FILMS, &METALS, &CONDUCTORS]);
+
+const HALVED: Question = question(
+    "halved",
+    "On a grid of 16 cells to a wave the reflectance of glass is a little wrong. With 32 cells, which share of that \
+     error is left?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.1,
+        right: |_| {
+            let glass =
+                Scene { theta: 0.0, polarisation: Polarisation::S, films: vec![], substrate: Medium::dielectric(2.25) };
+            let off = |cells| glass.on_grid(cells).0 - glass.exact().0;
+            off(32) / off(16)
+        },
+        slips: &[
+            Misled {
+                value: |_| 0.5,
+                reply: "So it is with a jump of ε that is laid half a cell off. Centred differences err by the \
+                 square.",
+            },
+            Misled {
+                value: |_| 0.0625,
+                reply: "That would be the fourth order. Differences of two neighbours have the second.",
+            },
+        ],
+    },
+    "About a quarter: the error goes as the square of the cell. Were it a half, we should look for a mistake.",
+);
 
 const DELTA_R: Symbol = Symbol::scalar("Delta_R", Dimension::ONE);
 const CELL: Symbol = Symbol::scalar("Delta", Dimension::METRE);
@@ -305,7 +339,7 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     vec![
         value("r_grid", "R", "reflectance at normal incidence, grid of 16 cells to a wave", scene.on_grid(16).0),
         value("r_fine", "R", "the same, 32 cells", scene.on_grid(32).0),
-        value("r_formula", "R", "by E36", scene.exact().0),
+        value("r_formula", "R", "by Fresnel's formula", scene.exact().0),
     ]
 }
 
@@ -350,7 +384,7 @@ fn reflectance(setting: &Setting) -> Plot {
     let chart = Chart::new(
         "",
         Axis::linear("angle of incidence", "°").range(0.0, 90.0).tick(15.0),
-        Axis::linear("reflectance R", "").range(0.0, 1.0),
+        Axis::share("reflectance R"),
     );
     let chart = [(Polarisation::S, Hue::S, "s"), (Polarisation::P, Hue::P, "p")].into_iter().fold(
         chart,
@@ -402,7 +436,7 @@ fn conductor(setting: &Setting) -> Plot {
     let mut chart = Chart::new(
         format!("σ/(ωε) = {tau}"),
         Axis::linear("depth over skin depth", "").range(0.0, 5.0),
-        Axis::linear("E over its amplitude at the surface", "").range(-1.0, 1.0),
+        Axis::linear("E over its amplitude at the surface", "").range(-0.25, 1.05),
     );
     for (at, name) in [(0, "at a crest"), (1, "a quarter period later")] {
         let now = line.steps() as f64 * dt;
@@ -411,7 +445,7 @@ fn conductor(setting: &Setting) -> Plot {
             [z(node), here.re]
         });
         let grid = shown.clone().step_by((seen / 60).max(10)).map(|node| [z(node), line.e()[node]]);
-        chart = chart.line(Hue::Nth(at), format!("E18, {name}"), formula.collect()).with(Mark::Points {
+        chart = chart.line(Hue::Nth(at), format!("formula, {name}"), formula.collect()).with(Mark::Points {
             label: String::new(),
             hue: Hue::Nth(at),
             shape: Shape::Disc,
@@ -427,5 +461,5 @@ fn conductor(setting: &Setting) -> Plot {
         dash: Dash::Dashed,
         points: envelope.map(|z| [z, (-z).exp()]).collect(),
     });
-    Plot::of("A wave in a conductor: grid (points) and E18 (lines)", Panel::Chart(chart))
+    Plot::of("A wave in a conductor: grid (points) and formula (lines)", Panel::Chart(chart))
 }

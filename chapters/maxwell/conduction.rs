@@ -4,8 +4,8 @@ use crate::figure::{Axis, Chart, Dash, Hue, Mark, Plot, Shape};
 use crate::parameter::{Alias, Kind, Parameter, Setting};
 use crate::symbols::{E, EPSILON, H, SIGMA, T};
 use crate::vocabulary::{
-    Exhibit, Expects, Extreme, Heat, Lane, Quantity, Race, Step, derivation, exhibit, figure, lane, race, statement,
-    step, stress,
+    Answer, Exhibit, Expects, Extreme, Heat, Lane, Misled, Quantity, Question, Race, Step, derivation, exhibit, figure,
+    lane, question, race, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{curl, exp, partial};
@@ -55,6 +55,7 @@ pub(super) const STEP: Step = step(
     })
     .rows(&["C2"]),
 ])
+.questions(&[LONGEST])
 .derivations(&[derivation("solves_ampere", "the exponential step, put into Ampère's law", || {
     step_obeys(DRIVE.into())
 })
@@ -80,6 +81,30 @@ pub(super) const STEP: Step = step(
     .lanes(&CONDUCTOR),
     RACE.named("metal", "a metal, σ/(ωε) = 10¹²: the same, only more so").lanes(&METAL),
 ]);
+
+const LONGEST: Question = question(
+    "longest",
+    "In a conducting cell E relaxes within ε/σ. Forward Euler is used. How many such times may a step last at most \
+     before the field explodes?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| {
+            let explodes = |x: &f64| Update::new(Scheme::ForwardEuler, 1.0, *x, 1.0).keep.abs() > 1.0;
+            (1..).map(|thousandth| f64::from(thousandth) / 1000.0).find(explodes).unwrap_or(f64::NAN)
+        },
+        slips: &[
+            Misled {
+                value: |_| 1.0,
+                reply: "A step of one such time lands on the goal. A longer one overshoots, but not yet by more \
+                 than it was off before.",
+            },
+            Misled { value: |_| 0.5, reply: "There a step goes half the way to the goal: slow, but safe." },
+        ],
+    },
+    "Two: from there on each step overshoots by more than it was off. In copper two relaxation times are far less \
+     than a femtosecond.",
+);
 
 const START: Symbol = Symbol::scalar("E_0", Dimension::VOLT_PER_METRE);
 const RELAXED: Symbol = Symbol::scalar("E", Dimension::VOLT_PER_METRE);

@@ -3,7 +3,10 @@
 use super::heat::HEAT;
 use crate::parameter::Setting;
 use crate::symbols::{D, E, EPSILON, H, J, RHO, SIGMA, T};
-use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, statement, step};
+use crate::vocabulary::{
+    Answer, Bench, Check, Exhibit, Measured, Quantity, Question, Step, check, derivation, exhibit, question, statement,
+    step,
+};
 use equation::derivation::Chain;
 use equation::expr::{curl, divergence, partial};
 use equation::{Equation, Expr};
@@ -31,6 +34,7 @@ pub(super) const STEP: Step = step(
         Equation::new(partial(RHO, T), -(SIGMA / EPSILON * RHO))
     }),
 ])
+.questions(&[SURPLUS])
 .derivations(&[
     derivation("from_maxwell", "the divergence of Ampère's law, with Gauss's", || continuity(divergence(J)))
         .slip("the sign of the current in ∇×H = J + ∂D/∂t", || continuity(-divergence(J))),
@@ -41,6 +45,29 @@ pub(super) const STEP: Step = step(
 ])
 .readout(readout)
 .checks(&[&KEPT, &ENERGY_KEPT, &HEAT]);
+
+const SURPLUS: Question = question(
+    "surplus",
+    "In the middle of a block of salt water there is, for a moment, a little too much positive charge. Which sign \
+     has ∇·J there?",
+    Answer::Sign {
+        replies: [
+            "Then current would run together where there is too much already, and the surplus would grow. But field \
+             lines begin at positive charge, and drive the current away from it.",
+            "So it is in a wire under a steady current, where no charge is left over. Here the charge makes a \
+             field, and the field a current.",
+            "The field begins at positive charge and takes the current with it, outwards.",
+        ],
+        // ∇·J = σ ∇·E = σρ/ε, for a surplus of 1 C/m³.
+        right: |_| {
+            let water = media::named("sea-water").and_then(|water| water.medium(50.0).ok()).expect("known at 50 Hz");
+            water.sigma() * (1.0 / water.epsilon())
+        },
+        slip: |_| 0.0,
+    },
+    "Current leaves, so ∇·J is positive and the surplus dies away, in the time ε/σ and without a wave: it never \
+     spreads through the block, it appears on the outside.",
+);
 
 fn continuity(last: Expr) -> Chain {
     Chain::new(-partial(RHO, T))

@@ -3,7 +3,10 @@
 use crate::figure::{Axis, Dash, Hue, Map, Mark, Panel, Plot, Ramp};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::symbols::{B, D, E, H, J, RHO, T};
-use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, exhibit, figure, statement, step};
+use crate::vocabulary::{
+    Answer, Bench, Check, Exhibit, Measured, Misled, Quantity, Question, Step, check, exhibit, figure, question,
+    statement, step,
+};
 use equation::Equation;
 use equation::expr::{curl, divergence, partial};
 use light::fields::charge::MovingCharge;
@@ -46,8 +49,44 @@ pub(super) const STEP: Step = step(
         Equation::new(curl(H), J + partial(D, T))
     }),
 ])
+.questions(&[ABREAST])
 .readout(readout)
 .checks(&[&ENDS_OF_FLUX, &INDUCTION, &CIRCULATION]);
+
+const ABREAST: Question = question(
+    "abreast",
+    "A charge flies past at 0.8 of the speed of light. As it passes, how strong is its electric field beside its \
+     way, over that of the same charge at rest there?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| over_rest([1.0, 0.0, 0.0], 0),
+        slips: &[
+            Misled {
+                value: |_| 1.0,
+                reply: "That is Coulomb's law, which holds for charges at rest. As many field lines leave a charge \
+                 in flight, but they are pressed together.",
+            },
+            Misled {
+                value: |_| over_rest([0.0, 0.0, 1.0], 2),
+                reply: "So weak is it ahead of the charge and behind it. What is missing there is found abreast.",
+            },
+            Misled {
+                value: |_| over_rest([1.0, 0.0, 0.0], 0).recip(),
+                reply: "The wrong way round: the lines are pressed into the plane across the way, so it is stronger \
+                 there.",
+            },
+        ],
+    },
+    "5/3, which is 1/√(1 − β²): weaker ahead and behind, stronger abreast, and as much flux in all, for that counts \
+     the charge.",
+);
+
+/// A component of E at a place, of a charge of β = 0.8 that passes the origin, over that of one at rest.
+fn over_rest(place: Vector, axis: usize) -> f64 {
+    let [passing, at_rest] = [0.8, 0.0].map(|beta| MovingCharge { charge: 1e-9, beta }.e(place, 0.0)[axis]);
+    passing / at_rest
+}
 
 fn charge(setting: &Setting) -> MovingCharge {
     MovingCharge { charge: 1e-9, beta: setting.number("beta") }
@@ -260,7 +299,12 @@ fn field_lines(beta: f64) -> Vec<Mark> {
         let (sin, cos) = (PI * (f64::from(at) + 0.5) / 7.0).sin_cos();
         let length = (flat * cos).hypot(sin).recip();
         let end = |reach: f64| [reach * length * flat * cos, reach * length * sin];
-        Mark::Line { label: String::new(), hue: Hue::Reference, dash: Dash::Solid, points: vec![end(0.08), end(0.95)] }
+        let (tip, back) = (end(0.95), end(0.95 - 0.07 / length));
+        let side = [0.5 * (tip[1] - back[1]), -0.5 * (tip[0] - back[0])];
+        // The way out, and the two sides of its head.
+        let points =
+            vec![end(0.08), tip, [back[0] + side[0], back[1] + side[1]], tip, [back[0] - side[0], back[1] - side[1]]];
+        Mark::Line { label: String::new(), hue: Hue::Reference, dash: Dash::Solid, points }
     };
     (0..14).map(line).collect()
 }

@@ -1,9 +1,10 @@
 //! C2: the four laws on a grid: speed of waves, and the Courant limit.
 
-use crate::figure::{Axis, Chart, Hue, Map, Mark, Panel, Plot, Ramp, Shape};
+use crate::figure::{Axis, Chart, Dash, Hue, Map, Mark, Panel, Plot, Ramp, Shape};
 use crate::parameter::{Fault, Kind, Parameter, Setting};
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+    Answer, Bench, Check, Exhibit, Measured, Quantity, Question, Step, check, derivation, exhibit, figure, question,
+    statement, step,
 };
 use equation::derivation::Chain;
 use equation::expr::{exp, i, sin};
@@ -81,12 +82,34 @@ pub(super) const STEP: Step = step(
         Equation::new(S, C * DT / DZ)
     }),
 ])
+.questions(&[SHORTER])
 .derivations(&[derivation("from_the_step", "a harmonic wave put into the step", || {
     dispersion(S.pow(2) * sin(K * DZ / 2).pow(2))
 })
 .slip("the fields a whole cell apart", || dispersion(S.pow(2) * sin(K * DZ).pow(2)))])
 .readout(readout)
 .checks(&[&SPEED, &STABLE, &GROWTH, &GROWTH_IN_THE_PLANE]);
+
+const SHORTER: Question = question(
+    "shorter",
+    "A wave of ten cells runs along a line, a little slower than light. The time step is made shorter, from the \
+     Courant limit down to nearly nothing, the cells stay. What does the wave's speed do?",
+    Answer::Trend {
+        replies: [
+            "The errors of space and time have opposite signs. At the limit they cancel; the shorter the step, the \
+             less of the one is left to cancel the other.",
+            "The step enters the grid's waves as well as the cells do: sin²(ωΔt/2) = S² sin²(kΔz/2).",
+            "A finer step makes time exact, but it is the cells that make the wave late, and a coarse step that \
+             makes up for it.",
+            "There is no best step in between: the best is the longest.",
+            "There is no best step in between: the best is the longest.",
+        ],
+        right: |_, at| phase_velocity(&[TAU / 10.0], 1.0 - 0.99 * at),
+        slip: |_, at| phase_velocity(&[TAU / 10.0], 0.01 + 0.99 * at),
+    },
+    "It falls: along a line the wave is exact at the Courant limit and latest at the shortest step. What helps is \
+     smaller cells.",
+);
 
 const Z: Symbol = Symbol::scalar("z", Dimension::METRE).real(0.25, 1.25);
 const T: Symbol = Symbol::scalar("t", Dimension::SECOND).real(0.25, 1.25);
@@ -402,9 +425,9 @@ fn blow_up(setting: &Setting) -> Plot {
         Axis::linear("step", "").range(0.0, STEPS as f64),
         Axis::log("largest |E| on the grid", "V/m").range(1e-1, 1e12),
     );
-    let chart = [setting.number("courant"), 0.999, 1.003, 1.01, 1.1].into_iter().enumerate().fold(
-        chart,
-        |chart, (at, courant)| {
+    let own = setting.number("courant");
+    let chart =
+        [(4, 1.1), (3, 1.01), (2, 1.003), (1, 0.999), (0, own)].into_iter().fold(chart, |chart, (at, courant)| {
             let mut line = ring(200, courant);
             let pulse = |z: f64| (-((z - 100.0) / 8.0).powi(2)).exp();
             line.set(pulse, |z| pulse(z - 0.5 * courant) / Z_0);
@@ -412,8 +435,14 @@ fn blow_up(setting: &Setting) -> Plot {
                 run(&mut line, 1);
                 [step as f64, line.e().iter().fold(0.0f64, |most, e| most.max(e.abs()))]
             });
-            chart.line(Hue::Nth(at as u8), format!("S = {courant}"), heights.collect())
-        },
-    );
+            // All lie on 1 until they rise: dashes let the others through.
+            let dash = if at == 0 { Dash::Dashed } else { Dash::Solid };
+            chart.with(Mark::Line {
+                label: format!("S = {courant}"),
+                hue: Hue::Nth(at as u8),
+                dash,
+                points: heights.collect(),
+            })
+        });
     Plot::of("A pulse, below and beyond the Courant limit", chart)
 }

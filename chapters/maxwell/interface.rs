@@ -1,13 +1,14 @@
 //! E4: what the four laws demand where one medium ends and another begins.
 
 use super::symbols::{B_1, B_2, D_1, D_2, E_1, E_2, H_1, H_2, NORMAL};
-use crate::figure::{Axis, Chart, Hue, Plot};
+use crate::diagram::{Behind, Diagram, Part, Spot};
+use crate::figure::{Axis, Chart, Dash, Hue, Plot};
 use crate::fresnel::fields::{Wave, waves};
 use crate::fresnel::{INTERFACE, interface, sample_inputs};
 use crate::parameter::Setting;
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
-    stress,
+    Answer, Bench, Check, Exhibit, Extreme, Measured, Misled, Quantity, Question, Step, check, derivation, exhibit,
+    figure, question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{cross, dot, vector};
@@ -15,6 +16,7 @@ use equation::{Dimension, Equation, Expr, Symbol};
 use light::Complex64;
 use light::Polarisation;
 use light::fields::surface::{Side, free_charge};
+use light::optics::Direction;
 use light::optics::Incidence;
 use light::optics::fresnel::amplitudes;
 use light::optics::incidence::{normal_squared, outgoing_root};
@@ -26,12 +28,19 @@ use yardstick::precise::{self, Real};
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "interface",
     INTERFACE,
-    &[figure(
-        "through_the_interface",
-        "p light across the interface: the tangential E runs on, the normal E jumps so \
+    &[
+        figure(
+            "box_and_loop",
+            "The box and the loop that the four conditions come from, before they are made flat and narrow.",
+            box_and_loop,
+        ),
+        figure(
+            "through_the_interface",
+            "p light across the interface: the tangential E runs on, the normal E jumps so \
          that the normal D runs on.",
-        through,
-    )],
+            through,
+        ),
+    ],
 );
 
 pub(super) const STEP: Step = step(
@@ -47,6 +56,7 @@ pub(super) const STEP: Step = step(
     statement("e_tangential", "the electric fields along the interface agree", || tangential_meets(E_1, E_2)),
     statement("h_tangential", "and the magnetic ones, where no current runs between", || tangential_meets(H_1, H_2)),
 ])
+.questions(&[ACROSS])
 .derivations(&[
     derivation(
         "pill_box",
@@ -85,6 +95,32 @@ pub(super) const STEP: Step = step(
      current",
 )
 .against("the same step in 256 bits")]);
+
+const ACROSS: Question = question(
+    "across",
+    "p light falls slantwise on glass of n = 1.5. The part of E that stands square to the surface: how large is it \
+     just inside the glass, over just outside?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| {
+            let direction = Direction::Angle(50f64.to_radians());
+            let [incident, reflected, transmitted] =
+                solved(&Input { direction, n_i: 1.0, n_t: 1.5.into() }, Polarisation::P);
+            (transmitted.e[2] / (incident.e[2] + reflected.e[2])).norm()
+        },
+        slips: &[
+            Misled { value: |_| 1.0, reply: "So it is with the part along the surface. Across it, D runs on, not E." },
+            Misled {
+                value: |_| 1.5 * 1.5,
+                reply: "The other way round: D = εE is the same on both sides, so E is smaller where ε is larger.",
+            },
+            Misled { value: |_| 1.0 / 1.5, reply: "n is the root of ε; and it is ε that ties D to E." },
+        ],
+    },
+    "1/n² = 0.444: the normal D runs on, and ε is n². Charges bound in the glass come to its face, and there the \
+     field jumps.",
+);
 
 fn normal_meets(near: Symbol, far: Symbol) -> Equation {
     Equation::new(dot(NORMAL, near - far), 0)
@@ -381,4 +417,41 @@ fn through(setting: &Setting) -> Plot {
                 .into(),
         ],
     )
+}
+
+/// A box and a loop about an interface, of half the width `HALF`; the second medium lies below, and n points into it.
+fn box_and_loop(_: &Setting) -> Plot {
+    let pill_box = around_interface("Gauss's theorem: normal parts")
+        .with(Part::vector([0.0, BOX[1]], [0.0, BOX[1] + 0.35]).hue(Hue::Reference).label("−n"))
+        .with(Part::vector([0.0, -BOX[1]], [0.0, -BOX[1] - 0.35]).hue(Hue::Reference).label("n"))
+        .with(Part::vector([-0.55, 0.85], [-0.3, 0.42]).hue(Hue::S).label("D_1"))
+        .with(Part::vector([-0.3, -0.42], [0.05, -1.02]).hue(Hue::S).label("D_2"))
+        .with(Part::note([0.25, -0.12], "A"));
+    let [half, high] = BOX;
+    let side = |from: Spot, to: Spot| Part::vector(from, to).hue(Hue::Natural);
+    let narrow_loop = around_interface("Stokes's theorem: tangential parts")
+        .with(side([0.25, high], [-0.25, high]))
+        .with(side([-0.25, -high], [0.25, -high]))
+        .with(side([-half, 0.1], [-half, -0.12]))
+        .with(side([half, -0.1], [half, 0.12]))
+        .with(Part::across([0.0, 0.0], true).label("b"))
+        .with(Part::vector([-0.4, 0.75], [0.2, 0.55]).hue(Hue::S).label("E_1"))
+        .with(Part::vector([-0.3, -0.85], [0.3, -0.5]).hue(Hue::S).label("E_2"))
+        .with(Part::vector([-1.0, 0.0], [-1.0, -0.4]).hue(Hue::Reference).label("n"));
+    Plot::grid("Two ways to look across an interface", 2, vec![pill_box.into(), narrow_loop.into()])
+}
+
+/// Half the width and half the height of the box and of the loop.
+pub(super) const BOX: Spot = [0.75, 0.28];
+
+/// The interface and what is drawn about it, from the side.
+pub(super) fn around_interface(title: &str) -> Diagram {
+    let [half, high] = BOX;
+    let rim = vec![[-half, -high], [half, -high], [half, high], [-half, high], [-half, -high]];
+    Diagram::new(title, [-1.35, -1.2], [1.35, 1.2])
+        .with(Part::surface([-1.35, 0.0], [1.35, 0.0], Behind::Tinted(0.35)))
+        .with(Part::curve(rim).dash(Dash::Dashed))
+        .with(Part::line([half + 0.15, -high], [half + 0.15, high]).hue(Hue::Reference).label("h"))
+        .with(Part::note([-1.28, 1.05], "medium 1"))
+        .with(Part::note([-1.28, -1.05], "medium 2"))
 }

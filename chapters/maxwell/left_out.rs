@@ -1,10 +1,11 @@
 //! C2: what a scene does not need is not there, and costs nothing.
 
 use super::throughput::{ROUNDED, THROUGHPUT};
-use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
+use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Heat, Lane, Measured, Quantity, Step, check, exhibit, figure, lane, race, statement, step,
+    Answer, Bench, Check, Exhibit, Heat, Lane, Measured, Quantity, Question, Step, check, choice, exhibit, figure,
+    lane, question, race, statement, step,
 };
 use equation::{Dimension, Equation, Symbol};
 use light::em::line::{Ends, Line, Setup};
@@ -30,6 +31,7 @@ pub(super) const STEP: Step = step(
      how fast memory moves it",
     || Equation::new(STEP_TIME, BYTES / BANDWIDTH),
 )])
+.questions(&[UNLIKE])
 .readout(readout)
 .checks(&[&SAME])
 .races(&[
@@ -46,6 +48,38 @@ pub(super) const STEP: Step = step(
     ]),
     THROUGHPUT,
 ]);
+
+const UNLIKE: Question = question(
+    "unlike",
+    "A scene of vacuum is stepped twice: with losses, currents and absorbers in every cell, all of them nought, and \
+     without any of that. By how much may the fields differ?",
+    Answer::Choice {
+        options: &[
+            choice(
+                "by a few roundings",
+                "What is left out are products with zero and factors of one, and these round nothing.",
+            ),
+            choice("by the error of the grid", "Both runs make that same error, since they are the same arithmetic."),
+            choice("not at all", ""),
+        ],
+        right: |_| {
+            let [pruned, full] = [true, false].map(|pruned| {
+                let mut line = scene("vacuum", 100, pruned);
+                line.inject(30, 1.0, Pulse::Gaussian { delay: 0.5e-9, width: 0.1e-9 }).expect("a node of the line");
+                line.run(100).expect("some steps");
+                line.e().to_vec()
+            });
+            let largest = pruned.iter().zip(&full).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            match largest {
+                0.0 => 2,
+                some if some < 1e-12 => 0,
+                _ => 1,
+            }
+        },
+        slip: |_| 0,
+    },
+    "Not by one bit. A tolerance here would hide the one mistake that matters: a cell that lost what it needed.",
+);
 
 const STEP_TIME: Symbol = Symbol::scalar("t", Dimension::SECOND);
 const BYTES: Symbol = Symbol::scalar("M", Dimension::ONE);
@@ -145,19 +179,19 @@ fn difference(_: &mut Bench, sigma: f64) -> Measured {
 
 fn savings(setting: &Setting) -> Plot {
     let cells = setting.number("cells") as usize;
-    let points = |of: fn(&light::em::pruning::Explanation) -> f64| -> Vec<[f64; 2]> {
-        let each = SCENES.iter().enumerate();
-        each.map(|(at, (key, _))| [at as f64 + 1.0, of(&scene(key, cells, true).explain())]).collect()
+    let explanations = SCENES.map(|(key, name)| (name, scene(key, cells, true).explain()));
+    let panel = |title: &str, unit: &str, named: bool, of: fn(&light::em::pruning::Explanation) -> f64| {
+        let axes = Chart::new(title, Axis::linear("saved per cell", unit), Axis::bare(0.0, 4.0));
+        let chart = explanations.iter().zip((0..4).rev()).fold(axes, |chart, ((name, explanation), row)| {
+            let (low, label) = (f64::from(row) + 0.15, if named { *name } else { "" });
+            chart.bar(Hue::Nth(3 - row as u8), label, of(explanation), [low, low + 0.7])
+        });
+        let most = explanations.iter().map(|(_, explanation)| of(explanation)).fold(0.0, f64::max);
+        Chart { x: chart.x.clone().range(0.0, 1.05 * most.max(1.0)), ..chart }.into()
     };
-    let names = SCENES.iter().enumerate().map(|(at, (_, name))| format!("{} {name}", at + 1));
-    let mark =
-        |label: &str, hue, shape, points| Mark::Points { label: label.into(), hue, shape, joined: false, points };
-    let chart = Chart::new(
-        "",
-        Axis::linear(format!("scene: {}", names.collect::<Vec<_>>().join(", ")), "").range(0.5, 4.5).tick(1.0),
-        Axis::linear("saved per cell", "").range(0.0, 100.0),
-    )
-    .with(mark("bytes", Hue::Ours, Shape::Disc, points(|explanation| explanation.bytes_saved_per_cell())))
-    .with(mark("operations a step", Hue::Nth(1), Shape::Square, points(|e| e.operations_saved_per_cell())));
-    Plot::of("What scenes left out", chart)
+    let panels = vec![
+        panel("memory", "B", true, |explanation| explanation.bytes_saved_per_cell()),
+        panel("operations of a step", "", false, |explanation| explanation.operations_saved_per_cell()),
+    ];
+    Plot::grid("What scenes left out", 2, panels)
 }

@@ -4,7 +4,8 @@ use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::symbols::{B, D, E, EPSILON, H, J, MU, SIGMA};
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+    Answer, Bench, Check, Exhibit, Measured, Quantity, Question, Step, check, derivation, exhibit, figure, question,
+    statement, step,
 };
 use equation::derivation::Chain;
 use equation::expr::vector;
@@ -40,6 +41,7 @@ pub(super) const STEP: Step = step(
         Equation::new(D, of([E_X, E_Y, E_Z].map(Expr::from)))
     }),
 ])
+.questions(&[MARBLE])
 .derivations(&[derivation(
     "isotropy",
     "a medium that looks the same after quarter turns about two axes has one number for a tensor",
@@ -48,6 +50,29 @@ pub(super) const STEP: Step = step(
 .slip("the trace for a third of it", || isotropy(&ENTRIES[0] + &ENTRIES[4] + &ENTRIES[8]))])
 .readout(readout)
 .checks(&[&POWDER, &GRAINS, &HALL]);
+
+const MARBLE: Question = question(
+    "marble",
+    "Marble is a block of calcite grains that point everywhere. Take the mean of ε over all directions of a grain \
+     away from the block's ε: what sign has the rest?",
+    Answer::Sign {
+        replies: [
+            "A grain that lies with its large ε along the field weakens the field in itself, and so counts for \
+             less.",
+            "So it would be if the field were the same in every grain. But each weakens the field in itself, the \
+             more the larger its ε along it.",
+            "No arrangement of grains has more than the mean: that would be reached if the field were the same in \
+             all.",
+        ],
+        right: |_| {
+            let [across, along] = [1.6584_f64, 1.4864].map(|index| index * index);
+            let calcite = Tensor::diagonal([across, across, along]);
+            calcite.of_grains() - calcite.isotropic_part()
+        },
+        slip: |_| 0.0,
+    },
+    "The mean is too large, if only by a little: where ε is large, the field is weak.",
+);
 
 const fn entry(name: &'static str) -> Symbol {
     Symbol::scalar(name, Dimension::FARAD_PER_METRE)
@@ -261,7 +286,11 @@ fn walk_off(setting: &Setting) -> Plot {
     });
     let x = |what: &str| Axis::linear(format!("angle of E to the {what}"), "°").range(0.0, 90.0).tick(15.0);
     let dielectric = Chart::new("crystal: D = εE", x("crystal's axis"), Axis::linear("angle between D and E", "°"))
-        .line(Hue::Ours, "the setting's crystal", curve(&|angle| leaning(&crystal, angle)));
+        .line(
+            Hue::Ours,
+            format!("n_o = {}, n_e = {}", setting.text("n_o"), setting.text("n_e")),
+            curve(&|angle| leaning(&crystal, angle)),
+        );
     let hall = turned.into_iter().enumerate().fold(
         Chart::new(
             "electrons in a magnetic field: J = σE",

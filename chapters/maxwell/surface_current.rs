@@ -1,12 +1,14 @@
 //! C1: charge and current on the interface itself.
 
 use super::agreement::worst_order;
-use super::interface::{AREA, HEIGHT, INSIDE, WALL_D, out_of_box, turn_across};
+use super::interface::{AREA, HEIGHT, INSIDE, WALL_D, around_interface, out_of_box, turn_across};
 use super::symbols::{D_1, D_2, H_1, H_2, K_S, NORMAL, RHO_S, Z_0};
+use crate::diagram::Part;
 use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, fitted_order, statement, step,
+    Answer, Bench, Check, Exhibit, Measured, Misled, Quantity, Question, Step, check, derivation, exhibit, figure,
+    fitted_order, question, statement, step,
 };
 use equation::derivation::Chain;
 use equation::expr::{cross, dot, vector};
@@ -26,12 +28,19 @@ const SHEET: Parameter =
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "surface_current",
     &[SHEET],
-    &[figure(
-        "sheet",
-        "A sheet takes most, one half, where its resistance is half that of the vacuum; \
+    &[
+        figure(
+            "box_and_loop",
+            "What no box can be too flat for, and no loop too narrow: charge and current in the interface itself.",
+            box_and_loop,
+        ),
+        figure(
+            "sheet",
+            "A sheet takes most, one half, where its resistance is half that of the vacuum; \
          graphene takes πα.",
-        powers,
-    )],
+            powers,
+        ),
+    ],
 );
 
 pub(super) const STEP: Step = step(
@@ -53,6 +62,7 @@ pub(super) const STEP: Step = step(
         Equation::new(R, reflected(&(Z_0 * G)))
     }),
 ])
+.questions(&[MOST])
 .derivations(&[
     derivation(
         "box_with_charge",
@@ -74,6 +84,37 @@ pub(super) const STEP: Step = step(
 ])
 .readout(readout)
 .checks(&[&THIN_FILM, &JUMP]);
+
+const MOST: Question = question(
+    "most",
+    "Light falls squarely on a sheet without thickness, in empty space, whose resistance may be chosen. Which share \
+     of the light can it turn to heat at most?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| {
+            let taken = (-300..=300).map(|at| {
+                let conductance = 10f64.powf(f64::from(at) / 100.0) / constants::Z_0;
+                at_normal_incidence(conductance).absorptance
+            });
+            taken.fold(0.0, f64::max)
+        },
+        slips: &[
+            Misled {
+                value: |_| 1.0,
+                reply: "A current that takes much also radiates much, alike to both sides. Only with a mirror \
+                 behind it can a sheet take all.",
+            },
+            Misled {
+                value: |_| at_normal_incidence(constants::Z_0.recip()).absorptance,
+                reply: "That is what a sheet with the resistance of the vacuum takes. It stands between two halves \
+                 of space: the best has half as much.",
+            },
+        ],
+    },
+    "One half, where Z₀G = 2; a quarter goes on and a quarter comes back. What conducts better reflects, what \
+     conducts less lets pass.",
+);
 
 const SHORT_H: Symbol = Symbol::scalar("H_s", Dimension::AMPERE_PER_METRE);
 const THROUGH: Symbol = Symbol::scalar("j", Dimension::AMPERE_PER_SQUARE_METRE);
@@ -210,12 +251,37 @@ fn powers(setting: &Setting) -> Plot {
     let chart = Chart::new(
         "",
         Axis::log("conductance of the sheet Z_0G", "").range(1e-3, 1e3),
-        Axis::linear("share of the power", "").range(0.0, 1.0),
+        Axis::share("share of the power"),
     )
     .line(Hue::Natural, "reflected", curve(|sheet| sheet.reflectance))
     .line(Hue::Transmitted, "transmitted", curve(|sheet| sheet.transmittance))
     .line(Hue::Ours, "absorbed", curve(|sheet| sheet.absorptance))
     .at_x(PI * ALPHA, "graphene")
-    .at_x(constants::Z_0 / setting.number("sheet"), "the setting");
+    .at_x(
+        constants::Z_0 / setting.number("sheet"),
+        format!("1/G = {}", crate::parameter::number((setting.number("sheet") * 10.0).round() / 10.0)) + " Ω",
+    );
     Plot::of("A sheet that carries current", chart)
+}
+
+/// A box about a charge in the interface, and a loop about a current in it.
+fn box_and_loop(_: &Setting) -> Plot {
+    let places = [-0.5, -0.25, 0.0, 0.25, 0.5];
+    let charged = around_interface("charge: the normal D jumps")
+        .with_all(places.map(|x| {
+            let charge = Part::point([x, 0.0]).hue(Hue::P);
+            if x == 0.5 { charge.label("ρ_s") } else { charge }
+        }))
+        .with(Part::vector([-0.35, 0.4], [-0.35, 0.85]).hue(Hue::S).label("D_1"))
+        .with(Part::vector([-0.35, -0.4], [-0.35, -0.85]).hue(Hue::S).label("D_2"))
+        .with(Part::vector([0.35, -0.4], [0.35, -0.75]).hue(Hue::Reference).label("n"));
+    let carrying = around_interface("current: the tangential H jumps")
+        .with_all(places.map(|x| {
+            let current = Part::across([x, 0.0], true).hue(Hue::P);
+            if x == 0.5 { current.label("K_s") } else { current }
+        }))
+        .with(Part::vector([0.3, 0.55], [-0.3, 0.55]).hue(Hue::S).label("H_1"))
+        .with(Part::vector([-0.3, -0.55], [0.3, -0.55]).hue(Hue::S).label("H_2"))
+        .with(Part::vector([-1.0, 0.0], [-1.0, -0.4]).hue(Hue::Reference).label("n"));
+    Plot::grid("What stays in the box and in the loop", 2, vec![charged.into(), carrying.into()])
 }

@@ -348,7 +348,7 @@ fn spread(setting: &Setting) -> Plot {
     for (k, name) in ["water", "fused-silica", "bk7", "sf10", "sf11"].into_iter().enumerate() {
         chart = chart.line(Hue::Nth(k as u8), name, points(name));
     }
-    chart = chart.dashed(Hue::Natural, "the setting", points(setting.word("glass")));
+    chart = chart.dashed(Hue::Natural, setting.word("glass"), points(setting.word("glass")));
     Plot::of("How far glass spreads what it bends", chart)
 }
 

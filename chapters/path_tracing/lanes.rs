@@ -330,7 +330,7 @@ fn busy(setting: &Setting) -> Plot {
     let mut chart = Chart::new(
         "",
         Axis::linear("chance to go on q", "").range(0.0, 1.0).tick(0.1),
-        Axis::linear("share of lanes at work", "").range(0.0, 1.0),
+        Axis::share("share of lanes at work"),
     );
     for (k, lanes) in [2, 4, 8, 16].into_iter().enumerate() {
         chart = chart.line(Hue::Nth(k as u8), format!("{lanes} lanes"), curve(lanes));

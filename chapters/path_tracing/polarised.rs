@@ -314,12 +314,12 @@ fn degrees(setting: &Setting) -> Plot {
     let reflected = Chart::new(
         "reflected once",
         Axis::linear("angle of incidence θ", "°").range(0.0, 90.0).tick(15.0),
-        Axis::linear("degree of polarisation P", "").range(0.0, 1.0),
+        Axis::share("degree of polarisation P"),
     )
     .line(Hue::Nth(0), "water", once(1.333))
     .line(Hue::Nth(1), "glass", once(1.5))
     .line(Hue::Nth(2), "diamond", once(2.417))
-    .dashed(Hue::Natural, "the setting", once(own))
+    .dashed(Hue::Natural, format!("n = {own}"), once(own))
     .at_x(brewster_angle(1.0, own).to_degrees(), "θ_B");
     let pile = |plates: i32| {
         let of = |k: i32| {
@@ -334,7 +334,7 @@ fn degrees(setting: &Setting) -> Plot {
     let behind = Chart::new(
         format!("passed, n = {own}"),
         Axis::linear("angle of incidence θ", "°").range(0.0, 90.0).tick(15.0),
-        Axis::linear("degree of polarisation P", "").range(0.0, 1.0),
+        Axis::share("degree of polarisation P"),
     )
     .line(Hue::Nth(0), "1 plate", pile(1))
     .line(Hue::Nth(1), "4 plates", pile(4))

@@ -8,8 +8,8 @@ use crate::figure::{Axis, Chart, Dash, Hue, Mark, Plot};
 use crate::parameter::{Conductor, FREQUENCY, MEDIUM, Setting};
 use crate::symbols::{AMPLITUDE, B, DELTA, E, EPSILON, H, J, K, K_VECTOR, MU, OMEGA, SIGMA, T, Z, Z_C};
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
-    stress,
+    Answer, Bench, Check, Exhibit, Extreme, Measured, Misled, Quantity, Question, Step, check, derivation, exhibit,
+    figure, question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{abs, cos, curl, divergence, dot, exp, i, laplacian, partial, pi, ratio, sin, sqrt, tan, vector};
@@ -74,6 +74,7 @@ pub(super) const STEP: Step = step(
         Equation::approximate(DELTA, sqrt(2 / (OMEGA * MU * SIGMA)))
     }),
 ])
+.questions(&[DEEPER])
 .derivations(&[
     derivation("telegraph", "Ampère's law with J = σE, and the curl of Faraday's", || {
         telegraph(MU * SIGMA * partial(E, T))
@@ -115,6 +116,36 @@ pub(super) const STEP: Step = step(
     "k = √(ω²εμ + iωμσ) in 256 bits; cond from difference quotients with a relative step \
      of 1e−30",
 )]);
+
+const DEEPER: Question = question(
+    "deeper",
+    "Into copper a field of 1 GHz reaches two micrometres. How deep does one of 4 GHz reach, over that?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| {
+            let [fast, slow] = [4e9, 1e9].map(|frequency| {
+                let copper = media::named("copper").and_then(|copper| copper.wave(frequency).ok());
+                copper.expect("known there").skin_depth
+            });
+            fast / slow
+        },
+        slips: &[
+            Misled { value: |_| 0.25, reply: "By k² = iωμσ it is the *square* of the depth that goes as 1/ω." },
+            Misled {
+                value: |_| 2.0,
+                reply: "The faster the field swings, the more current it drives, and the sooner that has used it \
+                 up.",
+            },
+            Misled {
+                value: |_| 1.0,
+                reply: "Only where displacement current rules, as in poor conductors, does the depth not ask for ω.",
+            },
+        ],
+    },
+    "One half: δ = √(2/(ωμσ)). It falls as the root over eleven decades, as the figure shows, until electrons no \
+     longer keep up with the field.",
+);
 
 /// Maxwell's equations with J = σE and no charges.
 fn telegraph(conduction: Expr) -> Chain {
@@ -408,7 +439,10 @@ fn skin_depths(setting: &Setting) -> Plot {
     if known.iter().all(|known| Conductor::Substance(known) != own) {
         chart = chart.dashed(Hue::Natural, setting.text("medium"), depths(own));
     }
-    Plot::of("Skin depth, as far as each medium is known", chart.at_x(setting.frequency(), "the setting"))
+    Plot::of(
+        "Skin depth, as far as each medium is known",
+        chart.at_x(setting.frequency(), format!("f = {}", setting.text("freq"))),
+    )
 }
 
 fn lags(setting: &Setting) -> Plot {
@@ -424,7 +458,7 @@ fn lags(setting: &Setting) -> Plot {
         Some(_) => (None, format!(" ({}: off the axis)", described(setting))),
         None => (None, format!(" ({}: by its index, no σ)", described(setting))),
     };
-    let mark = |chart: Chart| shown.into_iter().fold(chart, |chart, own| chart.at_x(own, "the setting"));
+    let mark = |chart: Chart| shown.into_iter().fold(chart, |chart, own| chart.at_x(own, described(setting)));
     let lag = Chart::new("Lag", axis(), Axis::linear("lag of H behind E, φ", "°").range(0.0, 55.0).tick(15.0))
         .line(Hue::Ours, "", tangents().map(|tangent| [tangent, wave_at(tangent).phase_lag.to_degrees()]).collect())
         .at_y(45.0, "45°");

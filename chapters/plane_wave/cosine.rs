@@ -8,7 +8,8 @@ use crate::figure::Plot;
 use crate::parameter::Setting;
 use crate::symbols::{AMPLITUDE, AMPLITUDE_B, E, EPSILON, K, K_VECTOR, LAMBDA, MU, OMEGA, T, V, WAVE, Z};
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, figure, statement, step,
+    Answer, Bench, Check, Exhibit, Measured, Misled, Quantity, Question, Step, check, derivation, exhibit, figure,
+    question, statement, step,
 };
 use equation::derivation::Chain;
 use equation::expr::{cos, dot, laplacian, pi, sqrt};
@@ -57,6 +58,7 @@ pub(super) const STEP: Step = step(
     })
     .rows(&["E19"]),
 ])
+.questions(&[IN_GLASS])
 .derivations(&[
     derivation("is_a_wave", "a cosine of z − vt is one of d'Alembert's shapes", || is_a_wave(1 / sqrt(EPSILON * MU)))
         .rows(&["E14"])
@@ -76,6 +78,36 @@ pub(super) const STEP: Step = step(
 ])
 .readout(readout)
 .checks(&[&NUMEROV, &FRINGES]);
+
+const IN_GLASS: Question = question(
+    "in_glass",
+    "Light of one frequency goes from the vacuum into glass of n = 1.5. How many radians per metre does it turn \
+     there, over in the vacuum?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| {
+            let [glass, vacuum] = [2.25, 1.0].map(|eps| {
+                let medium = Medium::relative(eps, 1.0, 0.0).expect("a clear medium");
+                Wave::new(&medium, TAU * 545e12).expect("a positive frequency").k.re
+            });
+            glass / vacuum
+        },
+        slips: &[
+            Misled {
+                value: |_| 1.0 / 1.5,
+                reply: "So it is with the wavelength, which is a turn over k. The slower the wave, the closer its \
+                 crests.",
+            },
+            Misled {
+                value: |_| 1.0,
+                reply: "What stays is the frequency, radians per *second*: as many crests arrive as go on. Per \
+                 metre there are more.",
+            },
+        ],
+    },
+    "1.5 times as many: k = ω/v, with the same ω and a v of c/n.",
+);
 
 fn by_wavelength() -> Expr {
     2 * pi() / LAMBDA * (Z - V * T)

@@ -6,7 +6,8 @@ use crate::figure::{Axis, Chart, Hue, Map, Plot, Ramp};
 use crate::parameter::Setting;
 use crate::symbols::{E, EPSILON, F_1, F_2, MU, T, WAVE, Z};
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Measured, Step, check, derivation, exhibit, figure, fitted_order, statement, step,
+    Answer, Bench, Check, Exhibit, Measured, Question, Step, check, choice, derivation, exhibit, figure, fitted_order,
+    question, statement, step,
 };
 use equation::derivation::Chain;
 use equation::expr::{laplacian, sqrt, vector};
@@ -46,6 +47,7 @@ pub(super) const STEP: Step = step(
     })
     .rows(&["E10"]),
 ])
+.questions(&[UPSIDE_DOWN])
 .derivations(&[
     derivation("reduction", "the wave equation of a field along x that is the same for all x and y", || {
         reduction(EPSILON * MU)
@@ -61,6 +63,37 @@ pub(super) const STEP: Step = step(
     }),
 ])
 .checks(&[&DIFFERENCES, &ONE_CELL_A_STEP]);
+
+const UPSIDE_DOWN: Question = question(
+    "upside_down",
+    "Two equal pulses, one of them upside down, run towards each other. When they lie on each other E is zero \
+     everywhere. What comes next?",
+    Answer::Choice {
+        options: &[
+            choice(
+                "nothing: they have put each other out",
+                "E is zero at that moment, but not its rate: the magnetic fields of the two add up, and hold all \
+                 the energy.",
+            ),
+            choice("both run on as if the other had not been there", ""),
+            choice(
+                "each bounces back the way it came",
+                "The equation is linear: what each pulse does, it does alone. Nothing in it could push.",
+            ),
+        ],
+        right: |_| {
+            // They meet at z = ½ at ct = ¼; from ct = 0.4 on the upright one should stand at 0.65.
+            let field = |z: f64, t: f64| smooth(z - t) - smooth(z + t - 0.5);
+            match field(0.65, 0.4) {
+                ahead if ahead > 0.5 => 1,
+                ahead if ahead < -0.5 => 2,
+                _ => 0,
+            }
+        },
+        slip: |_| 0,
+    },
+    "Two shapes, running apart: each by itself solves the equation, and so does their sum, at every moment.",
+);
 
 /// (∂²/∂z² − `slowness` ∂²/∂t²) f
 fn operator(f: &Expr, slowness: Expr) -> Expr {
@@ -176,16 +209,22 @@ fn space_time(_: &Setting) -> Plot {
     Plot::of("Two pulses that meet", map)
 }
 
+/// The moment at which the middles of both pulses lie on each other, as vt [m].
+const TOGETHER: f64 = 3.0;
+
 fn strip(_: &Setting) -> Plot {
-    let panel = |step: u32| {
-        let t = f64::from(step) * 1.2;
+    let panel = |t: f64| {
         let points = (0..=2000).map(|at| -5.0 + f64::from(at) / 200.0).map(|z| [z, meeting(z, t)]).collect();
         let axes = Chart::new(
-            format!("vt = {t:.1} m"),
+            format!("vt = {t:.1} m{}", if t == TOGETHER { ": on each other" } else { "" }),
             Axis::linear("z", "m").range(-5.0, 5.0),
             Axis::linear("E_x / A", "").range(-0.8, 1.1),
         );
         axes.line(Hue::Nth(0), "", points).at_y(0.0, "").into()
     };
-    Plot::grid("Two pulses that meet, from instant to instant", 2, (0..6).map(panel).collect())
+    Plot::grid(
+        "Two pulses that meet, from instant to instant",
+        2,
+        [0.0, 1.5, 2.4, TOGETHER, 3.6, 6.0].map(panel).into(),
+    )
 }

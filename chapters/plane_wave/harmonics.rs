@@ -6,8 +6,8 @@ use crate::figure::{Axis, Chart, Hue, Plot, Shape};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::symbols::{K, OMEGA, T, WAVE, Z};
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Expects, Heat, Measured, Quantity, Race, Step, check, exhibit, figure, lane, race,
-    statement, step,
+    Answer, Bench, Check, Exhibit, Expects, Heat, Measured, Quantity, Question, Race, Step, check, choice, exhibit,
+    figure, lane, question, race, statement, step,
 };
 use equation::expr::{Range, exp, i, integral};
 use equation::{Dimension, Equation, Symbol};
@@ -44,9 +44,40 @@ pub(super) const STEP: Step = step(
     let each = SPECTRUM.at([OMEGA.into()]) * exp(i() * (K * Z - OMEGA * T));
     Equation::new(WAVE.at([Z.into(), T.into()]), integral(each, [OMEGA.into()], Range::Whole))
 })])
+.questions(&[HORNS])
 .readout(readout)
 .checks(&[&THROUGH_THE_SPECTRUM, &PARSEVAL, &GIBBS])
 .races(&[TRUNCATED]);
+
+const HORNS: Question = question(
+    "horns",
+    "A square pulse is put together from its harmonics, and overshoots beside its edges. What becomes of these \
+     horns as more and more harmonics are taken?",
+    Answer::Choice {
+        options: &[
+            choice(
+                "they shrink to nothing",
+                "Their *energy* does, since they get narrower. Their height is another question.",
+            ),
+            choice("they get narrower and stay as high", ""),
+            choice("they grow", "Then the sums would not converge in the mean square, as Parseval says they do."),
+        ],
+        right: |_| {
+            let horn = |harmonics: usize| {
+                let series = Spectrum::of_square(0.5, PERIOD, harmonics).expect("a width within the period");
+                series.at(0.25 - 0.5 / (harmonics as f64 + 1.0)) - 1.0
+            };
+            match horn(1023) / horn(63) {
+                share if share < 0.5 => 0,
+                share if share < 1.5 => 1,
+                _ => 2,
+            }
+        },
+        slip: |_| 0,
+    },
+    "They stay 9 % of the edge high, however many harmonics there are, and move ever closer to it. At every point \
+     beside the edge the sum is right in the end.",
+);
 
 /// The period [m] that holds a pulse; its harmonics are those of a string of that length.
 const PERIOD: f64 = 1.0;
@@ -268,8 +299,8 @@ fn spectra(setting: &Setting) -> Plot {
     .with(mark("smooth pulse", Hue::Nth(1), Shape::Disc, points(smooth_series(most))));
     let own = setting.number("harmonics");
     let (chart, beyond) = match own <= most as f64 {
-        true => (chart.at_x(own, "the setting"), String::new()),
-        false => (chart, format!(" (the setting, {own}, is off the axis)")),
+        true => (chart.at_x(own, format!("M = {own}")), String::new()),
+        false => (chart, format!(" (M = {own} is off the axis)")),
     };
     Plot::of(format!("What a pulse holds of each harmonic{beyond}"), chart)
 }

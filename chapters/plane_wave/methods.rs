@@ -5,7 +5,8 @@ use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::symbols::{C, T, WAVE, Z};
 use crate::vocabulary::{
-    Bench, Exhibit, Expects, Heat, Lane, Quantity, Race, Step, exhibit, figure, lane, race, statement, step,
+    Answer, Bench, Exhibit, Expects, Heat, Lane, Quantity, Question, Race, Step, choice, exhibit, figure, lane,
+    question, race, statement, step,
 };
 use equation::Equation;
 use equation::expr::partial;
@@ -39,6 +40,7 @@ pub(super) const STEP: Step = step(
     let field = || WAVE.at([Z.into(), T.into()]);
     Equation::new(partial(partial(field(), T), T), C.pow(2) * partial(partial(field(), Z), Z))
 })])
+.questions(&[EDGES])
 .readout(readout)
 .races(&[
     RACE.named(
@@ -54,6 +56,34 @@ pub(super) const STEP: Step = step(
     )
     .lanes(&SQUARE),
 ]);
+
+const EDGES: Question = question(
+    "edges",
+    "A method of fourth order carries a square pulse along. With twice as many cells, by how much does its error \
+     fall?",
+    Answer::Choice {
+        options: &[
+            choice(
+                "to about a sixteenth",
+                "That is what fourth order promises to a smooth wave. It counts on derivatives, and an edge has \
+                 none.",
+            ),
+            choice("to about a quarter", "Not even of the second order is anything left at an edge."),
+            choice("to no less than a half", ""),
+        ],
+        right: |_| {
+            let off = |cells| rms_difference(&carry(Scheme::FourthOrder, &square, cells), &exact(square, cells));
+            match off(512) / off(128) {
+                // Of four times as many cells: the square of what twice as many do.
+                share if share < 0.12 * 0.12 => 0,
+                share if share < 0.35 * 0.35 => 1,
+                _ => 2,
+            }
+        },
+        slip: |_| 0,
+    },
+    "By a quarter or so: an edge holds waves of every length, and the shortest are resolved on no grid.",
+);
 
 /// How far the pulses run round a line of 1 m. On a power of two of cells the last cell is left at a third or two
 /// thirds, which are alike to a method that knows no left and right: no grid of a race is luckier than another.

@@ -1,8 +1,14 @@
 //! E5: Maxwell's equations where there is nothing but a uniform medium.
 
 use super::fields::{Patch, Plane, crowd, outflows, over_time};
+use crate::diagram::{Diagram, Part};
+use crate::figure::{Hue, Plot};
+use crate::parameter::Setting;
 use crate::symbols::{B, D, E, EPSILON, H, J, MU, RHO, T};
-use crate::vocabulary::{Bench, Check, Exhibit, Measured, Step, check, derivation, exhibit, statement, step};
+use crate::vocabulary::{
+    Answer, Bench, Check, Exhibit, Measured, Question, Step, check, derivation, exhibit, figure, question, statement,
+    step,
+};
 use equation::derivation::Chain;
 use equation::expr::{curl, divergence, partial};
 use equation::{Equation, Expr, Symbol};
@@ -12,7 +18,11 @@ use light::waves::constants::C;
 use std::f64::consts::TAU;
 use yardstick::random::uniform;
 
-pub(super) const EXHIBIT: Exhibit = exhibit("source_free", &[], &[]);
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "source_free",
+    &[],
+    &[figure("circles", "Each field winds round the growth of the other: B by the right hand, E against it.", circles)],
+);
 
 pub(super) const STEP: Step = step(
     EXHIBIT,
@@ -30,6 +40,7 @@ pub(super) const STEP: Step = step(
         Equation::new(curl(B), EPSILON * MU * partial(E, T))
     }),
 ])
+.questions(&[CIRCLES])
 .derivations(&[
     derivation("gauss", "∇·D = ρ in a uniform medium without charges", || gauss(EPSILON))
         .slip("∇·D = ε ∇·E also where ε changes from place to place", || gauss(EPSILON.field())),
@@ -41,6 +52,38 @@ pub(super) const STEP: Step = step(
     }),
 ])
 .checks(&[&INTEGRAL_FORM]);
+
+const CIRCLES: Question = question(
+    "winds",
+    "In empty space an electric field points upwards and grows. Seen from above and counted counter-clockwise, \
+     which sign has the circulation of B around it?",
+    Answer::Sign {
+        replies: [
+            "That is Faraday's law, for E around a B that grows. If both laws had this sign, fields would not \
+             swing; they would run away.",
+            "Without charges in motion Ampère's law as it stood before Maxwell says so. An electric field that \
+             grows counts as a current.",
+            "∇×B = εμ ∂E/∂t has no minus: B circles the growth of E as it circles a current.",
+        ],
+        right: |_| circulation_over_growth(|(_, b)| b, |(e, _)| e),
+        slip: |_| circulation_over_growth(|(e, _)| e, |(_, b)| b),
+    },
+    "Positive, by the right hand, as around a current; E circles the growth of B the other way. This one minus \
+     between two laws makes waves.",
+);
+
+/// What circles round a patch in a plane wave over what grows through it.
+fn circulation_over_growth(circling: fn((DVec3, DVec3)) -> DVec3, growing: fn((DVec3, DVec3)) -> DVec3) -> f64 {
+    let wave = Plane::new(&Medium::VACUUM, C, DVec3::Z, DVec3::X, 0.3);
+    let side = 1e-2;
+    // Where the field that grows points along the patch's normal.
+    let normal = growing((wave.e, wave.b)).normalize();
+    let across = DVec3::Z.cross(normal);
+    let patch = Patch { corner: DVec3::ZERO, sides: [DVec3::Z * side, across * side] };
+    let later = 1e-2 / C;
+    let flux = |time| patch.flux(&|place, time| growing(wave.at(place, time)), time);
+    patch.circulation(&|place, time| circling(wave.at(place, time)), 0.5 * later) / (flux(later) - flux(0.0))
+}
 
 fn gauss(permittivity: Symbol) -> Chain {
     Chain::new(divergence(E))
@@ -115,4 +158,27 @@ fn integral_form(bench: &mut Bench, amend: fn(Plane) -> Plane) -> Measured {
         ]);
     }
     Measured::worst(cases)
+}
+
+fn circles(_: &Setting) -> Plot {
+    let panel = |title: &str, grows: &str, winds: &str, hues: [Hue; 2], sense: f64| {
+        let ring = |turn: f64| [turn.cos(), turn.sin()];
+        let around: Vec<_> = (0..=96).map(|at| ring(f64::from(at) * TAU / 96.0)).collect();
+        let arrows = (0..6).map(|at| {
+            let turn = f64::from(at) * TAU / 6.0 + 0.4;
+            // A short way of the ring, ending in its head.
+            let part = Part::vector(ring(turn - 0.12 * sense), ring(turn + 0.12 * sense)).hue(hues[1]);
+            if at == 0 { part.label(winds) } else { part }
+        });
+        Diagram::new(title, [-1.6, -1.35], [1.6, 1.35])
+            .with(Part::curve(around).hue(hues[1]))
+            .with_all(arrows)
+            .with(Part::across([0.0; 2], true).hue(hues[0]).label(grows))
+            .into()
+    };
+    let panels = vec![
+        panel("∇×B = εμ ∂E/∂t", "∂E/∂t", "B", [Hue::S, Hue::P], 1.0),
+        panel("∇×E = −∂B/∂t", "∂B/∂t", "E", [Hue::P, Hue::S], -1.0),
+    ];
+    Plot::grid("Each field winds round the growth of the other", 2, panels)
 }

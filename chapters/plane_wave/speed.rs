@@ -1,10 +1,14 @@
 //! E11: the speed of light, from two constants of electricity.
 
 use crate::symbols::{C, EPSILON_0, MU_0};
-use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, exhibit, statement, step};
+use crate::vocabulary::{
+    Answer, Bench, Check, Exhibit, Measured, Misled, Quantity, Question, Step, check, exhibit, question, statement,
+    step,
+};
 use equation::Equation;
 use equation::expr::sqrt;
 use light::waves::constants;
+use light::waves::{Medium, Wave};
 use std::f64::consts::PI;
 
 pub(super) const EXHIBIT: Exhibit = exhibit("speed", &[], &[]);
@@ -15,6 +19,7 @@ pub(super) const STEP: Step =
         .statements(&[statement("speed_of_light", "the speed of the waves in the vacuum", || {
             Equation::new(C, 1 / sqrt(EPSILON_0 * MU_0))
         })])
+        .questions(&[FOURFOLD])
         .readout(|_| {
             vec![
                 Quantity {
@@ -48,6 +53,31 @@ pub(super) const STEP: Step =
             ]
         })
         .checks(&[&MEASURED, &ROUNDED]);
+
+const FOURFOLD: Question = question(
+    "fourfold",
+    "In a medium with four times the permittivity of the vacuum, ε = 4ε₀ and μ = μ₀, how fast do waves run, over \
+     their speed in the vacuum?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| {
+            let medium = Medium::relative(4.0, 1.0, 0.0).expect("a clear medium");
+            Wave::new(&medium, constants::C).expect("a positive frequency").v_phase / constants::C
+        },
+        slips: &[
+            Misled { value: |_| 0.25, reply: "The root is forgotten, as in the line that the notes print." },
+            Misled {
+                value: |_| 2.0,
+                reply: "A stiffer spring makes a wave faster; ε says how *easily* charges give \
+             way.",
+            },
+            Misled { value: |_| 1.0, reply: "c is the speed in the vacuum; elsewhere ε and μ are other numbers." },
+        ],
+    },
+    "One half: v is 1/√(εμ). In the vacuum the same line, with a capacitor and a coil in it, gives the speed of \
+     light.",
+);
 
 /// 1/√(ε₀μ₀) [m/s] with the five digits of ε₀ that the notes print.
 fn rounded_constants() -> f64 {

@@ -3,9 +3,14 @@
 use super::fields::{Plane, direction};
 use super::one_way::at_one_cell_a_step;
 use super::{VACUUM, quantity};
+use crate::diagram::{Diagram, Part};
+use crate::figure::{Hue, Plot};
 use crate::parameter::{FREQUENCY, Setting};
 use crate::symbols::{A_VECTOR, AMPLITUDE, B, E, EPSILON, H, K, K_VECTOR, MU, OMEGA, R, T, V, Z, Z_C};
-use crate::vocabulary::{Bench, Check, Exhibit, Measured, Quantity, Step, check, derivation, exhibit, statement, step};
+use crate::vocabulary::{
+    Answer, Bench, Check, Exhibit, Measured, Misled, Quantity, Question, Step, check, derivation, exhibit, figure,
+    question, statement, step,
+};
 use equation::derivation::{Chain, Claim};
 use equation::expr::{abs, cos, cross, curl, divergence, dot, exp, i, partial, sin, sqrt, vector};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -13,9 +18,18 @@ use light::Complex64;
 use light::optics::{Incidence, fresnel};
 use light::waves::constants::{C, Z_0};
 use light::waves::{Medium, Wave};
+use std::f64::consts::TAU;
 use yardstick::random::uniform;
 
-pub(super) const EXHIBIT: Exhibit = exhibit("transverse", &[VACUUM, FREQUENCY], &[]);
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "transverse",
+    &[VACUUM, FREQUENCY],
+    &[figure(
+        "side_view",
+        "E, B and k along a clear wave: E up where B comes out of the page, and the other way half a wavelength on.",
+        square,
+    )],
+);
 
 pub(super) const STEP: Step = step(
     EXHIBIT,
@@ -39,6 +53,7 @@ pub(super) const STEP: Step = step(
     .rows(&["E17"]),
     statement("impedance_ratio", "by which it is defined", || Equation::new(Z_C, abs(E) / abs(H))).rows(&["E17"]),
 ])
+.questions(&[SHARE])
 .derivations(&[
     derivation("no_part_along", "without charges a wave that runs along z has nothing along z", || {
         no_part_along(vector(0, 0, 1))
@@ -71,6 +86,28 @@ pub(super) const STEP: Step = step(
 ])
 .readout(readout)
 .checks(&[&ANY_DIRECTION, &SPLIT, &VACUUM_IMPEDANCE, &MISMATCH]);
+
+const SHARE: Question = question(
+    "magnetic_share",
+    "In sunlight E has some 900 V/m and B some 3 µT. Which share of the light's energy is in the magnetic field?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| {
+            let wave = Wave::new(&Medium::VACUUM, C).expect("a positive frequency");
+            let (electric, magnetic) = (Medium::VACUUM.epsilon(), Medium::VACUUM.mu() / wave.impedance.norm_sqr());
+            magnetic / (electric + magnetic)
+        },
+        slips: &[
+            Misled {
+                value: |_| 0.0,
+                reply: "The number of teslas is small only because a tesla is large. Compare ½εE² and ½μH².",
+            },
+            Misled { value: |_| 1.0, reply: "Neither field could run without the other." },
+        ],
+    },
+    "One half, in any clear medium: E/H = √(μ/ε) says just that μH² is εE².",
+);
 
 fn phase() -> Expr {
     K * Z - OMEGA * T
@@ -246,4 +283,27 @@ fn mismatch(_: &mut Bench, amend: fn(Complex64) -> Complex64) -> Measured {
         let r_s = fresnel::amplitudes(Incidence::NORMAL, 1.0, n.into()).r_s;
         ((line - r_s).norm() / f64::EPSILON, format!("n = {n}"))
     }))
+}
+
+/// A wavelength and a half, from the side.
+fn square(_: &Setting) -> Plot {
+    let (length, turns) = (6.0, 1.5);
+    let field = |z: f64| (turns * TAU * z / length).cos();
+    let curve = (0..=240).map(|at| length * f64::from(at) / 240.0).map(|z| [z, field(z)]).collect();
+    let arrows = (0..=18).map(|at| length * f64::from(at) / 18.0).filter(|z| field(*z).abs() > 0.2).map(|z| {
+        let arrow = Part::vector([z, 0.0], [z, field(z)]).hue(Hue::S);
+        if z == 0.0 { arrow.label("E") } else { arrow }
+    });
+    let across = (0..4).map(|half| {
+        let z = f64::from(half) * length / 3.0;
+        let part = Part::across([z, -0.35 * field(z)], field(z) > 0.0).hue(Hue::P);
+        if half == 0 { part.label("B") } else { part }
+    });
+    let diagram = Diagram::new("", [-0.5, -1.25], [7.1, 1.4])
+        .with(Part::ray([0.0, 0.0], [6.9, 0.0]).label("k"))
+        .with(Part::curve(curve).hue(Hue::S))
+        .with_all(arrows)
+        .with_all(across)
+        .with(Part::line([0.0, 1.2], [4.0, 1.2]).hue(Hue::Reference).label("λ"));
+    Plot::of("Square to each other, and in step", diagram)
 }

@@ -1,14 +1,16 @@
 //! E6–E8: the two first-order laws made one of second order, for either field.
 
-use super::fields::{Dipole, Field, acceleration, curl as curl_of, direction, laplacian as laplacian_of, rate};
+use super::fields::{Dipole, Field, Plane, acceleration, curl as curl_of, direction, laplacian as laplacian_of, rate};
 use crate::symbols::{B, E, EPSILON, MU, T};
 use crate::vocabulary::{
-    Bench, Bound, Check, Exhibit, Measured, Step, check, derivation, exhibit, fitted_order, statement, step,
+    Answer, Bench, Bound, Check, Exhibit, Measured, Question, Step, check, derivation, exhibit, fitted_order, question,
+    statement, step,
 };
 use equation::derivation::Chain;
 use equation::expr::{curl, divergence, gradient, laplacian, partial};
 use equation::{Equation, Expr, Symbol};
 use glam::DVec3;
+use light::waves::{Medium, constants::C};
 use yardstick::random::uniform;
 use yardstick::statistics::rms;
 
@@ -33,6 +35,7 @@ pub(super) const STEP: Step = step(
     statement("wave_e", "the wave equation of the electric field", || wave(&E, EPSILON * MU)).rows(&["E7"]),
     statement("wave_b", "the wave equation of the magnetic field", || wave(&B, EPSILON * MU)).rows(&["E8"]),
 ])
+.questions(&[CREST])
 .derivations(&[
     derivation("from_e5", "the curl of Faraday's law, and Ampère's law for the curl of B", || {
         curl_twice(-(EPSILON * MU * twice(E, T)))
@@ -47,6 +50,26 @@ pub(super) const STEP: Step = step(
         .slip("each of the two laws counted with its own εμ", || magnetic(2 * EPSILON * MU)),
 ])
 .checks(&[&CURL_TWICE, &DIPOLE_E, &DIPOLE_B]);
+
+const CREST: Question = question(
+    "crest",
+    "At the crest of a wave E is at its highest. Which sign has ∂²E/∂t² there, at that moment?",
+    Answer::Sign {
+        replies: [
+            "In space the field bends down on both sides of a crest, and the wave equation makes time follow space.",
+            "Its *rate* is zero there. What it changes by next is another matter: a ball at its highest still \
+             falls.",
+            "Then the crest would go on growing, faster and faster, and never come back: such fields do not swing.",
+        ],
+        right: |_| {
+            let wave = Plane::new(&Medium::VACUUM, C, DVec3::Z, DVec3::X, 0.0);
+            acceleration(&|place, time| wave.at(place, C.recip() * time).0, DVec3::ZERO, 0.0, 1e-3).dot(wave.e)
+        },
+        slip: |_| 0.0,
+    },
+    "Negative: a crest bends down in space, and the wave equation says that it bends in time as it does in space. \
+     So the field comes back, and swings.",
+);
 
 /// ∂²f/∂x²
 pub(super) fn twice(f: impl Into<Expr>, x: Symbol) -> Expr {

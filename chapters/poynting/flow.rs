@@ -5,10 +5,14 @@ use crate::parameter::Setting;
 use crate::plane_wave::fields::Dipole;
 use crate::plane_wave::{GREEN, VACUUM, described, quantity, wave};
 use crate::symbols::{B, E, MU, S};
-use crate::vocabulary::{Bench, Check, Exhibit, Measured, Step, check, exhibit, figure, statement, step};
+use crate::vocabulary::{
+    Answer, Bench, Check, Exhibit, Measured, Question, Step, check, exhibit, figure, question, statement, step,
+};
 use equation::Equation;
 use equation::expr::cross;
 use glam::DVec3;
+use light::waves::flux::Flux;
+use light::waves::{Medium, Wave};
 use std::f64::consts::{PI, TAU};
 use yardstick::quadrature::gauss_legendre;
 
@@ -29,6 +33,7 @@ pub(super) const STEP: Step =
         .statements(&[statement("poynting", "the instantaneous flow of energy", || {
             Equation::new(S, 1 / MU * cross(E, B))
         })])
+        .questions(&[TURNED])
         .readout(|setting| {
             let flux = super::flux(setting);
             vec![
@@ -38,6 +43,29 @@ pub(super) const STEP: Step =
             ]
         })
         .checks(&[&LARMOR]);
+
+const TURNED: Question = question(
+    "turned",
+    "In a clear wave E and H are at their peaks. Half a period later both have turned round. Which sign has S then, \
+     counted along the wave?",
+    Answer::Sign {
+        replies: [
+            "E and H both change sign, so their product does not.",
+            "S is zero a *quarter* of a period later, where both fields are. At half a period they are at their \
+             peaks again.",
+            "A product of two negative numbers.",
+        ],
+        right: |_| half_a_period_later(|flux| flux.at(0.5 / flux.frequency)),
+        slip: |_| half_a_period_later(|flux| -flux.at(0.0)),
+    },
+    "Positive, and as large as before: S has its peaks wherever the fields have theirs, of either sign, twice a \
+     period.",
+);
+
+/// What is read off the flow of green light in the vacuum.
+fn half_a_period_later(read: fn(&Flux) -> f64) -> f64 {
+    read(&Flux::at_depth(&Wave::new(&Medium::VACUUM, TAU * 545e12).expect("a positive frequency"), 1.0, 0.0))
+}
 
 const LARMOR: Check<fn(f64) -> f64> =
     check("larmor", "through every sphere round an antenna the same power flows, near field or far")

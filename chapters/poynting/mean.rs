@@ -6,17 +6,19 @@ use crate::plane_wave::transverse::harmonic;
 use crate::plane_wave::{GREEN, VACUUM, described, quantity, wave};
 use crate::symbols::{AMPLITUDE, E, EPSILON, H, K, OMEGA, PERIOD, S, T, V, Z};
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Extreme, Heat, Measured, Race, Step, check, derivation, exhibit, figure, lane, race,
-    statement, step, stress,
+    Answer, Bench, Check, Exhibit, Extreme, Heat, Measured, Misled, Question, Race, Step, check, derivation, exhibit,
+    figure, lane, question, race, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{abs, cos, cross, dot, integral_between, mean, pi, ratio, sin, vector};
 use equation::{Equation, Expr};
 use light::references::waves::phase;
+use light::waves::flux::Flux;
 use light::waves::flux::{mean_of_pulse_train, pulse_train};
 use light::waves::phase::{cis, cycles};
 use light::waves::textbook::cos_of_time;
 use light::waves::{Medium, Wave};
+use std::f64::consts::PI;
 use yardstick::precise;
 use yardstick::quadrature::{gauss_legendre, simpson, trapezoid};
 use yardstick::random::uniform;
@@ -47,6 +49,7 @@ pub(super) const STEP: Step =
                 Equation::new(abs(mean(S)), ratio(1, 2) * V * EPSILON * AMPLITUDE.pow(2))
             }),
         ])
+        .questions(&[OF_THE_PEAK])
         .derivations(&[
             derivation("cosine_squared", "⟨cos²⟩ = ½, by its antiderivative", || cosine_squared(ratio(1, 2)))
                 .slip("the mean of |cos| for that of cos²", || cosine_squared(2 / pi())),
@@ -75,6 +78,29 @@ pub(super) const STEP: Step =
              exact, so that cond is 0",
         )])
         .races(&[AVERAGES]);
+
+const OF_THE_PEAK: Question = question(
+    "of_the_peak",
+    "The flow of a clear wave has a peak of 1 W/m². What is its mean over a period, in W/m²?",
+    Answer::Number {
+        unit: "W/m²",
+        tolerance: 0.01,
+        right: |_| {
+            let flux = Flux::at_depth(&Wave::new(&Medium::VACUUM, 1.0).expect("a positive frequency"), 1.0, 0.0);
+            flux.mean / flux.at(0.0)
+        },
+        slips: &[
+            Misled { value: |_| 2.0 / PI, reply: "That is the mean of |cos|. The flow goes as cos²." },
+            Misled { value: |_| 0.0, reply: "That is the mean of the *fields*. S does not change its sign." },
+            Misled {
+                value: |_| 0.5f64.sqrt(),
+                reply: "That is the root of the mean square, as of a voltage. A flow is no amplitude: its plain \
+                 mean counts.",
+            },
+        ],
+    },
+    "A half: cos² is as often above ½ as below it. So ½vεA², with the amplitude, not the peak of S, squared.",
+);
 
 fn phase_at(z: Expr) -> Expr {
     z - OMEGA * T

@@ -1,7 +1,9 @@
 //! C4: how short, how fast, how often.
 
 use crate::plane_wave::{GREEN, VACUUM, quantity, wave};
-use crate::vocabulary::{Bench, Check, Exhibit, Measured, Step, check, exhibit, step};
+use crate::vocabulary::{
+    Answer, Bench, Check, Exhibit, Measured, Misled, Question, Step, check, exhibit, question, step,
+};
 use light::waves::constants::C;
 use light::waves::{Medium, Wave};
 use std::f64::consts::TAU;
@@ -15,6 +17,7 @@ pub(super) const STEP: Step = step(
      billionth of a second.",
 )
 .rows(&["C4"])
+.questions(&[SWINGS])
 .readout(|setting| {
     let wave = wave(setting);
     vec![
@@ -26,6 +29,29 @@ pub(super) const STEP: Step = step(
     ]
 })
 .checks(&[&LASER, &VISIBLE]);
+
+const SWINGS: Question = question(
+    "swings",
+    "How many times does green light, of 550 nm, swing in a billionth of a second?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.1,
+        right: |_| 1e-9 * green().frequency(),
+        slips: &[
+            Misled {
+                value: |_| 1e6,
+                reply: "From 1e15 Hz, as the notes have it: right as a power of ten, and twice too much as a \
+                 number.",
+            },
+            Misled { value: |_| 1e-9 * green().omega, reply: "These are radians. A swing has 2π of them." },
+        ],
+    },
+    "Half a million. No eye and no photodiode follows that: what they read is a mean over very many swings.",
+);
+
+fn green() -> Wave {
+    Wave::new(&Medium::VACUUM, TAU * C / 550e-9).expect("a positive frequency")
+}
 
 const LASER: Check<f64> = check(
     "laser",

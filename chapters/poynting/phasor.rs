@@ -1,9 +1,15 @@
 //! E24: the mean from complex amplitudes.
 
+use crate::diagram::{Diagram, Part};
+use crate::figure::{Dash, Hue, Plot};
+use crate::parameter::Setting;
 use crate::parameter::{FREQUENCY, MEDIUM};
 use crate::plane_wave::{quantity, wave};
 use crate::symbols::{AMPLITUDE, OMEGA, PERIOD, S, T};
-use crate::vocabulary::{Bench, Check, Exhibit, Measured, Step, check, derivation, exhibit, statement, step};
+use crate::vocabulary::{
+    Answer, Bench, Check, Exhibit, Measured, Misled, Question, Step, check, derivation, exhibit, figure, question,
+    statement, step,
+};
 use equation::derivation::Chain;
 use equation::expr::{abs, conj, cos, exp, i, integral_between, mean, pi, ratio, re, sin};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -24,7 +30,11 @@ const E_HAT: Symbol = Symbol::scalar("E_0", Dimension::VOLT_PER_METRE);
 /// H as a complex amplitude.
 const H_HAT: Symbol = Symbol::scalar("H_0", Dimension::AMPERE_PER_METRE);
 
-pub(super) const EXHIBIT: Exhibit = exhibit("phasor", &[MEDIUM, FREQUENCY], &[]);
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "phasor",
+    &[MEDIUM, FREQUENCY],
+    &[figure("plane", "E and H as complex amplitudes: of H only the part along E carries energy on average.", plane)],
+);
 
 pub(super) const STEP: Step = step(
     EXHIBIT,
@@ -43,6 +53,7 @@ pub(super) const STEP: Step = step(
         || Equation::new(abs(mean(S)), ratio(1, 2) * re(E_HAT * conj(H_HAT))),
     ),
 ])
+.questions(&[LAGGING])
 .derivations(&[derivation(
     "lagging",
     "the mean of two cosines out of step, and the same from their complex amplitudes",
@@ -59,6 +70,34 @@ pub(super) const STEP: Step = step(
     ]
 })
 .checks(&[&OUT_OF_STEP, &SQUARE]);
+
+const LAGGING: Question = question(
+    "share",
+    "In copper H lags E by an eighth of a period. Which share of ½|E||H| flows on average?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| {
+            let copper =
+                light::media::named("copper").and_then(|copper| copper.wave(1e9).ok()).expect("known at 1 GHz");
+            copper.mean_flux / (0.5 / copper.impedance.norm())
+        },
+        slips: &[
+            Misled {
+                value: |_| 1.0,
+                reply: "So it is in step. Out of step the product is negative for a part of \
+             the period.",
+            },
+            Misled {
+                value: |_| 0.5,
+                reply: "cos² 45°, but only one cosine of the lag is left in the mean of the \
+             product.",
+            },
+            Misled { value: |_| 0.0, reply: "So it is a quarter of a period out of step, as in a coil." },
+        ],
+    },
+    "cos 45° = 0.707; the conjugate in ½ Re(E H*) makes the angle between the two of their phases.",
+);
 
 /// `conjugate` is what stands for H* at the phase α + φ.
 fn lagging(conjugate: Expr) -> Chain {
@@ -124,4 +163,23 @@ fn square_law(_: &mut Bench, power: i32) -> Measured {
             )
         })
     }))
+}
+
+/// Both amplitudes, each over its own size, in the plane of complex numbers; by e^(−iωt) what lags has the larger angle.
+fn plane(setting: &Setting) -> Plot {
+    let lag = wave(setting).phase_lag;
+    let lag = if lag.is_finite() { lag } else { 0.0 };
+    let (sin, cos) = lag.sin_cos();
+    let mut diagram = Diagram::new(crate::plane_wave::described(setting), [-0.35, -0.35], [1.5, 1.2])
+        .with(Part::vector([-0.25, 0.0], [1.45, 0.0]).hue(Hue::Reference).label("Re"))
+        .with(Part::vector([0.0, -0.25], [0.0, 1.15]).hue(Hue::Reference).label("Im"))
+        .with(Part::line([cos, sin], [cos, 0.0]).dash(Dash::Dashed).hue(Hue::Reference))
+        .with(Part::ray([0.0; 2], [1.2, 0.0]).hue(Hue::S).label("E_0"))
+        .with(Part::ray([0.0; 2], [cos, sin]).hue(Hue::P))
+        .with(Part::note([cos + 0.04, sin + 0.04], "H_0").hue(Hue::P))
+        .with(Part::point([cos, 0.0]).hue(Hue::P).label(format!("cos φ = {cos:.3}")));
+    if lag > 0.05 {
+        diagram = diagram.with(Part::arc([0.0; 2], 0.35, 0.0, lag).label("φ"));
+    }
+    Plot::of("The part in step", diagram)
 }

@@ -1,12 +1,15 @@
 //! C3: which way the energy flows, and that none is lost on the books.
 
+use crate::diagram::{Behind, Diagram, Part};
+use crate::figure::{Hue, Plot};
 use crate::parameter::{FREQUENCY, MEDIUM, Setting};
 use crate::plane_wave::fields::{Plane, crowd, direction, outflows, over_time};
 use crate::plane_wave::transverse::across_k;
 use crate::plane_wave::{quantity, wave};
 use crate::symbols::{A_VECTOR, B, D, E, EPSILON, H, J, K_VECTOR, MU, OMEGA, S, T, U_DENSITY};
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Extreme, Measured, Quantity, Step, check, derivation, exhibit, statement, step, stress,
+    Answer, Bench, Check, Exhibit, Extreme, Measured, Misled, Quantity, Question, Step, check, derivation, exhibit,
+    figure, question, statement, step, stress,
 };
 use equation::derivation::Chain;
 use equation::expr::{cross, curl, divergence, dot, partial};
@@ -23,7 +26,15 @@ use yardstick::precise::{self, Real};
 use yardstick::quadrature::gauss_legendre;
 use yardstick::random::uniform;
 
-pub(super) const EXHIBIT: Exhibit = exhibit("theorem", &[MEDIUM, FREQUENCY], &[]);
+pub(super) const EXHIBIT: Exhibit = exhibit(
+    "theorem",
+    &[MEDIUM, FREQUENCY],
+    &[figure(
+        "books",
+        "The books of the slab: what enters, what leaves, and what it turns to heat. Over a whole period nothing more is stored.",
+        books,
+    )],
+);
 
 pub(super) const STEP: Step = step(
     EXHIBIT,
@@ -47,6 +58,7 @@ pub(super) const STEP: Step = step(
         Equation::new(S, dot(E, E) / (OMEGA * MU) * K_VECTOR)
     }),
 ])
+.questions(&[PASSES])
 .derivations(&[
     derivation("any_medium", "from the two curls of Maxwell's equations alone", || any_medium(-dot(J, E)))
         .slip("the work of the field on the current counted as a gain", || any_medium(dot(J, E))),
@@ -64,6 +76,36 @@ pub(super) const STEP: Step = step(
 )
 .textbook("the flow at the far face less that at the near one")
 .against("⟨S⟩(e^(−2 Im k d) − 1) in 256 bits, from ε, μ, σ and ω")]);
+
+const PASSES: Question = question(
+    "passes",
+    "Power flows into copper, where the field falls to 1/e over a skin depth. Which share of the power passes the \
+     first skin depth? The rest is heat.",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.01,
+        right: |_| {
+            let copper = media::named("copper").and_then(|copper| copper.medium(1e9).ok()).expect("known at 1 GHz");
+            let running = Running::new(copper, TAU * 1e9, 1.0).expect("a positive frequency");
+            let wave = running.wave();
+            // By Ohm's heat, not by the flow.
+            1.0 - running.mean_balance(0.0, wave.skin_depth).heat / wave.mean_flux
+        },
+        slips: &[
+            Misled {
+                value: |_| (-1f64).exp(),
+                reply: "So much of the field. S is a product of two fields, and both \
+             fall.",
+            },
+            Misled {
+                value: |_| 0.5,
+                reply: "1/e is no half, and it is the field that falls to it; S has two of \
+             them.",
+            },
+        ],
+    },
+    "e⁻², 13.5 %: nearly all the heat is made within a skin depth.",
+);
 
 fn density() -> Expr {
     (EPSILON * dot(E, E) + MU * dot(H, H)) / 2
@@ -296,4 +338,28 @@ fn thin_and_weak() -> Vec<Extreme> {
         }
     })
     .collect()
+}
+
+/// The mean flows through the setting's slab, as long as they are large.
+fn books(setting: &Setting) -> Plot {
+    let wave = wave(setting);
+    let depth = if wave.skin_depth.is_finite() { wave.skin_depth } else { wave.wavelength };
+    let left = (-2.0 * wave.k.im * depth).exp();
+    let left = if left.is_finite() { left } else { 0.0 };
+    let [near, far] = [-0.8, 0.8];
+    let slab = vec![[near, -0.75], [far, -0.75], [far, 0.75], [near, 0.75], [near, -0.75]];
+    let share = |name: &str, of: f64| format!("{name}: {:.1} %", 100.0 * of);
+    let diagram = Diagram::new(crate::plane_wave::described(setting), [-2.6, -1.2], [2.6, 1.2])
+        .with(Part::surface([near, 0.75], [near, -0.75], Behind::Nothing))
+        .with(Part::curve(slab))
+        .with(Part::ray([near - 1.5, 0.0], [near - 0.05, 0.0]).hue(Hue::Natural).label("enters: 100 %"))
+        .with(
+            Part::ray([far + 0.05, 0.0], [far + 0.05 + 1.5 * left.max(0.05), 0.0])
+                .hue(Hue::Transmitted)
+                .label(share("leaves", left)),
+        )
+        .with(Part::note([-0.6, 0.25], share("heat", 1.0 - left)).hue(Hue::P))
+        .with(Part::note([-0.6, -0.25], "−∇·S = J·E"))
+        .with(Part::line([near, -0.95], [far, -0.95]).hue(Hue::Reference).label("d"));
+    Plot::of("The books of a slab", diagram)
 }

@@ -4,7 +4,8 @@ use crate::figure::{Axis, Chart, Hue, Mark, Plot, Shape};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::plane_wave::{GREEN, VACUUM, described, quantity};
 use crate::vocabulary::{
-    Bench, Check, Exhibit, Expects, Heat, Measured, Race, Step, check, exhibit, figure, fitted_order, lane, race, step,
+    Answer, Bench, Check, Exhibit, Expects, Heat, Measured, Misled, Question, Race, Step, check, exhibit, figure,
+    fitted_order, lane, question, race, step,
 };
 use light::references::waves::phase;
 use light::waves::flux::{Flux, Window};
@@ -43,6 +44,7 @@ pub(super) const STEP: Step = step(
      does far better.",
 )
 .rows(&["C5"])
+.questions(&[TENFOLD])
 .readout(|setting| {
     let (flux, periods) = (super::flux(setting), setting.number("periods"));
     let off = |window: Window| worst(&flux, window, periods);
@@ -55,6 +57,30 @@ pub(super) const STEP: Step = step(
 })
 .checks(&[&CLOSED_FORM, &BOX_FALLS, &HANN_FALLS, &BILLION])
 .races(&[SAMPLED]);
+
+const TENFOLD: Question = question(
+    "tenfold",
+    "A shutter opens for ten and a quarter periods, and what it averages is a little off, at the worst moment to \
+     open. Ten times as long a look: how many times less is it off?",
+    Answer::Number {
+        unit: "1",
+        tolerance: 0.02,
+        right: |_| worst(&CLEAR, Window::Box, 10.25) / worst(&CLEAR, Window::Box, 102.5 - 0.25),
+        slips: &[
+            Misled {
+                value: |_| 10f64.sqrt(),
+                reply: "That is how *noise* averages out. Nothing here is random: one cut half-period is all that \
+                 is wrong.",
+            },
+            Misled {
+                value: |_| 100.0,
+                reply: "A window that opens softly does even better than that; a shutter \
+             does not.",
+            },
+        ],
+    },
+    "Ten: the cut half-period at the end stays what it is and is shared out over ten times as many.",
+);
 
 /// The error over the mean [1] of a look of so many `periods`, at the worst of all moments to open.
 pub(super) fn worst(flux: &Flux, window: Window, periods: f64) -> f64 {
@@ -253,5 +279,8 @@ fn errors(setting: &Setting) -> Plot {
             Mark::Points { label: String::new(), hue, shape: Shape::Disc, joined: false, points: envelope.collect() },
         )
     });
-    Plot::of("How long must one look?", chart.at_x(setting.number("periods"), "the setting"))
+    Plot::of(
+        "How long must one look?",
+        chart.at_x(setting.number("periods"), format!("N = {}", setting.text("periods"))),
+    )
 }

@@ -135,9 +135,10 @@ pub(super) const CUTS: Race = race(
     .converges(1e-6, "the next power of 1/12, the sixth, with the factor of some three that a grading has"),
 ]);
 
-/// A bound on what a link may carry, by so much work [W sr⁻¹].
-fn bound(work: u64) -> f64 {
-    1.0 / work as f64
+/// A bound on what a link may carry [W sr⁻¹], so that pieces become about as small as so many `patches`, all alike, would
+/// be: of a smooth kernel a link carries what goes with the areas of both its ends.
+fn bound(patches: u64) -> f64 {
+    (3.0 / patches as f64).powi(2)
 }
 
 /// Quarters are cut as far as the bound asks, down to this share of an edge.
@@ -147,7 +148,7 @@ pub(super) const LINKS: Race = race(
     "links",
     "one patch size for all, or links between pieces as large as what goes over them allows: in a small smooth room patches that are all alike, whose errors cancel, win in the end",
 )
-.work("patches, or one over what a link may carry")
+.work("patches; or links between pieces about as small as those")
 .error("largest relative error of a wall's mean", "largest relative error of the six walls' means, against graded cuts, extrapolated")
 .lanes(&[
     cuts("matrix", "all pairs of patches", &[96, 384, 1536], |_, work| {
@@ -155,12 +156,11 @@ pub(super) const LINKS: Race = race(
         walls(move || means(&unequal(), n))
     })
     .order(1.0, 0.15),
-    // Of a smooth kernel a link carries what goes with the areas of both ends: they are as the fourth root of the bound long. Light
-    // that is constant over pieces of unequal size, whose errors do not cancel, is off by as much.
-    cuts("links", "links, each cut until it carries little", &[64, 256, 1024, 4096, 16384], |_, work| {
+    // Light that is constant over pieces of unequal size, whose errors do not cancel, is off as the pieces are long.
+    cuts("links", "links, each cut until it carries little", &[24, 48, 96, 192, 384], |_, work| {
         walls(move || hierarchy::solve(&unequal(), 1, bound(work), LEAST).means)
     })
-    .order(0.25, 0.1),
+    .order(0.5, 0.2),
 ]);
 
 fn walls(by: impl Fn() -> Vec<f64> + 'static) -> Heat {

@@ -210,6 +210,9 @@ fn a_reader_goes_sets_races_leaves_and_comes_back() {
     // The race runs behind the page, and is drawn when it is done.
     terminal.press("gnatural\r");
     terminal.until("the step", |terminal| terminal.bar().contains("fresnel/natural"));
+    // On without an answer.
+    terminal.press(" ");
+    terminal.until("the rest", |terminal| !terminal.bar().contains("answers"));
     terminal.press("r");
     terminal.shows("ns per work");
     terminal.press("/");
@@ -277,6 +280,8 @@ fn without_colours_nothing_is_coloured() {
     let state = folder("reader-plain");
     let mut terminal = Terminal::with("fresnel r_s", (80, 24), &state, &[("NO_COLOR", "1")]);
     terminal.until("the page", |terminal| terminal.bar().contains("fresnel/r_s"));
+    terminal.press(" ");
+    terminal.until("the rest", |terminal| !terminal.bar().contains("answers"));
     let before = terminal.screen();
     terminal.press("f");
     terminal.until("the figure", |terminal| terminal.screen() != before && !terminal.screen().contains("drawing"));

@@ -9,7 +9,7 @@ use super::marks::{self, Plane};
 use super::palette::{self, Colour};
 use super::ticks::{Extent, Tick};
 use super::{TEXT, text};
-use chapters::figure::{Map, Mark, Ramp};
+use chapters::figure::{Map, Mark, Ramp, Scale};
 
 /// Width of the colour bar and its distance from the frame.
 const BAR: f64 = 18.0;
@@ -26,6 +26,7 @@ pub struct Arrangement<'a> {
     /// The frame with its ticks and labels.
     pub axes: Axes<'a>,
     bar: Bar,
+    has_bar: bool,
     key: Option<Key<'a>>,
     /// Across and down: what is left of the room, so that cells of a picture are as high as wide.
     pub spare: (f64, f64),
@@ -34,20 +35,36 @@ pub struct Arrangement<'a> {
 /// How much longer one side of a picture's frame may be than the other, before its cells are not as high as wide.
 const LONGEST: f64 = 3.0;
 
-/// The width of a frame over its height, if its cells are a picture's: those of axes without ticks.
+/// The width of a frame over its height, if its cells are a picture's: those of axes without ticks, or of a square in
+/// space, in which what is round must look round.
 fn aspect(map: &Map) -> Option<f64> {
+    let is_square = map.x.unit == map.y.unit && !map.x.unit.is_empty() && map.x.range == map.y.range;
+    if is_square && map.x.scale == Scale::Linear && map.y.scale == Scale::Linear {
+        return Some(1.0);
+    }
     let rows = map.values.len().checked_div(map.columns).filter(|rows| *rows > 0)?;
     let aspect = map.columns as f64 / rows as f64;
     (map.x.is_bare() && map.y.is_bare()).then(|| aspect.clamp(1.0 / LONGEST, LONGEST))
 }
 
-/// Places frame, colour bar and key.
-pub fn arrange<'a>(map: &'a Map, room: &Frame) -> Arrangement<'a> {
+/// The room that the colour bar of a map takes in a room of that height.
+pub fn bar_width(map: &Map, height: f64) -> f64 {
+    Bar::new(map, height).width()
+}
+
+/// Whether a map beside `map` says by its own colour bar what the colours of `map` mean.
+pub fn is_explained_by(map: &Map, beside: &Map) -> bool {
+    map.colour == beside.colour && map.ramp == beside.ramp && !Bar::new(map, 1.0).is_broken
+}
+
+/// Places frame, key and, unless it stands beside another map, the colour bar.
+pub fn arrange<'a>(map: &'a Map, room: &Frame, has_bar: bool) -> Arrangement<'a> {
     let bar = Bar::new(map, room.height());
+    let right = if has_bar { bar.width() } else { 0.0 };
     let key = Some(Key::new(&map.marks)).filter(|key| !key.is_empty()).map(|key| key.below(room));
     let below = key.as_ref().map_or(0.0, |key| key.size().1);
     let plane = chart::plane(&map.x, &map.y, &map.marks);
-    let beside = || Spare { right: bar.width(), below };
+    let beside = || Spare { right, below };
     let within = |room: &Frame| Axes::new(&map.x, &map.y, plane, &map.marks, room, beside());
     let mut axes = within(room);
     let mut spare = (0.0, 0.0);
@@ -56,18 +73,20 @@ pub fn arrange<'a>(map: &'a Map, room: &Frame) -> Arrangement<'a> {
         spare = ((width - height * aspect).max(0.0), (height - width / aspect).max(0.0));
         axes = within(&Frame { right: room.right - spare.0, bottom: room.bottom - spare.1, ..*room });
     }
-    Arrangement { axes, bar, key, spare }
+    Arrangement { axes, bar, has_bar, key, spare }
 }
 
 /// Draws a map into `room` as arranged.
-pub fn draw(canvas: &dyn Canvas, map: &Map, Arrangement { axes, bar, key, .. }: &Arrangement, room: &Frame) {
+pub fn draw(canvas: &dyn Canvas, map: &Map, Arrangement { axes, bar, has_bar, key, .. }: &Arrangement, room: &Frame) {
     let plane = axes.plane;
     let cells = Cells { values: &map.values, columns: map.columns };
     cells.draw(canvas, &axes.frame, &bar.extent, map.ramp);
     marks::draw(canvas, &axes.frame, &plane, &map.marks, true);
     axes.draw(canvas);
     name_lines(canvas, &axes.frame, &plane, &map.marks);
-    bar.draw(canvas, &axes.frame);
+    if *has_bar {
+        bar.draw(canvas, &axes.frame);
+    }
     if let Some(key) = key {
         key.draw(canvas, chart::outside_place(key, &axes.frame, room, 0.0));
     }
@@ -212,7 +231,7 @@ mod tests {
         };
         let room = Frame::at((10.0, 20.0), 620.0, 400.0);
         let frame = |map: &Map| {
-            let Arrangement { axes, spare, .. } = arrange(map, &room);
+            let Arrangement { axes, spare, .. } = arrange(map, &room, true);
             (axes.frame.width(), axes.frame.height(), spare)
         };
         let (full, high, _) = frame(&map(4, 4, Axis::linear("x", "").range(0.0, 1.0)));

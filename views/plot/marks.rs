@@ -19,6 +19,8 @@ const POINT: (f64, f64) = (4.2, 1.7);
 const WIDEST: f64 = 1.6;
 /// How many points are few.
 const FEW: f64 = 60.0;
+/// Half the height of a bar in the key.
+const SAMPLE: f64 = 5.0;
 /// Width of the white casing of what is drawn over a map.
 const CASING: f64 = 2.5;
 
@@ -41,7 +43,7 @@ impl Plane {
     fn stroke(&self, mark: &Mark) -> Stroke {
         let pieces = match mark {
             Mark::Line { points, .. } | Mark::Points { points, joined: true, .. } => self.pieces(points),
-            Mark::Points { .. } | Mark::Broken { .. } | Mark::Vanished { .. } => Vec::new(),
+            Mark::Points { .. } | Mark::Bar { .. } | Mark::Broken { .. } | Mark::Vanished { .. } => Vec::new(),
             Mark::AtX { x, .. } => reference(self.x.fraction(*x), |along, across| (along, across)),
             Mark::AtY { y, .. } => reference(self.y.fraction(*y), |along, across| (across, along)),
         };
@@ -72,6 +74,14 @@ impl Plane {
         pieces
     }
 
+    /// The bar that ends at two corners, cut off at the frame; none if it has no end or none of its height.
+    fn bar(&self, frame: &Frame, [low, high]: [[f64; 2]; 2]) -> Option<Frame> {
+        let ((along, bottom), (_, top)) = (self.at(low), self.at(high));
+        let [bottom, top] = [bottom, top].map(|height| height.clamp(0.0, 1.0));
+        let ((left, below), (right, over)) = (frame.place(0.0, bottom), frame.place(along.clamp(0.0, 1.0), top));
+        (is_finite((along, bottom)) && top > bottom).then_some(Frame { left, right, top: over, bottom: below })
+    }
+
     /// The points within the frame.
     fn inside(&self, points: &[[f64; 2]]) -> Vec<Place> {
         points.iter().map(|point| self.at(*point)).filter(|place| is_inside(*place)).collect()
@@ -90,7 +100,7 @@ type Look = (Colour, f64, &'static [f32]);
 fn look(mark: &Mark) -> Look {
     match mark {
         Mark::Line { hue, dash, .. } => (palette::colour(*hue), CURVE, palette::dashes(*dash)),
-        Mark::Points { hue, .. } | Mark::Broken { hue, .. } | Mark::Vanished { hue, .. } => {
+        Mark::Points { hue, .. } | Mark::Bar { hue, .. } | Mark::Broken { hue, .. } | Mark::Vanished { hue, .. } => {
             (palette::colour(*hue), JOIN, &[])
         }
         Mark::AtX { .. } | Mark::AtY { .. } => (Colour::Aid, AID, &[]),
@@ -146,6 +156,11 @@ pub fn draw(canvas: &dyn Canvas, frame: &Frame, plane: &Plane, marks: &[Mark], c
             for place in apart(frame, plane.inside(points)) {
                 draw_point(canvas, place, radius(points.len()), *shape, colour);
             }
+        }
+        if let Mark::Bar { end, .. } = mark
+            && let Some(bar) = plane.bar(frame, *end)
+        {
+            canvas.fill(&bar, colour, 1.0);
         }
     }
 }
@@ -249,6 +264,9 @@ impl Beyond {
 /// How a mark looks in a key, to the right of a place.
 pub fn draw_sample(canvas: &dyn Canvas, mark: &Mark, (x, y): Place, length: f64) {
     let (colour, width, dashes) = look(mark);
+    if let Mark::Bar { .. } = mark {
+        return canvas.fill(&Frame { left: x, right: x + length, top: y - SAMPLE, bottom: y + SAMPLE }, colour, 1.0);
+    }
     if !matches!(mark, Mark::Points { joined: false, .. }) {
         canvas.curve(&[(x, y), (x + length, y)], colour, width, dashes);
     }
@@ -260,7 +278,9 @@ pub fn draw_sample(canvas: &dyn Canvas, mark: &Mark, (x, y): Place, length: f64)
 /// The entry of a mark in the key, if it has one.
 pub fn entry(mark: &Mark) -> Option<&str> {
     match mark {
-        Mark::Line { label, .. } | Mark::Points { label, .. } if !label.is_empty() => Some(label),
+        Mark::Line { label, .. } | Mark::Points { label, .. } | Mark::Bar { label, .. } if !label.is_empty() => {
+            Some(label)
+        }
         _ => None,
     }
 }
@@ -273,6 +293,11 @@ pub fn ink(ink: &mut Ink, frame: &Frame, plane: &Plane, marks: &[Mark]) {
             let places: Vec<Place> = piece.into_iter().map(|(x, y)| frame.place(x, y)).collect();
             ink.line(places[0], places[0], width);
             places.windows(2).for_each(|pair| ink.line(pair[0], pair[1], width));
+        }
+        if let Mark::Bar { end, .. } = mark
+            && let Some(bar) = plane.bar(frame, *end)
+        {
+            ink.rectangle(&bar);
         }
         if let Mark::Points { points, .. } = mark {
             for place in apart(frame, plane.inside(points)) {
@@ -288,6 +313,7 @@ pub fn points(marks: &[Mark]) -> impl Iterator<Item = [f64; 2]> + '_ {
         .iter()
         .flat_map(|mark| match mark {
             Mark::Line { points, .. } | Mark::Points { points, .. } => points.as_slice(),
+            Mark::Bar { end, .. } => end.as_slice(),
             Mark::Broken { .. } | Mark::Vanished { .. } | Mark::AtX { .. } | Mark::AtY { .. } => &[],
         })
         .copied()

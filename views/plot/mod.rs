@@ -85,7 +85,9 @@ fn draw<C: Canvas>(plot: &Plot) -> Sheet {
 
 /// The figure on a sheet, its panels in so many columns and of a usual size.
 fn draw_as<C: Canvas>(plot: &Plot, columns: usize, usual: (f64, f64)) -> Sheet {
-    let sizes: Vec<(f64, f64)> = plot.panels.iter().map(|panel| size(panel, usual)).collect();
+    let bars: Vec<bool> = (0..columns).map(|column| has_bars(plot, columns, column)).collect();
+    let sized = plot.panels.iter().enumerate().map(|(at, panel)| size(panel, usual, bars[at % columns]));
+    let sizes: Vec<(f64, f64)> = sized.collect();
     let widths: Vec<f64> =
         (0..columns).map(|column| largest(sizes.iter().skip(column).step_by(columns).map(|size| size.0))).collect();
     let heights: Vec<f64> = sizes.chunks(columns).map(|row| largest(row.iter().map(|size| size.1))).collect();
@@ -102,15 +104,39 @@ fn draw_as<C: Canvas>(plot: &Plot, columns: usize, usual: (f64, f64)) -> Sheet {
     let mut top = MARGIN + head;
     for (row, height) in plot.panels.chunks(columns).zip(&heights) {
         let mut left = MARGIN;
-        for (panel, width) in row.iter().zip(&widths) {
-            laid.push(lay(panel, Frame::at((left, top), *width, *height)));
+        let mut beside = Vec::new();
+        for ((panel, width), has_bar) in row.iter().zip(&widths).zip(&bars) {
+            let room = Frame::at((left, top), *width, *height);
+            beside.push((panel, room, *has_bar, lay(panel, room, *has_bar)));
             left += width + MARGIN;
         }
+        // What stands under one frame of a row stands under none of the others: all end at one height.
+        let bottoms = beside.iter_mut().filter_map(|(.., laid)| Some(laid.axes()?.frame.bottom));
+        let end = bottoms.fold(f64::INFINITY, f64::min);
+        laid.extend(beside.into_iter().map(|(panel, room, has_bar, mut one)| {
+            let over = one.axes().map_or(0.0, |axes| axes.frame.bottom - end);
+            if over < 0.5 {
+                return one;
+            }
+            // A key that no longer fits into the lower frame would take more of it: then rather unequal.
+            let mut lower = lay(panel, Frame { bottom: room.bottom - over, ..room }, has_bar);
+            let is_level = lower.axes().is_some_and(|axes| axes.frame.bottom > end - 2.0);
+            if is_level { lower } else { one }
+        }));
         top += height + MARGIN;
     }
     Axes::agree(&mut laid.iter_mut().filter_map(Laid::axes).collect::<Vec<_>>());
     laid.iter().for_each(|panel| draw_panel(&canvas, panel));
     canvas.finish()
+}
+
+/// Whether the maps in a column need colour bars: not if those on their right have the same.
+fn has_bars(plot: &Plot, columns: usize, column: usize) -> bool {
+    let explained = |row: &[Panel]| match row.get(column..) {
+        Some([Panel::Map(map), Panel::Map(beside), ..]) => map::is_explained_by(map, beside),
+        _ => false,
+    };
+    !plot.panels.chunks(columns).all(explained)
 }
 
 /// Panels in a row: as asked for, but no more than two with axes, whose text would be lost on a narrow page.
@@ -145,7 +171,7 @@ impl<'a> Laid<'a> {
     }
 }
 
-fn lay(panel: &Panel, room: Frame) -> Laid<'_> {
+fn lay(panel: &Panel, room: Frame, has_bar: bool) -> Laid<'_> {
     let whole = room;
     let (lines, room) = match panel {
         Panel::Chart(_) | Panel::Map(_) | Panel::Diagram(_) => under_title(heading(panel), &whole),
@@ -153,7 +179,7 @@ fn lay(panel: &Panel, room: Frame) -> Laid<'_> {
     };
     let content = match panel {
         Panel::Chart(chart) => Content::Chart(chart, chart::arrange(chart, &room)),
-        Panel::Map(map) => Content::Map(map, map::arrange(map, &room)),
+        Panel::Map(map) => Content::Map(map, map::arrange(map, &room, has_bar)),
         Panel::Picture(picture) => Content::Picture(picture),
         Panel::Diagram(diagram) => Content::Diagram(diagram::arrange(diagram, &room)),
     };
@@ -197,10 +223,13 @@ fn draw_lines(canvas: &dyn Canvas, lines: &[String], middle: f64, top: f64, size
 }
 
 /// The size a panel asks for: the usual one, or higher if title, names and key would leave too little to the frame.
-fn size(panel: &Panel, usual: (f64, f64)) -> (f64, f64) {
-    let (width, mut height) = usual;
+fn size(panel: &Panel, usual: (f64, f64), has_bar: bool) -> (f64, f64) {
+    let (mut width, mut height) = usual;
+    if let (Panel::Map(map), false) = (panel, has_bar) {
+        width -= map::bar_width(map, height);
+    }
     if let Panel::Map(map) = panel {
-        let spare = map::arrange(map, &under_title(&map.title, &Frame::at((0.0, 0.0), width, height)).1).spare;
+        let spare = map::arrange(map, &under_title(&map.title, &Frame::at((0.0, 0.0), width, height)).1, has_bar).spare;
         if spare != (0.0, 0.0) {
             return (width - spare.0, height - spare.1);
         }
@@ -210,7 +239,7 @@ fn size(panel: &Panel, usual: (f64, f64)) -> (f64, f64) {
         let room = |title: &str| under_title(title, &Frame::at((0.0, 0.0), width, height)).1;
         let frame = match panel {
             Panel::Chart(chart) => chart::arrange(chart, &room(&chart.title)).axes.frame,
-            Panel::Map(map) => map::arrange(map, &room(&map.title)).axes.frame,
+            Panel::Map(map) => map::arrange(map, &room(&map.title), has_bar).axes.frame,
             Panel::Picture(picture) => return captioned_size(picture, usual),
             Panel::Diagram(diagram) => {
                 let title = text::wrap(&diagram.title, HEADING, width - 2.0 * MARGIN);
@@ -310,9 +339,11 @@ fn introduction(title: &str) -> String {
 
 fn describe_marks(marks: &[Mark]) -> String {
     let names = marks.iter().filter_map(|mark| match mark {
-        Mark::Line { label, .. } | Mark::Points { label, .. } | Mark::AtX { label, .. } | Mark::AtY { label, .. } => {
-            Some(label)
-        }
+        Mark::Line { label, .. }
+        | Mark::Points { label, .. }
+        | Mark::Bar { label, .. }
+        | Mark::AtX { label, .. }
+        | Mark::AtY { label, .. } => Some(label),
         Mark::Broken { .. } | Mark::Vanished { .. } => None,
     });
     let names: Vec<&str> = names.map(String::as_str).filter(|label| !label.is_empty()).collect();

@@ -2,6 +2,7 @@
 
 use super::extremes::between;
 use super::{Films, film, mirror};
+use crate::diagram::{Behind, Diagram, Part};
 use crate::figure::{Axis, Chart, Hue, Map, Plot, Ramp};
 use crate::parameter::{DEFAULT_WAVELENGTH, Setting};
 use light::Polarisation;
@@ -29,13 +30,19 @@ pub(super) fn antireflection(setting: &Setting) -> Plot {
     });
     let most = curves[0].1.iter().map(|point| point[1]).filter(|r| r.is_finite()).fold(0.01, f64::max);
     let axes = Chart::new(
-        "",
+        format!("on {}; each a quarter of 550 nm thick, 2 TiO_2 a half", substrate(setting)),
         Axis::linear("vacuum wavelength λ", "nm").range(400.0, 750.0).tick(50.0),
         Axis::linear("reflectance R", "").range(0.0, 1.1 * most),
     );
     let hues = (0..).map(Hue::Nth);
     let chart = curves.into_iter().zip(hues).fold(axes, |chart, ((label, curve), hue)| chart.line(hue, label, curve));
     Plot::of("Antireflection coatings", chart)
+}
+
+/// `glass`, or `n = 1.52`: what the films lie on.
+fn substrate(setting: &Setting) -> String {
+    let name = setting.text("n_s");
+    if name.starts_with(char::is_alphabetic) { name.into() } else { format!("n = {name}") }
 }
 
 /// The setting's substrate under films of the named materials, `quarters` quarter waves of 550 nm thick.
@@ -68,7 +75,7 @@ pub(super) fn mirror_band(setting: &Setting) -> Plot {
     let chart = Chart::new(
         "",
         Axis::linear("vacuum wavelength λ", "nm").range(design * BAND.0 * 1e9, design * BAND.1 * 1e9),
-        Axis::linear("reflectance R", "").range(0.0, 1.0),
+        Axis::share("reflectance R"),
     )
     .line(Hue::Natural, "θ_1 = 0°", curve(&|films, wavelength| films.natural(wavelength, Incidence::NORMAL)))
     .line(Hue::S, format!("R_s, θ_1 = {degrees:.0}°"), polarised(Polarisation::S))
@@ -133,4 +140,32 @@ pub(super) fn frustrated(_: &Setting) -> Plot {
         );
     }
     Plot::of("Frustrated total reflection", chart)
+}
+
+/// A film and the first of the ways through it.
+pub(super) fn bounces(_: &Setting) -> Plot {
+    let (depth, step, slant) = (0.75, 0.5, 0.95);
+    let [top, bottom] = [0.0, -depth];
+    let mut diagram = Diagram::new("", [-1.3, -1.55], [2.7, 1.1])
+        .with(Part::surface([-1.3, top], [2.7, top], Behind::Tinted(0.25)))
+        .with(Part::surface([-1.3, bottom], [2.7, bottom], Behind::Tinted(0.45)))
+        .with(Part::ray_with_heads([-slant, 1.0], [0.0, top], &[0.6]).label("1"))
+        .with(Part::note([-1.2, 0.12], "n_1"))
+        .with(Part::note([-1.2, -0.4], "n_2"))
+        .with(Part::note([-1.2, -1.2], "n_3"));
+    let out = ["r_{12}", "t_{12}r_{23}t_{21}e^{2iδ}", "… r_{21}r_{23}e^{2iδ}"];
+    let through = ["t_{12}t_{23}e^{iδ}", "… r_{21}r_{23}e^{2iδ}"];
+    for (bounce, label) in out.into_iter().enumerate() {
+        let at = [2.0 * step * bounce as f64, top];
+        let up = Part::ray_with_heads(at, [at[0] + 0.8 * slant, 0.8], &[0.7]);
+        diagram = diagram.with(up.hue(Hue::Ours).label(label));
+    }
+    for (bounce, label) in through.into_iter().enumerate() {
+        let (start, turn) = (2.0 * step * bounce as f64, 2.0 * step * bounce as f64 + step);
+        diagram = diagram
+            .with(Part::ray_with_heads([start, top], [turn, bottom], &[0.55]))
+            .with(Part::ray_with_heads([turn, bottom], [turn + step, top], &[0.55]))
+            .with(Part::ray_with_heads([turn, bottom], [turn + 0.45, -1.4], &[0.7]).hue(Hue::Transmitted).label(label));
+    }
+    Plot::of("Every bounce between the faces", diagram)
 }

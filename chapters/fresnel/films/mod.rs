@@ -7,13 +7,15 @@ mod races;
 
 use self::checks::{BOUNCES, ENERGY, PARRATT, QUARTER_WAVES, REVERSAL};
 use self::extremes::{critical, many, opaque};
-use self::figures::{antireflection, frustrated, mirror_band, mirror_map};
+use self::figures::{antireflection, bounces as bounces_drawn, frustrated, mirror_band, mirror_map};
 use self::races::{FIVE_FILMS, ONE_FILM, OPAQUE_FILM, ORDINARY, TWENTY_ONE_FILMS};
 use super::N_I;
 use super::amplitudes::{contrast, r_p, r_s, t_p, t_s};
 use super::symbols::{K_0, N_1, N_2, THETA_1, THETA_2};
 use crate::parameter::{Kind, Parameter, Setting, THETA, WAVELENGTH};
-use crate::vocabulary::{Exhibit, Quantity, Step, derivation, exhibit, figure, statement, step, stress};
+use crate::vocabulary::{
+    Answer, Exhibit, Quantity, Question, Step, choice, derivation, exhibit, figure, question, statement, step, stress,
+};
 use equation::derivation::Chain;
 use equation::expr::{cos, exp, i, pi, sin, sqrt};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -71,6 +73,11 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
     &[N_I, N_S, N_H, N_L, PAIRS, THETA, DESIGN],
     &[
         figure(
+            "round_trips",
+            "A film and the waves in it: each way round adds r_{21}r_{23}e^{2iδ}, and all that comes out on one side adds up.",
+            bounces_drawn,
+        ),
+        figure(
             "antireflection",
             "One film takes most of the reflection away, two nearly all at one wavelength, \
              three over a band.",
@@ -113,6 +120,7 @@ pub(super) const STEP: Step = step(
         || Equation::new(R, quarter_wave()),
     ),
 ])
+.questions(&[ONE_MORE_FACE])
 .derivations(&[
     derivation(
         "layer",
@@ -173,6 +181,47 @@ pub(super) const STEP: Step = step(
     ORDINARY.named("mirror", "a mirror of 21 films: the same").lanes(&TWENTY_ONE_FILMS),
     OPAQUE_FILM,
 ]);
+
+const ONE_MORE_FACE: Question = question(
+    "one_more_face",
+    "A lens of n = 1.52 reflects 4 % at its face. It gets a film of n = 1.38, a quarter of a wave thick. What does \
+     it reflect now?",
+    Answer::Choice {
+        options: &[
+            choice(
+                "more: there is one more face to reflect",
+                "Two reflections need not add. The second one comes back half a period late.",
+            ),
+            choice(
+                "as much: the film's faces only share the step in index",
+                "Without the film's thickness it would be so. A quarter of a wave there and a quarter back are half \
+                 a period.",
+            ),
+            choice("less: a third or so", ""),
+            choice(
+                "nothing",
+                "For that the two reflections must be equal, which asks for an index of √1.52 = 1.23, lower than \
+                 any solid film's.",
+            ),
+        ],
+        right: |_| {
+            let lens = |layers: Vec<Layer>| {
+                let films = Films { n_i: 1.0, layers, substrate: 1.52.into() };
+                films.natural(550e-9, Incidence::NORMAL)
+            };
+            let (bare, coated) = (lens(Vec::new()), lens(vec![quarter_film(1.38, 550e-9)]));
+            match coated / bare {
+                share if share > 1.05 => 0,
+                share if share > 0.95 => 1,
+                share if share > 0.01 => 2,
+                _ => 3,
+            }
+        },
+        slip: |_| 0,
+    },
+    "1.3 %: the second reflection is half a period late and takes most of the first one away. Amplitudes add, not \
+     powers.",
+);
 
 fn round_trip() -> Expr {
     exp(2 * i() * DELTA)

@@ -54,7 +54,7 @@ pub(super) fn curves(setting: &Setting) -> Plot {
     let own = interface(setting);
     let aluminium = media::named("aluminium").and_then(|metal| metal.index(800e-9).ok()).expect("a listed metal");
     let panels = vec![
-        panel("the setting", own.n_i, own.n_t),
+        panel(&super::super::own_media(setting), own.n_i, own.n_t),
         panel("out of glass", GLASS_INDEX, 1.0.into()),
         panel("n 1 → 4", 1.0, 4.0.into()),
         panel("aluminium, 800 nm", 1.0, aluminium),
@@ -70,11 +70,11 @@ fn panel(title: &str, n_i: f64, n_t: Complex64) -> Panel {
         Some(critical) => over_angle_near(critical.to_degrees(), exact),
         None => over_angle(exact),
     };
-    let least = if r_0 > 0.5 { 0.6 } else { 0.0 };
+    let least = if r_0 > 0.5 { 0.6 } else { -0.03 };
     let mut chart = Chart::new(
         title,
         Axis::linear("angle of incidence θ_1", "°").range(0.0, 90.0).tick(15.0),
-        Axis::linear("reflectance R_n", "").range(least, 1.0),
+        Axis::linear("reflectance R_n", "").range(least, 1.03),
     )
     .line(Hue::Natural, "exact", exact_curve)
     .dashed(Hue::Textbook, "Schlick", over_angle(|incidence| schlick(incidence.cos(), r_0)));

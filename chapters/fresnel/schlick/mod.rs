@@ -11,7 +11,10 @@ use super::amplitudes::contrast;
 use super::symbols::{N_1, N_2, R_0, R_N, THETA_1, THETA_2};
 use super::{INTERFACE, extremes, incidence, interface};
 use crate::parameter::Setting;
-use crate::vocabulary::{Exhibit, Extreme, Quantity, Step, derivation, exhibit, figure, statement, step, stress};
+use crate::vocabulary::{
+    Answer, Exhibit, Extreme, Quantity, Question, Step, choice, derivation, exhibit, figure, question, statement, step,
+    stress,
+};
 use equation::derivation::Chain;
 use equation::expr::{cos, d, pi, ratio};
 use equation::{Dimension, Equation, Expr, Symbol};
@@ -49,6 +52,7 @@ pub(super) const STEP: Step = step(
         Equation::approximate(R_N, fifth_power(cos(THETA_2)))
     }),
 ])
+.questions(&[FROM_INSIDE])
 .derivations(&[
     derivation("normal_incidence", "R_n from E35 and E38 at θ = 0, where E36 and E39 themselves are 0/0", || {
         at_normal(((N_1 - N_2) / (N_1 + N_2)).pow(2))
@@ -67,6 +71,30 @@ pub(super) const STEP: Step = step(
 .textbook("Schlick's R₀ + (1 − R₀)(1 − cos θ₁)⁵")
 .against("R_n from the boundary conditions in 256 bits")])
 .races(&[SPEED, TABLE]);
+
+const FROM_INSIDE: Question = question(
+    "beyond_critical",
+    "Inside glass of n = 1.5 light meets the surface at 50°, beyond the critical angle: R is 1. What does Schlick's \
+     formula give with that angle?",
+    Answer::Choice {
+        options: &[
+            choice("nearly 1", "It knows of no critical angle: only at 90° does it reach 1, from either side."),
+            choice("about one half", "At 50° the fifth power of 1 − cos θ is still next to nothing."),
+            choice("about 0.05", ""),
+        ],
+        right: |_| {
+            let reflectance = schlick(50f64.to_radians().cos(), normal_reflectance(1.5, 1.0.into()));
+            match reflectance {
+                much if much > 0.9 => 0,
+                some if some > 0.2 => 1,
+                _ => 2,
+            }
+        },
+        slip: |_| 0,
+    },
+    "A twentieth of the truth. Out of the denser medium the refracted angle must go in: it is the one that reaches \
+     90°.",
+);
 
 /// R₀ + (1 − R₀)(1 − cos)⁵
 fn fifth_power(cosine: Expr) -> Expr {

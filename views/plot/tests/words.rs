@@ -211,7 +211,8 @@ fn panels_of_one_extent_agree_on_ticks() {
     };
     let narrow = Map { colour: Axis::linear("a b", "").range(0.0, 123_456.0), values: vec![f64::NAN; 4], ..wide("") };
     for panels in [vec![wide("").into(), narrow.clone().into()], vec![narrow.into(), wide("").into()]] {
-        let mut laid: Vec<_> = panels.iter().map(|panel| lay(panel, Frame::at((0.0, 0.0), AMONG.0, AMONG.1))).collect();
+        let mut laid: Vec<_> =
+            panels.iter().map(|panel| lay(panel, Frame::at((0.0, 0.0), AMONG.0, AMONG.1), true)).collect();
         let ticks = |laid: &mut Laid| laid.axes().map(|axes| axes.x_ticks.clone()).unwrap();
         assert_ne!(ticks(&mut laid[0]), ticks(&mut laid[1]), "the panels differ in room");
         Axes::agree(&mut laid.iter_mut().filter_map(Laid::axes).collect::<Vec<_>>());
@@ -266,7 +267,7 @@ fn a_crowded_panel_grows_until_the_frame_has_room() {
     );
     let chart =
         (0..12).fold(chart, |chart, k| chart.line(Hue::Nth(k), format!("the curve of number {k} of twelve"), wave(k)));
-    let (width, height) = size(&Panel::Chart(chart.clone()), AMONG);
+    let (width, height) = size(&Panel::Chart(chart.clone()), AMONG, true);
     assert!(height > AMONG.1 && height < 3.0 * AMONG.1, "{height}");
     let room = under_title(&chart.title, &Frame::at((0.0, 0.0), width, height)).1;
     let arrangement = chart::arrange(&chart, &room);
