@@ -2,6 +2,7 @@
 
 mod cli;
 mod eval;
+mod exercise;
 mod figures;
 mod film;
 mod interrupt;
@@ -61,6 +62,7 @@ fn serve(request: Request) -> Result<ExitCode, Stop> {
         Request::Render(job) => return render::serve(&job, Path::new(cli::FOLDER)),
         Request::Merge(job) => return film::merge(&job),
         Request::Show { film } => film::show(&film)?,
+        Request::Exercise(ask) => return exercise::serve(&ask),
         Request::Completions(script) => out::print(&script)?,
     }
     Ok(ExitCode::SUCCESS)

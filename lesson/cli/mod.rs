@@ -5,10 +5,12 @@
 //! | parts of the lecture | [`lesson`] |
 //! | functions called, expressions proved | [`call`] |
 //! | pictures, films of samples | [`render`], [`film`] |
+//! | exercises | [`exercise`] |
 //! | values of options | [`values`] |
 //! | how to use it, what was wrong | [`help`], [`refusal`] |
 
 mod call;
+mod exercise;
 mod film;
 mod help;
 mod lesson;
@@ -16,6 +18,7 @@ mod refusal;
 mod render;
 mod values;
 
+use crate::exercise::Ask;
 use crate::figures::Format;
 use crate::film::Merge;
 use crate::prove::Question;
@@ -24,6 +27,8 @@ use crate::stop::Stop;
 use call::{EVAL_EXAMPLES, EvalArgs, PROVE_EXAMPLES, ProveArgs};
 use clap::{ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
+pub use exercise::EXERCISES;
+use exercise::{EXERCISE_EXAMPLES, ExerciseCommand};
 use film::{FILM_EXAMPLES, FilmCommand};
 use help::{HelpArg, after_help, completions, help, styled};
 use lesson::LessonArgs;
@@ -70,6 +75,8 @@ pub enum Request {
     Merge(Merge),
     /// What is in a film.
     Show { film: PathBuf },
+    /// Exercises: which there are, one laid out, judged, helped with.
+    Exercise(Ask),
     /// A script for the shell.
     Completions(Vec<u8>),
 }
@@ -134,6 +141,9 @@ pub fn parse() -> Result<Request, Stop> {
         Some(Command::Render(render)) => render.into_request(),
         Some(Command::Film { command, .. }) => {
             command.map_or_else(|| Ok(help(vec!["film".to_owned()])), FilmCommand::into_request)
+        }
+        Some(Command::Exercise { command, .. }) => {
+            Ok(command.map_or_else(|| help(vec!["exercise".to_owned()]), ExerciseCommand::into_request))
         }
         Some(Command::Completions { shell, .. }) => Ok(Request::Completions(completions(shell))),
     }
@@ -200,6 +210,14 @@ enum Command {
     Film {
         #[command(subcommand)]
         command: Option<FilmCommand>,
+        #[command(flatten)]
+        help: HelpArg,
+    },
+    /// Formulas for you to write, judged by the chapters' own checks.
+    #[command(after_help = EXERCISE_EXAMPLES, disable_help_subcommand = true)]
+    Exercise {
+        #[command(subcommand)]
+        command: Option<ExerciseCommand>,
         #[command(flatten)]
         help: HelpArg,
     },
