@@ -246,20 +246,20 @@ fn zones(_: &mut Bench, density: fn(f64, f64) -> f64) -> Measured {
 /// The density of facets as they are seen: α, the view and the facet's normal to [1/sr].
 type OfSeen = fn(f64, [f64; 3], [f64; 3]) -> f64;
 
-const DRAWN: Check<OfSeen> = check(
-    "drawn",
-    "facets are drawn with the density in which they are seen, D max(0, ω·m)/(cos θ (1 + Λ))",
-)
-.against("1 over the area of the sphere that the draws spread a unit of their square over, by central differences")
-.within(
-    1e-5,
-    "1",
-    "steps of 10⁻⁴: their square times a third derivative of up to some hundreds; of rounding 10⁻¹² is left",
-)
-.of(spread, |alpha, w, m| visible_density(&Ggx::new([alpha; 2]), Vector::of(w), Vector::of(m)))
-.slip("the density of all facets, D cos θ_m, seen or not", |alpha, _, m| {
-    Ggx::new([alpha; 2]).density(Vector::of(m)) * m[2]
-});
+const DRAWN: Check<OfSeen> =
+    check("drawn", "facets are drawn with the density in which they are seen, D max(0, ω·m)/(cos θ (1 + Λ))")
+        .against(
+            "1 over the area of the sphere that the draws spread a unit of their square over, by central differences",
+        )
+        .within(
+            1e-5,
+            "1",
+            "steps of 10⁻⁴: their square times a third derivative of up to some hundreds; of rounding 10⁻¹² is left",
+        )
+        .of(spread, |alpha, w, m| visible_density(&Ggx::new([alpha; 2]), Vector::of(w), Vector::of(m)))
+        .slip("the density of all facets, D cos θ_m, seen or not", |alpha, _, m| {
+            Ggx::new([alpha; 2]).density(Vector::of(m)) * m[2]
+        });
 
 fn spread(bench: &mut Bench, density: OfSeen) -> Measured {
     let views = [0.0, 0.6, 1.1, 1.4].into_iter().flat_map(|theta| [0.2, 0.7].map(|alpha| (theta, alpha)));

@@ -89,7 +89,7 @@ pub(super) const STEP: Step = step(
 })
 .checks(&[&SNELL, &BETA, &POLISHED])
 .stress(&[stress("fresnel", "the surfaces' own Fresnel term, without a branch, keeps its digits near grazing, critical and equal indices", |_| interfaces(|cos, eta| dielectric(cos, eta).reflectance))
-    .own(|subject| subject.downcast_ref::<fn(f64, f64) -> f64>().map(|own| interfaces(own)))
+    .own(|subject| subject.downcast_ref::<fn(f64, f64) -> f64>().map(interfaces))
     .textbook("r_s and r_p by cosines, as every renderer has them")
     .against("256-bit arithmetic, and condition numbers")]);
 

@@ -220,12 +220,7 @@ fn against_equation(bench: &mut Bench, equation: &Expr, ratio: fn(&Amplitudes) -
 
 /// Error of a ratio against `equation`, in units of ulp · (1 + cond); `at` is the place of its real part among
 /// the reference's outputs, for cond. Angles and indices at random, and the setting's own.
-fn held_against(
-    bench: &mut Bench,
-    equation: &Expr,
-    ratio: impl Fn(f64, f64, f64) -> f64,
-    at: usize,
-) -> Measured {
+fn held_against(bench: &mut Bench, equation: &Expr, ratio: impl Fn(f64, f64, f64) -> f64, at: usize) -> Measured {
     let own = interface(bench.setting());
     let mut inputs: Vec<(f64, f64, f64)> = (0..16)
         .map(|_| {

@@ -71,7 +71,7 @@ pub(super) const STEP: Step = step(
 })
 .checks(&[&SERIES])
 .stress(&[stress("white", "walls that absorb hardly anything, and paths of ten thousand edges", |_| whites(enclosure::radiance))
-    .own(|subject| subject.downcast_ref::<fn(f64, u32) -> f64>().map(|own| whites(own)))
+    .own(|subject| subject.downcast_ref::<fn(f64, u32) -> f64>().map(whites))
     .textbook("(1 − ρ^d)/(1 − ρ), with ρ = 1 − a in f64")
     .against("the same in arbitrary precision")]);
 

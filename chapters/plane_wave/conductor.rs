@@ -194,11 +194,12 @@ fn readout(setting: &Setting) -> Vec<Quantity> {
     tangent.into_iter().chain(Some(depth).filter(|depth| depth.value.is_finite())).chain(rest).collect()
 }
 
-const HANDBOOK: Check<fn(f64, f64) -> f64> = check("handbook", "the skin depths of four metals at 10 GHz are those of the handbooks")
-    .against("Pozar, Microwave Engineering (4th ed.), example 1.2")
-    .within(1.5e-3, "1", "printed to three digits, from a constant that has three")
-    .of(handbook, |frequency, sigma| depth(TAU * frequency, sigma))
-    .slip("f taken for ω", depth);
+const HANDBOOK: Check<fn(f64, f64) -> f64> =
+    check("handbook", "the skin depths of four metals at 10 GHz are those of the handbooks")
+        .against("Pozar, Microwave Engineering (4th ed.), example 1.2")
+        .within(1.5e-3, "1", "printed to three digits, from a constant that has three")
+        .of(handbook, |frequency, sigma| depth(TAU * frequency, sigma))
+        .slip("f taken for ω", depth);
 
 /// The skin depth [m] of a metal, by the program.
 fn depth(omega: f64, sigma: f64) -> f64 {

@@ -140,7 +140,10 @@ fn zeros(_: &mut Bench, wavelength: fn(f64, f64, f64) -> f64) -> Measured {
         let h = C / (epsilon_r * mu_r).sqrt() * TAU / omega / 1000.0;
         let found = numerov_zeros(omega * omega * medium.epsilon() * medium.mu() * h * h, 21);
         let half = (found[20] - found[0]) * h / 20.0;
-        (2.0 * half / wavelength(omega, epsilon_r, mu_r) - 1.0, format!("ε_r = {epsilon_r}, μ_r = {mu_r}, ω = {omega:e}"))
+        (
+            2.0 * half / wavelength(omega, epsilon_r, mu_r) - 1.0,
+            format!("ε_r = {epsilon_r}, μ_r = {mu_r}, ω = {omega:e}"),
+        )
     }))
 }
 

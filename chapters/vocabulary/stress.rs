@@ -20,10 +20,12 @@ pub struct Stress {
     pub reference: &'static str,
     /// The cases.
     pub cases: fn(&Setting) -> Vec<Extreme>,
-    /// The same cases with somebody else's formula in the place of the program's, where they can take one; `None` if it is
-    /// of another type.
-    pub own: Option<fn(&dyn Any) -> Option<Vec<Extreme>>>,
+    /// The same cases with somebody else's formula in the place of the program's, where they can take one.
+    pub own: Option<OwnCases>,
 }
+
+/// The cases of somebody's own formula; `None` if it is of a type that they cannot take.
+pub type OwnCases = fn(&dyn Any) -> Option<Vec<Extreme>>;
 
 /// The family `id` of extreme cases: what is pushed and holds all the same.
 pub const fn stress(id: &'static str, claim: &'static str, cases: fn(&Setting) -> Vec<Extreme>) -> Stress {
@@ -47,7 +49,7 @@ impl Stress {
     }
 
     /// Whose cases can take a formula of somebody else's.
-    pub const fn own(self, own: fn(&dyn Any) -> Option<Vec<Extreme>>) -> Self {
+    pub const fn own(self, own: OwnCases) -> Self {
         Self { own: Some(own), ..self }
     }
 }

@@ -191,7 +191,7 @@ enum Command {
         #[command(flatten)]
         help: HelpArg,
     },
-    /// How many steps of each chapter you have seen in the reader, and where you were.
+    /// How many steps of each chapter you have seen in the reader, where you were, and which exercises are solved.
     Progress {
         #[command(flatten)]
         help: HelpArg,

@@ -20,7 +20,7 @@ mod vocabulary;
 
 use crate::interrupt::Interrupt;
 use crate::out::{self, Folder};
-use crate::reader::bookmark::{Book, Memory};
+use crate::reader::bookmark::{Book, Memory, Work};
 use crate::stop::{Stop, plain};
 use chapters::parameter::{Fault as Named, excerpt};
 use compile::Source;
@@ -84,8 +84,7 @@ fn remembered() -> (Book, Memory) {
 }
 
 /// Changes what is remembered of an exercise. What cannot be written down is said, and no reason to end.
-fn remember(exercise: &Exercise, change: impl FnOnce(&mut crate::reader::bookmark::Work)) {
-    let (book, mut memory) = remembered();
+fn remember((book, mut memory): (Book, Memory), exercise: &Exercise, change: impl FnOnce(&mut Work)) {
     change(memory.exercises.entry(exercise.name.to_owned()).or_default());
     if let Err(stop) = book.keep(&memory) {
         out::say(&format!("note: this is not remembered: {stop}"));
@@ -108,10 +107,7 @@ fn start(exercise: &Exercise, into: &Path) -> Result<(), Stop> {
     let folder = Folder::open(into)?;
     let files = [("task.md", exercise.files.task.as_bytes()), (file.as_str(), exercise.files.start.as_bytes())];
     out::publish(&[folder.draft_folder(exercise.name, &files)?])?;
-    let lines = [
-        format!("{}\n", place.join("task.md").display()),
-        format!("{}\n", place.join(&file).display()),
-    ];
+    let lines = [format!("{}\n", place.join("task.md").display()), format!("{}\n", place.join(&file).display())];
     out::print(lines.concat().as_bytes())?;
     out::say(&format!("fill the hole, then: lesson exercise check {} {}", exercise.name, place.join(file).display()));
     Ok(())
@@ -150,12 +146,15 @@ fn check(exercise: &'static Exercise, file: Option<&Path>, limit: Duration, json
         Some((Fault::Lost(why), _)) => return Err(Stop::at(path.display(), format!("cannot be run: {why}"))),
         _ => {}
     }
-    let text = if json { told::verdict_json(exercise, &verdict) } else { told::verdict(exercise, &verdict) };
+    let text = match json {
+        true => told::verdict_json(exercise, &verdict),
+        false => told::set(&told::verdict(exercise, &verdict), out::page()),
+    };
     out::print(text.as_bytes())?;
     if !verdict.is_solved(exercise) {
         return Ok(ExitCode::from(1));
     }
-    remember(exercise, |work| work.solved = true);
+    remember(remembered(), exercise, |work| work.solved = true);
     if !json {
         out::say(&format!("`lesson exercise hint {}` now shows the program's own way", exercise.name));
     }
@@ -164,7 +163,7 @@ fn check(exercise: &'static Exercise, file: Option<&Path>, limit: Duration, json
 
 /// Prints the next hint, the last one again after that, and the solution of what is solved.
 fn hint(exercise: &Exercise) -> Result<(), Stop> {
-    let (_, memory) = remembered();
+    let (book, memory) = remembered();
     let work = memory.exercises.get(exercise.name).copied().unwrap_or_default();
     if work.solved {
         out::say(&format!("{} is solved; this is one way:", exercise.name));
@@ -174,6 +173,6 @@ fn hint(exercise: &Exercise) -> Result<(), Stop> {
     let at = (work.hints + 1).min(hints.len());
     let last = if at == hints.len() { ", the last" } else { "" };
     out::print(format!("hint {at} of {}{last}\n\n{}\n", hints.len(), hints[at - 1]).as_bytes())?;
-    remember(exercise, |work| work.hints = work.hints.max(at));
+    remember((book, memory), exercise, |work| work.hints = work.hints.max(at));
     Ok(())
 }

@@ -76,7 +76,9 @@ impl Fault {
                 "no answer within {} s (--time sets another limit); it was ended: a loop without end?",
                 limit.as_secs_f64()
             ),
-            Self::LateInAll(limit) => format!("all answers together took more than {} s; it was ended", limit.as_secs()),
+            Self::LateInAll(limit) => {
+                format!("all answers together took more than {} s; it was ended", limit.as_secs())
+            }
             Self::Loud(limit) => format!("prints more than {limit} bytes; it was ended"),
             Self::Ended(how) => format!("ends the program instead of giving a result ({how})"),
             Self::Lost(why) => format!("cannot be run: {why}"),
@@ -307,6 +309,10 @@ fn judged(status: Option<ExitStatus>, said: &str) -> Fault {
             false => Fault::Panic(message.trim().to_owned()),
         };
     }
+    // What a shell says of what it cannot run: a folder, say, in which nothing may be run.
+    if status.is_some_and(|status| matches!(status.code(), Some(126 | 127))) {
+        return Fault::Lost(said.trim().to_owned());
+    }
     Fault::Ended(status.map_or("it went silent".into(), |status| status.to_string()))
 }
 
@@ -317,7 +323,8 @@ mod tests {
     #[test]
     fn last_words_are_understood() {
         let told = |said: &str| judged(None, said);
-        let panic = "\nthread 'main' (7) panicked at yours.rs:3:5:\nindex 3 is too large\nnote: run with `RUST_BACKTRACE=1`";
+        let panic =
+            "\nthread 'main' (7) panicked at yours.rs:3:5:\nindex 3 is too large\nnote: run with `RUST_BACKTRACE=1`";
         assert_eq!(told(panic), Fault::Panic("index 3 is too large".into()));
         assert_eq!(told("thread 'main' panicked at a.rs:1:1:\nnot yet implemented: the formula"), Fault::Hole);
         assert_eq!(told("thread 'main' has overflowed its stack\nfatal runtime error"), Fault::Stack);

@@ -67,7 +67,11 @@ fn every_folder_fits_what_judges_it() {
             assert!(exercise.files.task.contains(&format!("{}/{stress}", exercise.step)), "{name}");
         }
         for taken in exercise.takes {
-            assert!(exercise.files.task.contains(&format!("| `{}` | {} |", taken.name, taken.unit)), "{name}: {}", taken.name);
+            assert!(
+                exercise.files.task.contains(&format!("| `{}` | {} |", taken.name, taken.unit)),
+                "{name}: {}",
+                taken.name
+            );
         }
         assert!(exercise.files.task.contains(&format!("| result | {} |", exercise.gives.unit)), "{name}");
         let command = format!("lesson {}", exercise.step.replace('/', " "));
@@ -111,7 +115,10 @@ fn no_number_whatsoever_is_more_than_wrong() {
         for mad in [f64::NAN, f64::INFINITY, -1.0, 1e308] {
             let found = local(exercise, move |_| vec![mad; results]);
             let told = told::verdict(exercise, &found);
-            assert!(!found.is_solved(exercise) && found.checks.iter().all(|one| one.checked.is_some()), "{mad}: {told}");
+            assert!(
+                !found.is_solved(exercise) && found.checks.iter().all(|one| one.checked.is_some()),
+                "{mad}: {told}"
+            );
             assert!(serde_json::from_str::<serde_json::Value>(&told::verdict_json(exercise, &found)).is_ok());
         }
     }

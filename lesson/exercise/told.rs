@@ -6,7 +6,9 @@ use super::vocabulary::{Exercise, Kind};
 use crate::reader::bookmark::Memory;
 use chapters::vocabulary::Bound;
 use serde_json::{Value, json};
+use views::block::Tone;
 use views::number::{Number, limit, seventeen_digits, short};
+use views::page::Page;
 
 /// What says how the documents are laid out.
 const SCHEMA: &str = "lesson/exercise/1";
@@ -61,7 +63,8 @@ fn call(exercise: &Exercise, numbers: &[f64]) -> String {
     let argument = |taken: &super::vocabulary::Taken| {
         let of = numbers.get(at..at + taken.kind.numbers()).unwrap_or_default();
         at += taken.kind.numbers();
-        let value = if taken.kind == Kind::Whole { of.first().map_or(String::new(), f64::to_string) } else { plain(of) };
+        let value =
+            if taken.kind == Kind::Whole { of.first().map_or(String::new(), f64::to_string) } else { plain(of) };
         format!("{} = {value}{}", taken.name, unit(taken.unit))
     };
     let arguments: Vec<String> = exercise.takes.iter().map(argument).collect();
@@ -96,12 +99,19 @@ fn check(found: &Found) -> String {
     text += &match &found.checked {
         None => "    its measurement cannot bear these numbers\n".to_owned(),
         Some(checked) => {
-            let (measured, unit) = (&checked.measured, match head.bound {
-                Bound::AtMost { unit, .. } => self::unit(unit),
-                _ => String::new(),
-            });
+            let (measured, unit) = (
+                &checked.measured,
+                match head.bound {
+                    Bound::AtMost { unit, .. } => self::unit(unit),
+                    _ => String::new(),
+                },
+            );
             let value = format!("{}{unit} at {}", short(measured.value), measured.at);
-            format!("    found {value} (the worst of {})\n    allowed {}\n", measured.cases, allowed(found, checked.limit))
+            format!(
+                "    found {value} (the worst of {})\n    allowed {}\n",
+                measured.cases,
+                allowed(found, checked.limit)
+            )
         }
     };
     text
@@ -151,7 +161,7 @@ pub fn verdict(exercise: &Exercise, verdict: &Verdict) -> String {
         text += &format!("\n{none} of its {all} results are no numbers (NaN or infinite).\n");
     }
     if let Some(slip) = &verdict.slip {
-        text += &format!("\nThese are the numbers of a known slip: {slip}\n");
+        text += &format!("\nThese are the numbers of a known slip:\n  {slip}\n");
     } else if !is_solved && verdict.fault.is_none() {
         text += &format!("\nNo known slip gives these numbers. `lesson exercise hint {}` helps on.\n", exercise.name);
     }
@@ -162,6 +172,21 @@ pub fn verdict(exercise: &Exercise, verdict: &Verdict) -> String {
     }
     let [passed, failed] = verdict.counts(exercise);
     text + &format!("\n{passed} passed, {failed} failed\n")
+}
+
+/// Text on a page: as wide as that is, lines that go on drawn in, marks in their colours.
+pub fn set(text: &str, mut page: Page) -> String {
+    for line in text.lines() {
+        let words = line.trim_start();
+        let indent = line.len() - words.len();
+        let mark = words.chars().next().filter(|mark| ['✓', '✗'].contains(mark)).map_or(0, char::len_utf8);
+        let tone = if words.starts_with('✓') { Tone::Good } else { Tone::Bad };
+        match words {
+            "" => page.gap(),
+            _ => page.wrap(indent, indent + 2, &[(tone, &words[..mark]), (Tone::Plain, &words[mark..])]),
+        }
+    }
+    page.into_text()
 }
 
 /// Without what would move a terminal's cursor.
@@ -240,4 +265,3 @@ pub fn verdict_json(exercise: &Exercise, verdict: &Verdict) -> String {
         "failed": failed,
     }))
 }
-

@@ -125,15 +125,8 @@ pub fn verdict(exercise: &Exercise, answers: Box<dyn Answers>, heard: &Mutex<Hea
     drop(answers);
     let Heard { fault, printed } = heard.lock().map(|mut heard| std::mem::take(&mut *heard)).unwrap_or_default();
     let no_numbers = calls.iter().filter(|call| call.given.iter().any(|given| !given.is_finite())).count();
-    let mut verdict = Verdict {
-        checks,
-        extremes,
-        worst: None,
-        no_numbers: [no_numbers, calls.len()],
-        slip: None,
-        fault,
-        printed,
-    };
+    let mut verdict =
+        Verdict { checks, extremes, worst: None, no_numbers: [no_numbers, calls.len()], slip: None, fault, printed };
     if !verdict.is_solved(exercise) {
         verdict.worst = worst(exercise, &calls);
         verdict.slip = slip(exercise, &calls);

@@ -230,6 +230,24 @@ mod tests {
     }
 
     #[test]
+    fn what_was_done_of_exercises_is_never_undone() {
+        let file = folder("exercises").join(FILE);
+        let (book, ..) = Book::at(file.clone());
+        let work = |hints, solved| Memory {
+            exercises: [("snell".into(), Work { hints, solved })].into(),
+            ..Memory::default()
+        };
+        for (hints, solved) in [(2, false), (1, true), (0, false)] {
+            book.keep(&work(hints, solved)).unwrap();
+        }
+        // A reader that was open all the while knows nothing of them.
+        book.keep(&memory(&["fresnel/snell"])).unwrap();
+        let (_, read, note) = Book::at(file.clone());
+        assert_eq!((read.exercises["snell"], note), (Work { hints: 2, solved: true }, None));
+        fs::remove_dir_all(file.parent().unwrap()).unwrap();
+    }
+
+    #[test]
     fn damaged_files_are_replaced_and_foreign_ones_left_alone() {
         let path = folder("damaged");
         fs::create_dir_all(&path).unwrap();
@@ -257,7 +275,10 @@ mod tests {
     fn progress_counts_steps_that_there_are() {
         let told = told(&memory(&["fresnel/snell", "fresnel/brewster", "fresnel/gone", "maxwell/grid"]));
         let line = |chapter: &str| told.lines().find(|line| line.starts_with(chapter)).unwrap().to_owned();
-        assert!(line("fresnel").contains(" 2 of 17 steps   0 of ") && line("fresnel").ends_with(" exercises   at brewster"), "{told}");
+        assert!(
+            line("fresnel").contains(" 2 of 17 steps   0 of ") && line("fresnel").ends_with(" exercises   at brewster"),
+            "{told}"
+        );
         assert!(line("maxwell").contains(" 1 of ") && line("all").contains(" 3 of "), "{told}");
     }
 }

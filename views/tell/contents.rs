@@ -5,11 +5,10 @@ use crate::block::{Block, Heading, Rank, Span, Term, Terms, Tone};
 use chapters::{CURRICULUM, Chapter, Step};
 
 /// What to type next, and what that does.
-const NEXT: [(&str, &str); 6] = [
+const NEXT: [(&str, &str); 5] = [
     ("lesson fresnel", "read a chapter, where you left it"),
     ("lesson contents fresnel", "its steps, one line each"),
-    ("lesson fresnel brewster", "one step; with --help, what it has and takes"),
-    ("lesson fresnel --plot", "its figures as files, and what they cost"),
+    ("lesson fresnel brewster", "one step; --plot writes figures, --help tells what can be set"),
     ("lesson exercise list", "formulas for you to write, judged by these checks"),
     ("lesson --help", "all the rest, and what the signs mean"),
 ];
