@@ -8,7 +8,7 @@ use chapters::{CURRICULUM, Chapter, Step};
 const NEXT: [(&str, &str); 5] = [
     ("lesson fresnel", "read a chapter, where you left it"),
     ("lesson contents fresnel", "its steps, one line each"),
-    ("lesson fresnel brewster", "one step; --plot writes figures, --help tells what can be set"),
+    ("lesson fresnel brewster", "one step; --plot its figures, --help the rest"),
     ("lesson exercise list", "formulas for you to write, judged by these checks"),
     ("lesson --help", "all the rest, and what the signs mean"),
 ];
