@@ -187,6 +187,11 @@ pub fn stress(stress: &Stress, setting: &Setting) -> Vec<Extreme> {
     (stress.cases)(setting)
 }
 
+/// Pushes somebody's own formula to the extremes: `None` if these take none, or none of its type.
+pub fn stress_own(stress: &Stress, subject: &dyn Any) -> Option<Vec<Extreme>> {
+    stress.own.and_then(|cases| cases(subject))
+}
+
 /// Whether extreme cases hold. A family without members has shown nothing.
 pub fn survives(cases: &[Extreme]) -> bool {
     !cases.is_empty() && cases.iter().all(Extreme::holds)

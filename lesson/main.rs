@@ -2,6 +2,7 @@
 
 mod cli;
 mod eval;
+mod exercise;
 mod figures;
 mod film;
 mod interrupt;
@@ -64,6 +65,7 @@ fn serve(request: Request) -> Result<ExitCode, Stop> {
         Request::Show { film } => film::show(&film)?,
         Request::Mdbook => mdbook::serve()?,
         Request::Supports { renderer } => return Ok(mdbook::supports(&renderer)),
+        Request::Exercise(ask) => return exercise::serve(&ask),
         Request::Completions(script) => out::print(&script)?,
     }
     Ok(ExitCode::SUCCESS)

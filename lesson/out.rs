@@ -114,6 +114,20 @@ impl Folder {
         self.draft_by(name, |file| file.write_all(bytes))
     }
 
+    /// Where this run may put what only it needs: taken away with the rest.
+    pub fn scratch(&self) -> &Path {
+        &self.drafts
+    }
+
+    /// A folder `name` of these files among the drafts; [`publish`] puts it in its place, whole.
+    pub fn draft_folder(&self, name: &str, files: &[(&str, &[u8])]) -> Result<Draft, Stop> {
+        let draft = Draft { path: self.typed.join(name), temporary: self.drafts.join(name) };
+        let put = |(file, bytes): &(&str, &[u8])| fs::write(draft.temporary.join(file), bytes);
+        let written = fs::create_dir_all(&draft.temporary).and_then(|()| files.iter().try_for_each(put));
+        written.map_err(|error| cannot_write(&draft.path, error))?;
+        Ok(draft)
+    }
+
     /// The same of a file that is too large to be held a second time.
     pub fn draft_by(&self, name: &str, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Draft, Stop> {
         self.expect(name)?;

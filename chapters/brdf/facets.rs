@@ -12,12 +12,14 @@ use crate::vocabulary::{
 use equation::derivation::Chain;
 use equation::expr::{cos, integral_between, partial, pi, ratio, sin, tan};
 use equation::{Equation, Expr};
-use light::bsdf::microfacet::{Beckmann, Distribution, Ggx, Slopes, lambda, masking, projected};
+use glam::DVec3;
+use light::bsdf::microfacet::{Beckmann, Distribution, Ggx, Slopes, lambda, masking, projected, visible_density};
 use light::number::Vector;
 use light::references::microfacet::{NAMES, microfacet};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use yardstick::precise;
 use yardstick::quadrature::{gauss_legendre, trapezoid};
+use yardstick::random::uniform;
 
 pub(super) const EXHIBIT: Exhibit = exhibit(
     "facets",
@@ -97,7 +99,7 @@ pub(super) const STEP: Step = step(
         quantity("G1", "G_1", "share of those that face θ and are seen", g1, "1"),
     ]
 })
-.checks(&[&AREA, &SEEN, &SIDES])
+.checks(&[&AREA, &ELLIPSOID, &SEEN, &SIDES, &DRAWN])
 .stress(&[stress("forms", "D, Λ and G₁ keep their digits from α = 10⁻⁴ to 1 and from the normal to grazing", |_| forms())
     .rows(&["C17"])
     .textbook("D with tan² θ = 1/cos² θ − 1, Λ with √(1 + α² tan² θ) − 1, erfc for Gauss's slopes")
@@ -200,6 +202,82 @@ fn shadow(_: &mut Bench, weight: fn(Vector<f64>) -> f64) -> Measured {
             (over_facets(slopes, alpha, weight) - 1.0, format!("{}, α = {alpha}", name(slopes)))
         }),
     )
+}
+
+const ELLIPSOID: Check<fn(f64, f64) -> f64> = check(
+    "ellipsoid",
+    "GGX's facets are turned as the surface of half an ellipsoid of revolution is, α as high as it is wide",
+)
+.against(
+    "∫ D cos θ_m dω_m up to an angle, against what the zone up to that slope covers of the ellipsoid's base: \
+     tan² θ/(α² + tan² θ) (T. S. Trowbridge and K. P. Reitz, J. Opt. Soc. Am. 65 (1975) 531)",
+)
+.within(1e-12, "1", "40 points of Gauss's rule in each of eight rings of an integrand that is analytic in the slope")
+.of(zones, |alpha, cos| measured(Slopes::Ggx, alpha, way(cos.acos(), 0.0))[0])
+.slip("α² taken for α, as where roughness is squared before it is used", |alpha, cos| {
+    measured(Slopes::Ggx, alpha * alpha, way(cos.acos(), 0.0))[0]
+});
+
+/// α and cos θ_m to D [1/sr].
+fn zones(_: &mut Bench, density: fn(f64, f64) -> f64) -> Measured {
+    let rule = gauss_legendre(40);
+    Measured::worst([0.05, 0.3, 1.0].into_iter().flat_map(|alpha: f64| {
+        // The zones' rims in ψ, tan θ = α tan ψ, in which D cos³ θ dtan² θ is smooth up to the horizon.
+        let rim = |at: i32| FRAC_PI_2 * f64::from(at) / 8.0;
+        let mut covered = 0.0;
+        let rule = &rule;
+        (0..8)
+            .map(move |at| {
+                let (from, to) = (rim(at), rim(at + 1));
+                let ring = |(u, weight): &(f64, f64)| {
+                    let psi = from + (to - from) * u;
+                    let slope = alpha * psi.tan();
+                    let cos = 1.0 / slope.hypot(1.0);
+                    // dω cos θ = cos⁴ θ · 2π tan θ d(tan θ).
+                    weight * (to - from) * density(alpha, cos) * cos.powi(4) * TAU * slope * alpha / psi.cos().powi(2)
+                };
+                covered += rule.iter().map(ring).sum::<f64>();
+                (covered - rim(at + 1).sin().powi(2), format!("α = {alpha}, up to ψ = {:.3}", rim(at + 1)))
+            })
+            .collect::<Vec<_>>()
+    }))
+}
+
+/// The density of facets as they are seen: α, the view and the facet's normal to [1/sr].
+type OfSeen = fn(f64, [f64; 3], [f64; 3]) -> f64;
+
+const DRAWN: Check<OfSeen> =
+    check("drawn", "facets are drawn with the density in which they are seen, D max(0, ω·m)/(cos θ (1 + Λ))")
+        .against(
+            "1 over the area of the sphere that the draws spread a unit of their square over, by central differences",
+        )
+        .within(
+            1e-5,
+            "1",
+            "steps of 10⁻⁴: their square times a third derivative of up to some hundreds; of rounding 10⁻¹² is left",
+        )
+        .of(spread, |alpha, w, m| visible_density(&Ggx::new([alpha; 2]), Vector::of(w), Vector::of(m)))
+        .slip("the density of all facets, D cos θ_m, seen or not", |alpha, _, m| {
+            Ggx::new([alpha; 2]).density(Vector::of(m)) * m[2]
+        });
+
+fn spread(bench: &mut Bench, density: OfSeen) -> Measured {
+    let views = [0.0, 0.6, 1.1, 1.4].into_iter().flat_map(|theta| [0.2, 0.7].map(|alpha| (theta, alpha)));
+    Measured::worst(views.flat_map(|(theta, alpha)| {
+        let (facets, w): (Ggx<f64>, _) = (Ggx::new([alpha; 2]), way(theta, 0.8));
+        let places = [(); 12].map(|()| [(); 2].map(|()| uniform(&mut bench.stream, 0.1, 0.9)));
+        places.map(|[u, v]| {
+            let h = 1e-4;
+            let at = |u: f64, v: f64| {
+                let m = facets.visible(w, [u, v]);
+                DVec3::new(m.x, m.y, m.z)
+            };
+            let (along, across) = (at(u + h, v) - at(u - h, v), at(u, v + h) - at(u, v - h));
+            let area = along.cross(across).length() / (4.0 * h * h);
+            let m = at(u, v).to_array();
+            (density(alpha, [w.x, w.y, w.z], m) * area - 1.0, format!("α = {alpha}, θ = {theta}, u = {u:.3}, {v:.3}"))
+        })
+    }))
 }
 
 /// What is seen of facets: their slopes, α and the view.

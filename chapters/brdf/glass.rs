@@ -88,7 +88,8 @@ pub(super) const STEP: Step = step(
     ]
 })
 .checks(&[&SNELL, &BETA, &POLISHED])
-.stress(&[stress("fresnel", "the surfaces' own Fresnel term, without a branch, keeps its digits near grazing, critical and equal indices", |_| interfaces())
+.stress(&[stress("fresnel", "the surfaces' own Fresnel term, without a branch, keeps its digits near grazing, critical and equal indices", |_| interfaces(|cos, eta| dielectric(cos, eta).reflectance))
+    .own(|subject| subject.downcast_ref::<fn(f64, f64) -> f64>().map(interfaces))
     .textbook("r_s and r_p by cosines, as every renderer has them")
     .against("256-bit arithmetic, and condition numbers")]);
 
@@ -206,7 +207,7 @@ const POLISHED: Check<fn(f64, f64) -> f64> =
         .slip("η upside down", |cos, eta| dielectric(cos, 1.0 / eta).reflectance);
 
 /// Reflectances at the extremes.
-fn interfaces() -> Vec<Extreme> {
+fn interfaces(program: impl Fn(f64, f64) -> f64) -> Vec<Extreme> {
     let indices = [1.5, 1.0 / 1.5, 1.0 + 1e-9, 1.0 - 1e-9, 4.0];
     let cosines = [1.0, 1.0 - 1e-12, 0.7, 0.3, 1e-3, 1e-7];
     let at = NAMES.iter().position(|name| *name == "R_n").expect("a name");
@@ -222,7 +223,7 @@ fn interfaces() -> Vec<Extreme> {
                 input: format!("η = {eta:?}, cos θ = {cos:?}"),
                 quantity: "R_n",
                 textbook: 0.5 * (share(cos, eta * cos_t) + share(eta * cos, cos_t)),
-                ours: dielectric(cos, eta).reflectance,
+                ours: program(cos, eta),
                 condition,
                 reference: exact.outputs.into_iter().nth(at).expect("as many as names"),
                 worst_of: 1,

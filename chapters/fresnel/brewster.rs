@@ -179,7 +179,10 @@ fn out_of_square(_: &mut Bench, angle: fn(f64, f64) -> f64) -> Measured {
     let media = [(1.0, 1.33), (1.0, 1.5), (1.0, 2.4), (1.5, 1.0), (1.0, 4.0), (1.33, 1.5)];
     Measured::worst(media.map(|(n_i, n_t)| {
         let theta = angle(n_i, n_t);
-        let refracted = refract(Incidence::from_angle(theta), n_i, n_t).map_or(f64::NAN, |(sin, cos)| sin.atan2(cos));
+        // Somebody's own angle may be none.
+        let incidence = (0.0..=FRAC_PI_2).contains(&theta).then(|| Incidence::from_angle(theta));
+        let refracted = incidence.and_then(|incidence| refract(incidence, n_i, n_t));
+        let refracted = refracted.map_or(f64::NAN, |(sin, cos)| sin.atan2(cos));
         ((theta + refracted - FRAC_PI_2) / f64::EPSILON, format!("n {n_i} → {n_t}"))
     }))
 }

@@ -70,7 +70,8 @@ pub(super) const STEP: Step = step(
     ]
 })
 .checks(&[&SERIES])
-.stress(&[stress("white", "walls that absorb hardly anything, and paths of ten thousand edges", whites)
+.stress(&[stress("white", "walls that absorb hardly anything, and paths of ten thousand edges", |_| whites(enclosure::radiance))
+    .own(|subject| subject.downcast_ref::<fn(f64, u32) -> f64>().map(whites))
     .textbook("(1 − ρ^d)/(1 − ρ), with ρ = 1 − a in f64")
     .against("the same in arbitrary precision")]);
 
@@ -107,7 +108,7 @@ const SERIES: Check<fn(f64, u32) -> f64> = check(
 )
 .slip("the edge from the camera not counted", |absorbed, edges| enclosure::radiance(absorbed, edges + 1));
 
-fn whites(_: &Setting) -> Vec<Extreme> {
+fn whites(program: impl Fn(f64, u32) -> f64) -> Vec<Extreme> {
     let cases = [0.5, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 1e-18]
         .into_iter()
         .flat_map(|absorbed| [1, 16, 10_000].map(|d| (absorbed, d)));
@@ -120,7 +121,7 @@ fn whites(_: &Setting) -> Vec<Extreme> {
                 quantity: "L_d/L_e",
                 reference: (&one - power(&one - &a, edges)) / &a,
                 textbook: (1.0 - rho.powi(edges as i32)) / (1.0 - rho),
-                ours: enclosure::radiance(absorbed, edges),
+                ours: program(absorbed, edges),
                 // a·∂ ln L/∂a is between −1 and 0.
                 condition: 1.0,
                 worst_of: 1,

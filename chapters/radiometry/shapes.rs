@@ -149,7 +149,7 @@ pub(super) const STEP: Step = step(
         quantity("share", "E/πL", "of what a whole sky of it would send", arrives(disc) / PI, "1"),
     ]
 })
-.checks(&[&DISC, &SPHERE, &POLYGON, &CORNER, &FACTORS])
+.checks(&[&ON_AXIS, &DISC, &SPHERE, &POLYGON, &CORNER, &FACTORS])
 .stress(&[
     stress("discs", "discs near, far, beside the axis and cut by the horizon keep their digits", |_| extremes::discs())
         .textbook("Foote's form of 1915; cut by the horizon the plain antiderivative of the arc")
@@ -246,6 +246,24 @@ fn discs(_: &mut Bench, form: fn(Disc) -> f64) -> Measured {
         let exact = strips(disc);
         // Wholly below the horizon there is nothing to compare.
         (exact > 0.0).then(|| (form(disc) / exact - 1.0, format!("{disc:?}")))
+    }))
+}
+
+const ON_AXIS: Check<fn(f64, f64) -> f64> =
+    check("on_axis", "over its middle a disc of radius R at the height h lights the floor with L π R²/(R² + h²)")
+        .against("∫ cos θ cos θ′/r² dA over the lamp, by a product of two rules")
+        .within(1e-9, "1", OVER_THE_LAMP)
+        .of(over_its_middle, |radius, height| arrives(Disc { radius, height, offset: 0.0, tilt: 0.0 }))
+        .slip("the solid angle in its place: the receiver's cos θ forgotten", |radius, height| {
+            2.0 * PI * (1.0 - height / radius.hypot(height))
+        });
+
+/// Radius and height [m] to E/L [sr].
+fn over_its_middle(_: &mut Bench, form: fn(f64, f64) -> f64) -> Measured {
+    let sizes = [(1.0, 1.0), (1.0, 0.25), (0.1, 2.0), (3.0, 1.0), (1e-3, 0.5)];
+    Measured::worst(sizes.map(|(radius, height)| {
+        let exact = strips(Disc { radius, height, offset: 0.0, tilt: 0.0 });
+        (form(radius, height) / exact - 1.0, format!("R = {radius}, h = {height}"))
     }))
 }
 

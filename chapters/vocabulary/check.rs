@@ -45,6 +45,8 @@ pub trait Claim: Sync {
     fn spoiled(&self, bench: &mut Bench) -> Measured;
     /// The same measurement on somebody else's formula; `None` if it is of another type than the check's subject.
     fn own(&self, bench: &mut Bench, subject: &dyn Any) -> Option<Measured>;
+    /// The program's own formula and the one with the slip, each of the subject's type.
+    fn subjects(&self) -> [&dyn Any; 2];
 }
 
 impl<F: Copy + Sync + 'static> Claim for Check<F> {
@@ -62,6 +64,10 @@ impl<F: Copy + Sync + 'static> Claim for Check<F> {
 
     fn own(&self, bench: &mut Bench, subject: &dyn Any) -> Option<Measured> {
         subject.downcast_ref().map(|subject| (self.measure)(bench, *subject))
+    }
+
+    fn subjects(&self) -> [&dyn Any; 2] {
+        [&self.truth, &self.slip]
     }
 }
 

@@ -33,7 +33,7 @@ pub use item::{Item, Part};
 pub use question::{Answer, Choice, Given, Misled, Question, Reply, SIGNS, TRENDS, choice, question};
 pub use race::{Entrant, Expects, Heat, Judge, Lane, Race, Run, fitted_order, lane, race};
 pub use statement::{Statement, statement};
-pub use stress::{ALLOWED_ULPS, Extreme, Stress, digits, stress};
+pub use stress::{ALLOWED_ULPS, Extreme, OwnCases, Stress, digits, stress};
 
 use crate::parameter::Function;
 use crate::parameter::{Parameter, Setting};

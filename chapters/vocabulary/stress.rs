@@ -1,6 +1,7 @@
 //! Families of extreme inputs.
 
 use crate::parameter::Setting;
+use std::any::Any;
 use yardstick::precise::{self, Real};
 
 /// A family of inputs chosen to break formulas. Beside each stands what the textbook form makes of it:
@@ -19,11 +20,16 @@ pub struct Stress {
     pub reference: &'static str,
     /// The cases.
     pub cases: fn(&Setting) -> Vec<Extreme>,
+    /// The same cases with somebody else's formula in the place of the program's, where they can take one.
+    pub own: Option<OwnCases>,
 }
+
+/// The cases of somebody's own formula; `None` if it is of a type that they cannot take.
+pub type OwnCases = fn(&dyn Any) -> Option<Vec<Extreme>>;
 
 /// The family `id` of extreme cases: what is pushed and holds all the same.
 pub const fn stress(id: &'static str, claim: &'static str, cases: fn(&Setting) -> Vec<Extreme>) -> Stress {
-    Stress { id, claim, rows: &[], textbook: "", reference: "", cases }
+    Stress { id, claim, rows: &[], textbook: "", reference: "", cases, own: None }
 }
 
 impl Stress {
@@ -40,6 +46,11 @@ impl Stress {
     /// Where the reference comes from.
     pub const fn against(self, reference: &'static str) -> Self {
         Self { reference, ..self }
+    }
+
+    /// Whose cases can take a formula of somebody else's.
+    pub const fn own(self, own: OwnCases) -> Self {
+        Self { own: Some(own), ..self }
     }
 }
 

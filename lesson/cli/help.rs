@@ -30,6 +30,7 @@ Examples:
   lesson fresnel r_s --units --unfold      every line, its unit and its steps
   lesson prove \"sin(a)^2 - sin(b)^2\" \"sin(a+b)*sin(a-b)\"
   lesson coverage                          which rows have what evidence
+  lesson exercise start snell              a formula to write; `check` judges it
 
 On a terminal a chapter opens in a reader, full screen: space goes on, b back,
 g to another step, / searches, s turns the parameters, d e x r unfold the

@@ -6,10 +6,12 @@
 //! | functions called, expressions proved | [`call`] |
 //! | pictures, films of samples | [`render`], [`film`] |
 //! | the lecture in books | [`mdbook`] |
+//! | exercises | [`exercise`] |
 //! | values of options | [`values`] |
 //! | how to use it, what was wrong | [`help`], [`refusal`] |
 
 mod call;
+mod exercise;
 mod film;
 mod help;
 mod lesson;
@@ -18,6 +20,7 @@ mod refusal;
 mod render;
 mod values;
 
+use crate::exercise::Ask;
 use crate::figures::Format;
 use crate::film::Merge;
 use crate::prove::Question;
@@ -26,6 +29,8 @@ use crate::stop::Stop;
 use call::{EVAL_EXAMPLES, EvalArgs, PROVE_EXAMPLES, ProveArgs};
 use clap::{ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
+pub use exercise::EXERCISES;
+use exercise::{EXERCISE_EXAMPLES, ExerciseCommand};
 use film::{FILM_EXAMPLES, FilmCommand};
 use help::{HelpArg, after_help, completions, help, styled};
 use lesson::LessonArgs;
@@ -77,6 +82,8 @@ pub enum Request {
     Mdbook,
     /// Whether a renderer of mdBook can show it.
     Supports { renderer: String },
+    /// Exercises: which there are, one laid out, judged, helped with.
+    Exercise(Ask),
     /// A script for the shell.
     Completions(Vec<u8>),
 }
@@ -143,6 +150,9 @@ pub fn parse() -> Result<Request, Stop> {
             command.map_or_else(|| Ok(help(vec!["film".to_owned()])), FilmCommand::into_request)
         }
         Some(Command::Mdbook(mdbook)) => Ok(mdbook.into()),
+        Some(Command::Exercise { command, .. }) => {
+            Ok(command.map_or_else(|| help(vec!["exercise".to_owned()]), ExerciseCommand::into_request))
+        }
         Some(Command::Completions { shell, .. }) => Ok(Request::Completions(completions(shell))),
     }
 }
@@ -189,7 +199,7 @@ enum Command {
         #[command(flatten)]
         help: HelpArg,
     },
-    /// How many steps of each chapter you have seen in the reader, and where you were.
+    /// How many steps of each chapter you have seen in the reader, where you were, and which exercises are solved.
     Progress {
         #[command(flatten)]
         help: HelpArg,
@@ -214,6 +224,14 @@ enum Command {
     /// Put parts of the lecture into an mdBook: the preprocessor that mdBook runs.
     #[command(after_help = MDBOOK_EXAMPLES, disable_help_subcommand = true)]
     Mdbook(MdbookArgs),
+    /// Formulas for you to write, judged by the chapters' own checks.
+    #[command(after_help = EXERCISE_EXAMPLES, disable_help_subcommand = true)]
+    Exercise {
+        #[command(subcommand)]
+        command: Option<ExerciseCommand>,
+        #[command(flatten)]
+        help: HelpArg,
+    },
     /// Print a completion script for a shell.
     ///
     /// For bash: lesson completions bash > ~/.local/share/bash-completion/completions/lesson

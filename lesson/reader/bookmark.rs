@@ -1,5 +1,6 @@
 //! What is remembered from one reading to the next: places, steps seen, answers given.
 
+use crate::exercise;
 use crate::out::{self, Folder};
 use crate::stop::Stop;
 use chapters::vocabulary::Given;
@@ -29,9 +30,21 @@ pub struct Memory {
     pub visited: BTreeSet<String>,
     /// What was answered, by the addresses of questions.
     pub answers: BTreeMap<String, Answer>,
+    /// What was done of exercises, by their names.
+    pub exercises: BTreeMap<String, Work>,
     /// The chapters that this reader has opened: of the others somebody else may know better.
     #[serde(skip)]
     pub touched: BTreeSet<String>,
+}
+
+/// What was done of an exercise.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Work {
+    /// How many hints were seen.
+    pub hints: usize,
+    /// Whether it was solved.
+    pub solved: bool,
 }
 
 /// A place in a chapter.
@@ -116,6 +129,10 @@ impl Book {
         for (address, answer) in before.answers {
             whole.answers.entry(address).or_insert(answer);
         }
+        for (name, work) in before.exercises {
+            let whole = whole.exercises.entry(name).or_default();
+            *whole = Work { hints: whole.hints.max(work.hints), solved: whole.solved || work.solved };
+        }
         for (chapter, place) in before.places {
             // Where this reader has not been, another may have gone on.
             if !memory.touched.contains(&chapter) {
@@ -142,7 +159,7 @@ fn read(text: &str) -> Result<Memory, Flaw> {
     serde_json::from_value(value).map_err(|_| Flaw::Damaged)
 }
 
-/// Prints how much of each chapter was seen.
+/// Prints how much of each chapter was seen, and how many of its exercises are solved.
 pub fn progress() -> Result<(), Stop> {
     let (_, memory, note) = Book::open();
     if let Some(note) = note {
@@ -156,12 +173,16 @@ fn told(memory: &Memory) -> String {
     let line = |chapter: &Chapter| {
         let (seen, all) = (seen(memory, chapter), chapter.steps.len());
         let at = memory.places.get(chapter.id).filter(|_| seen > 0).map(|place| format!("   at {}", place.step));
-        format!("{:<widest$}  {seen:>2} of {all:>2} steps{}\n", chapter.id, at.unwrap_or_default())
+        let [solved, set] = exercise::solved(memory, chapter.id);
+        let exercises = format!("{solved} of {set} exercises");
+        format!("{:<widest$}  {seen:>2} of {all:>2} steps   {exercises}{}\n", chapter.id, at.unwrap_or_default())
     };
     let total: usize = CURRICULUM.iter().map(|chapter| seen(memory, chapter)).sum();
     let all: usize = CURRICULUM.iter().map(|chapter| chapter.steps.len()).sum();
     let lines: String = CURRICULUM.iter().map(|chapter| line(chapter)).collect();
-    format!("{lines}{:<widest$}  {total:>2} of {all:>2} steps\n", "all")
+    let sums = CURRICULUM.iter().map(|chapter| exercise::solved(memory, chapter.id));
+    let [solved, set] = sums.fold([0, 0], |sum, one| [sum[0] + one[0], sum[1] + one[1]]);
+    format!("{lines}{:<widest$}  {total:>2} of {all:>2} steps   {solved} of {set} exercises\n", "all")
 }
 
 /// How many steps of a chapter were seen. What is no longer in it does not count.
@@ -209,6 +230,24 @@ mod tests {
     }
 
     #[test]
+    fn what_was_done_of_exercises_is_never_undone() {
+        let file = folder("exercises").join(FILE);
+        let (book, ..) = Book::at(file.clone());
+        let work = |hints, solved| Memory {
+            exercises: [("snell".into(), Work { hints, solved })].into(),
+            ..Memory::default()
+        };
+        for (hints, solved) in [(2, false), (1, true), (0, false)] {
+            book.keep(&work(hints, solved)).unwrap();
+        }
+        // A reader that was open all the while knows nothing of them.
+        book.keep(&memory(&["fresnel/snell"])).unwrap();
+        let (_, read, note) = Book::at(file.clone());
+        assert_eq!((read.exercises["snell"], note), (Work { hints: 2, solved: true }, None));
+        fs::remove_dir_all(file.parent().unwrap()).unwrap();
+    }
+
+    #[test]
     fn damaged_files_are_replaced_and_foreign_ones_left_alone() {
         let path = folder("damaged");
         fs::create_dir_all(&path).unwrap();
@@ -236,7 +275,10 @@ mod tests {
     fn progress_counts_steps_that_there_are() {
         let told = told(&memory(&["fresnel/snell", "fresnel/brewster", "fresnel/gone", "maxwell/grid"]));
         let line = |chapter: &str| told.lines().find(|line| line.starts_with(chapter)).unwrap().to_owned();
-        assert!(line("fresnel").contains(" 2 of 17 steps   at brewster"), "{told}");
+        assert!(
+            line("fresnel").contains(" 2 of 17 steps   0 of ") && line("fresnel").ends_with(" exercises   at brewster"),
+            "{told}"
+        );
         assert!(line("maxwell").contains(" 1 of ") && line("all").contains(" 3 of "), "{told}");
     }
 }

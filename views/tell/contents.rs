@@ -8,8 +8,8 @@ use chapters::{CURRICULUM, Chapter, Step};
 const NEXT: [(&str, &str); 5] = [
     ("lesson fresnel", "read a chapter, where you left it"),
     ("lesson contents fresnel", "its steps, one line each"),
-    ("lesson fresnel brewster", "one step; with --help, what it has and takes"),
-    ("lesson fresnel --plot", "its figures as files, and what they cost"),
+    ("lesson fresnel brewster", "one step; --plot its figures, --help the rest"),
+    ("lesson exercise list", "formulas for you to write, judged by these checks"),
     ("lesson --help", "all the rest, and what the signs mean"),
 ];
 

@@ -1,0 +1,4 @@
+/// Irradiance over radiance [sr] below the middle of a level disc of `radius` [m] at `height` [m].
+pub fn irradiance(radius: f64, height: f64) -> f64 {
+    todo!()
+}

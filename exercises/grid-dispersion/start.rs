@@ -1,0 +1,4 @@
+/// The phase [rad] by which a wave of `k` radians a cell turns in one step, at the Courant number `courant` [1].
+pub fn phase_per_step(k: f64, courant: f64) -> f64 {
+    todo!()
+}
