@@ -22,10 +22,11 @@ line a number that a step computes; behind it what is set:
   the angle is {{#lesson fresnel/brewster/theta_b n_t=1.5}}
 
 The chapters as a list, the steps of one with a page for each below the page
-that asks for them, the lecture's rows and where each is taught:
+that asks for them, the lecture's rows and where each is taught, the exercises:
   {{#lesson-chapters}}
   {{#lesson-steps fresnel}}
   {{#lesson-coverage}}
+  {{#lesson-exercises}}
 `[text](lesson:fresnel/brewster)` leads to the page that shows it.
 
 `lesson contents` lists the steps, `lesson fresnel brewster --help` what one has.

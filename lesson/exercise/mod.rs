@@ -11,12 +11,12 @@
 mod compile;
 mod formula;
 mod process;
-mod shelf;
+pub mod shelf;
 #[cfg(test)]
 mod tests;
 mod told;
 mod verdict;
-mod vocabulary;
+pub mod vocabulary;
 
 use crate::interrupt::Interrupt;
 use crate::out::{self, Folder};

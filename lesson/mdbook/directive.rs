@@ -6,8 +6,13 @@ use std::ops::Range;
 /// How it begins.
 const OPENING: &str = "{{#lesson";
 /// What may follow at once.
-const KINDS: [(&str, Kind); 4] =
-    [("", Kind::Part), ("-chapters", Kind::Chapters), ("-steps", Kind::Steps), ("-coverage", Kind::Coverage)];
+const KINDS: [(&str, Kind); 5] = [
+    ("", Kind::Part),
+    ("-chapters", Kind::Chapters),
+    ("-steps", Kind::Steps),
+    ("-coverage", Kind::Coverage),
+    ("-exercises", Kind::Exercises),
+];
 /// How it ends.
 const CLOSING: &str = "}}";
 
@@ -31,6 +36,8 @@ pub enum Kind {
     Steps,
     /// The rows of the lecture, and where they are taught.
     Coverage,
+    /// The exercises, what each asks and its hints.
+    Exercises,
 }
 
 /// A part of the lecture that is to stand there.
@@ -94,7 +101,7 @@ pub fn pieces(text: &str) -> Result<Vec<Piece<'_>>, Unread> {
         let (is_right, valid) = match kind {
             Kind::Part => (!address.is_empty(), "chapter/step/item name=value"),
             Kind::Steps => (address.len() == 1, "chapter name=value"),
-            Kind::Chapters | Kind::Coverage => (address.is_empty() && changes.is_empty(), ""),
+            Kind::Chapters | Kind::Coverage | Kind::Exercises => (address.is_empty() && changes.is_empty(), ""),
         };
         if !is_right {
             let valid = format!("{OPENING}{word} {valid}").trim_end().to_owned();

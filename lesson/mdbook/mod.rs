@@ -5,7 +5,7 @@
 //! | mdBook's protocol | here |
 //! | what a page asks for | [`directive`] |
 //! | what is put there | [`told`] |
-//! | the lecture's rows | [`rows`] |
+//! | the lecture's rows, the exercises | [`rows`], [`exercises`] |
 //! | links from page to page | [`links`] |
 //! | what was put there before | [`kept`] |
 //!
@@ -14,6 +14,7 @@
 //! go through as they are.
 
 mod directive;
+mod exercises;
 mod kept;
 mod links;
 mod rows;

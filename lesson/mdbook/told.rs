@@ -4,7 +4,7 @@ use super::Options;
 use super::directive::{Directive, Kind, Piece, pieces};
 use super::kept::Kept;
 use super::links::link;
-use super::rows;
+use super::{exercises, rows};
 use crate::figures;
 use crate::out;
 use crate::progress::Progress;
@@ -103,6 +103,7 @@ impl Told {
         let html = match directive.kind {
             Kind::Coverage => rows::table(),
             Kind::Chapters => self.chapters(),
+            Kind::Exercises => exercises::text(),
             Kind::Part => self.told(&self.selected(&parts, &changes, place)?, false, place)?,
             Kind::Steps => {
                 let selection = self.selected(&parts, &changes, place)?;
