@@ -227,8 +227,8 @@ impl Selection {
         Ok(all_left.iter().map(note).collect())
     }
 
-    /// That nothing of the kind asked for is there, and what is.
-    pub fn lacks(&self, parts: Parts, plot: bool) -> String {
+    /// If nothing of the kind asked for is there, that and what is. Questions, which go with everything, are of no kind.
+    pub fn lacks(&self, parts: Parts, plot: bool) -> Option<String> {
         let place = match &self.steps[..] {
             [chosen] => chosen.item.map_or(chosen.address(), |item| format!("{}/{item}", chosen.address())),
             steps => steps.first().map_or(String::new(), |chosen| chosen.chapter.id.to_owned()),
@@ -239,11 +239,15 @@ impl Selection {
             self.steps.iter().any(wanted)
         };
         let asked = |part: Part| parts.has(part) || (plot && part == Part::Figures);
-        let lacks: Vec<_> =
-            Part::ALL.iter().filter(|part| asked(**part) && !holds(**part)).map(|part| part.noun()).collect();
+        let (there, lacking): (Vec<Part>, Vec<Part>) =
+            Part::ALL.into_iter().filter(|part| asked(*part)).partition(|part| holds(*part));
+        if lacking.is_empty() || !there.is_empty() {
+            return None;
+        }
+        let lacks: Vec<_> = lacking.iter().map(|part| part.noun()).collect();
         let has: Vec<_> = Part::ALL.iter().filter(|part| holds(**part)).map(|part| part.flag()).collect();
         let has = if has.is_empty() { "nothing else".to_owned() } else { has.join(", ") };
-        format!("{place} has no {}; it has {has}", lacks.join(", no "))
+        Some(format!("{place} has no {}; it has {has}", lacks.join(", no ")))
     }
 
     /// Refuses a parameter name that no selected step has.

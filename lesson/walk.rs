@@ -48,8 +48,8 @@ pub fn serve(lesson: &Lesson) -> Result<ExitCode, Stop> {
     if let Some((folder, own)) = folder.as_ref().zip(own) {
         figures::found(&mut report, own, folder, lesson.format, &wrote)?;
     }
-    if report.is_empty() {
-        out::say(&format!("note: {}", selection.lacks(parts, plot)));
+    if let Some(lack) = selection.lacks(parts, plot) {
+        out::say(&format!("note: {lack}"));
     }
     let tally = tally(report.passed, report.failed);
     if lesson.json {

@@ -263,7 +263,8 @@ fn a_wavelength_that_a_default_has_no_data_for_is_left_where_it_clashes() {
 #[test]
 fn nothing_of_the_kind_is_explained() {
     let run = lesson("fresnel digits --check");
-    assert_eq!((run.code, run.out.as_str()), (0, "0 passed, 0 failed\n"));
+    // What is judged is its question.
+    assert!(run.code == 0 && run.out.ends_with("\n1 passed, 0 failed\n"), "{run:?}");
     assert_eq!(run.err, "note: fresnel/digits has no checks; it has --stress, --race, --plot\n");
 }
 

@@ -429,14 +429,6 @@ impl From<bool> for Verdict {
     }
 }
 
-impl Report {
-    /// Whether nothing was judged and nothing drawn.
-    pub fn is_empty(&self) -> bool {
-        let mut steps = self.chapters.iter().flat_map(|chapter| &chapter.steps);
-        self.passed + self.failed == 0 && steps.all(|step| step.figures.is_empty())
-    }
-}
-
 impl StepReport {
     /// The verdict of everything judged in this step.
     pub fn verdicts(&self) -> impl Iterator<Item = Verdict> + '_ {
