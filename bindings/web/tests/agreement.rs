@@ -20,6 +20,7 @@ const ROUNDING: &[(&str, usize, &str)] = &[
     ),
     ("maxwell/conduction/stiffness", 3, "curves of errors end at some ε"),
     ("plane-wave/methods/after_a_while", 2, "curves of errors end at some ε"),
+    ("poynting/theorem/books", 1, "a last bit decides on which side of an arrow its label stands"),
     ("fresnel/snell/refraction", 1, "a last bit decides whether a curve has a point at the critical angle"),
 ];
 

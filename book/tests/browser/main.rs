@@ -308,7 +308,9 @@ fn steps_on_one_page_keep_apart(book: &Book) -> Result<(), String> {
 }
 
 /// Figures that a module draws with other numbers here and there, and why.
-const ROUNDING: [(&str, &str); 5] = [
+const ROUNDING: [(&str, &str); 7] = [
+    ("fresnel/digits/digits_lost", "it shows which digits are lost, and the last ones differ"),
+    ("poynting/theorem/books", "a last bit decides on which side of an arrow its label stands"),
     ("maxwell/grid/blow_up", "beyond the Courant limit roundings grow"),
     ("maxwell/conduction/stiffness", "curves of errors end at some ε"),
     ("plane-wave/methods/after_a_while", "curves of errors end at some ε"),
