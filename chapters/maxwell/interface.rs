@@ -420,12 +420,18 @@ fn through(setting: &Setting) -> Plot {
 }
 
 /// A box and a loop about an interface, of half the width `HALF`; the second medium lies below, and n points into it.
+/// ε of the medium behind over that before: glass in air.
+const DENSER: f64 = 2.25;
+
 fn box_and_loop(_: &Setting) -> Plot {
+    // Of D the normal part goes on, and of E the one along the interface; the other one of each follows from D = εE.
+    let [along, down] = [0.25, -0.43];
+    let arrow = |from: Spot, way: Spot| Part::vector(from, [from[0] + way[0], from[1] + way[1]]).hue(Hue::S);
     let pill_box = around_interface("Gauss's theorem: normal parts")
         .with(Part::vector([0.0, BOX[1]], [0.0, BOX[1] + 0.35]).hue(Hue::Reference).label("−n"))
         .with(Part::vector([0.0, -BOX[1]], [0.0, -BOX[1] - 0.35]).hue(Hue::Reference).label("n"))
-        .with(Part::vector([-0.55, 0.85], [-0.3, 0.42]).hue(Hue::S).label("D_1"))
-        .with(Part::vector([-0.3, -0.42], [0.05, -1.02]).hue(Hue::S).label("D_2"))
+        .with(arrow([-0.8, 0.85], [along, down]).label("D_1"))
+        .with(arrow([-0.95, -0.42], [DENSER * along, down]).label("D_2"))
         .with(Part::note([0.25, -0.12], "A"));
     let [half, high] = BOX;
     let side = |from: Spot, to: Spot| Part::vector(from, to).hue(Hue::Natural);
@@ -435,8 +441,8 @@ fn box_and_loop(_: &Setting) -> Plot {
         .with(side([-half, 0.1], [-half, -0.12]))
         .with(side([half, -0.1], [half, 0.12]))
         .with(Part::across([0.0, 0.0], true).label("b"))
-        .with(Part::vector([-0.4, 0.75], [0.2, 0.55]).hue(Hue::S).label("E_1"))
-        .with(Part::vector([-0.3, -0.85], [0.3, -0.5]).hue(Hue::S).label("E_2"))
+        .with(arrow([-0.4, 0.85], [2.4 * along, down]).label("E_1"))
+        .with(arrow([-0.3, -0.5], [2.4 * along, down / DENSER]).label("E_2"))
         .with(Part::vector([-1.0, 0.0], [-1.0, -0.4]).hue(Hue::Reference).label("n"));
     Plot::grid("Two ways to look across an interface", 2, vec![pill_box.into(), narrow_loop.into()])
 }
