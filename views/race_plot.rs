@@ -14,9 +14,10 @@ const LOWEST: f64 = -17.0;
 /// Share of the errors' span that is left free on both sides.
 const MARGIN: f64 = 0.05;
 
-/// Error against the time of a run [µs or ms]; where no order is asserted, bars of the time for one unit of work [ns].
+/// Error against the time of a run [µs or ms]; where no lane is expected to gain by work, bars of the time for one unit of it [ns].
 pub fn plot(race: &RaceReport) -> Plot {
-    if !race.lanes.iter().any(|lane| matches!(lane.asserted, Expects::Order { .. })) {
+    let gains = |lane: &LaneReport| matches!(lane.asserted, Expects::Order { .. } | Expects::Converges { .. });
+    if !race.lanes.iter().any(gains) {
         return Plot::of(sentence(race.claim), bars(race));
     }
     let (name, units) = unit(race);
@@ -271,7 +272,15 @@ mod tests {
     }
 
     #[test]
-    fn where_no_order_is_asserted_a_unit_of_work_is_a_bar() {
+    fn where_work_gains_errors_stand_over_their_times() {
+        for expects in [Expects::Order { order: 2.0, tolerance: 0.1 }, Expects::Converges { last: 1e-3, why: "" }] {
+            let Panel::Chart(chart) = plot(&race(&[1e-1, 1e-3], expects)).panels.remove(0) else { panic!("no chart") };
+            assert!(chart.marks.iter().all(|mark| !matches!(mark, Mark::Bar { .. })), "{:?}", chart.marks);
+        }
+    }
+
+    #[test]
+    fn where_work_gains_nothing_a_unit_of_it_is_a_bar() {
         let mut race = race(&[3e-16, 2e-15], Expects::Within { limit: 1.0, why: "" });
         (race.work, race.lanes[0].points[1].ns_per_work) = ("evaluations (of R)", 3e3);
         let Panel::Chart(chart) = plot(&race).panels.remove(0) else { panic!("no chart") };
