@@ -94,6 +94,7 @@ mod tests {
         assert_eq!(relative("fresnel/snell.md", "fresnel/brewster.md"), "brewster.md");
         assert_eq!(relative("a/b/c.md", "a/bd.md"), "../bd.md");
         assert_eq!(relative("a/é.md", "a/è.md"), "è.md");
+        assert_eq!([relative("a/b.md", "a/b.md"), relative("a.md", "a.md")], ["b.md", "a.md"], "within a page");
     }
 
     #[test]

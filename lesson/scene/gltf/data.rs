@@ -307,6 +307,26 @@ mod tests {
     use super::*;
 
     #[test]
+    fn whole_numbers_are_shares_of_the_largest_of_their_kind() {
+        // glTF 2.0, §3.6.2.2, "Accessor Data Types", and §3.11: f = c/255, max(c/127, −1), c/65535, max(c/32767, −1).
+        let shares = [
+            (DataType::U8, [255, 0], 1.0),
+            (DataType::U8, [51, 0], 0.2),
+            (DataType::I8, [127, 0], 1.0),
+            (DataType::I8, [0x80, 0], -1.0),
+            (DataType::U16, [0xFF, 0xFF], 1.0),
+            (DataType::U16, [0x33, 0x33], 0.2),
+            (DataType::I16, [0xFF, 0x7F], 1.0),
+            (DataType::I16, [0x00, 0x80], -1.0),
+        ];
+        for (kind, bytes, share) in shares {
+            assert!((number(&bytes, kind, true) - share).abs() < 1e-7, "{kind:?} {bytes:?}");
+        }
+        let plain = [(DataType::I8, [0x80, 0], -128.0), (DataType::I16, [0x00, 0x80], -32768.0)];
+        plain.into_iter().for_each(|(kind, bytes, own)| assert_eq!(number(&bytes, kind, false), own));
+    }
+
+    #[test]
     fn bytes_are_written_as_text_and_read_again() {
         // RFC 4648, §10.
         for (text, bytes) in

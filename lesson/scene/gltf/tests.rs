@@ -453,7 +453,11 @@ fn rows_that_are_said_otherwise_are_those() {
     accessor.as_object_mut().expect("a table").remove("bufferView");
     assert_eq!(mesh_of(&model.read().unwrap().0, 0).positions, [[0.0; 3], square[1], [0.0; 3], square[3]]);
     type Slip = fn(&mut Model, usize);
-    let slips: [(Slip, &str); 8] = [
+    let slips: [(Slip, &str); 9] = [
+        (
+            |m, _| m.data[..2].copy_from_slice(&[1, 1]),
+            ".sparse.indices: row 1 of 4; valid: each is there, and above the one",
+        ),
         (|m, at| m.text["accessors"][at]["count"] = json!(1_u64 << 40), "stands for 1099511627776 rows of zeros"),
         (|m, at| m.text["accessors"][at]["count"] = json!(3), ".sparse.indices: row 3 of 3"),
         (|m, at| m.text["accessors"][at]["sparse"]["count"] = json!(3), ".sparse.indices: 3 rows of 1 bytes"),
