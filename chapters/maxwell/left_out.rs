@@ -5,7 +5,7 @@ use crate::figure::{Axis, Chart, Hue, Plot};
 use crate::parameter::{Kind, Parameter, Setting};
 use crate::vocabulary::{
     Answer, Bench, Check, Exhibit, Heat, Lane, Measured, Quantity, Question, Step, check, choice, exhibit, figure,
-    lane, question, race, statement, step,
+    lane, largest, question, race, statement, step,
 };
 use equation::{Dimension, Equation, Symbol};
 use light::em::line::{Ends, Line, Setup};
@@ -69,8 +69,7 @@ const UNLIKE: Question = question(
                 line.run(100).expect("some steps");
                 line.e().to_vec()
             });
-            let largest = pruned.iter().zip(&full).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-            match largest {
+            match largest(pruned.iter().zip(&full).map(|(a, b)| a - b)) {
                 0.0 => 2,
                 some if some < 1e-12 => 0,
                 _ => 1,
