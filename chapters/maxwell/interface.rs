@@ -419,10 +419,10 @@ fn through(setting: &Setting) -> Plot {
     )
 }
 
-/// A box and a loop about an interface, of half the width `HALF`; the second medium lies below, and n points into it.
 /// ε of the medium behind over that before: glass in air.
 const DENSER: f64 = 2.25;
 
+/// A box and a loop about an interface; the second medium lies below, and n points into it.
 fn box_and_loop(_: &Setting) -> Plot {
     // Of D the normal part goes on, and of E the one along the interface; the other one of each follows from D = εE.
     let [along, down] = [0.25, -0.43];
