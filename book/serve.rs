@@ -2,18 +2,20 @@
 
 use crate::Fault;
 use crate::press::{self, OUT, ROOT};
+use hyper::server::conn::http1;
+use hyper_util::rt::TokioIo;
+use hyper_util::service::TowerToHyperService;
 use std::collections::BTreeMap;
-use std::fs::{self, File};
-use std::path::{Component, Path, PathBuf};
+use std::fs;
+use std::net::TcpListener;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
-use tiny_http::{Header, Method, Request, Response, Server};
+use tokio::runtime;
+use tower_http::services::ServeDir;
 
 /// What the book is made of, from the repository's root.
 const SOURCES: [&str; 10] =
     ["Cargo.lock", "Cargo.toml", "bindings", "book", "chapters", "equation", "lesson", "src", "views", "yardstick"];
-
-/// How many browsers are answered at once: one that stops reading keeps the others from nothing.
-const ANSWERERS: usize = 4;
 
 /// How often sources are looked at.
 const WAIT: Duration = Duration::from_millis(500);
@@ -24,25 +26,40 @@ const WAIT: Duration = Duration::from_millis(500);
 /// Says why there is no book or no port.
 pub fn serve(port: u16, modules: Option<&Path>) -> Result<(), Fault> {
     // A port in use is found before anything is built.
-    let server = Server::http(("127.0.0.1", port))
+    let listener = TcpListener::bind(("127.0.0.1", port))
         .map_err(|error| format!("port {port}: {error}; valid: another one, or 0 for any that is free"))?;
+    let address = listener.local_addr().map_err(|error| format!("port {port}: {error}"))?;
     let mut built = sources();
     press::build(Path::new(OUT), modules)?;
-    println!("http://{}/", server.server_addr());
-    std::thread::scope(|scope| {
-        for _ in 0..ANSWERERS {
-            scope.spawn(|| server.incoming_requests().for_each(answer));
-        }
-        loop {
-            std::thread::sleep(WAIT);
-            let now = sources();
-            if now != built {
-                built = now;
-                match press::build(Path::new(OUT), modules) {
-                    Ok(()) => eprintln!("built again"),
-                    Err(fault) => eprintln!("error: {fault}"),
-                }
+    std::thread::spawn(move || {
+        answer(listener, Path::new(OUT)).unwrap_or_else(|error| eprintln!("error: {address}: {error}"))
+    });
+    println!("http://{address}/");
+    loop {
+        std::thread::sleep(WAIT);
+        let now = sources();
+        if now != built {
+            built = now;
+            match press::build(Path::new(OUT), modules) {
+                Ok(()) => eprintln!("built again"),
+                Err(fault) => eprintln!("error: {fault}"),
             }
+        }
+    }
+}
+
+/// Sends browsers the files of a folder, however many connections they hold and whatever they do not send on them.
+fn answer(listener: TcpListener, folder: &Path) -> std::io::Result<()> {
+    let files = ServeDir::new(folder);
+    runtime::Builder::new_current_thread().enable_io().build()?.block_on(async {
+        listener.set_nonblocking(true)?;
+        let listener = tokio::net::TcpListener::from_std(listener)?;
+        loop {
+            let (stream, _) = listener.accept().await?;
+            let answers =
+                http1::Builder::new().serve_connection(TokioIo::new(stream), TowerToHyperService::new(files.clone()));
+            // A browser that has gone away misses nothing.
+            tokio::spawn(async { answers.await.unwrap_or_default() });
         }
     })
 }
@@ -71,53 +88,78 @@ fn hidden(path: &Path) -> bool {
     path.file_name().is_some_and(|name| name.as_encoded_bytes().starts_with(b"."))
 }
 
-/// Sends a browser what it asks for, if it is a part of the book.
-fn answer(request: Request) {
-    let found = match request.method() {
-        Method::Get | Method::Head => file(request.url()).and_then(|path| Some((File::open(&path).ok()?, path))),
-        _ => None,
-    };
-    // A browser that has gone away misses nothing.
-    let _ = match found {
-        Some((file, path)) => request.respond(Response::from_file(file).with_header(kind(&path))),
-        None => request.respond(Response::from_string("not a page of this book").with_status_code(404)),
-    };
-}
-
-/// The file of the book that a request means; nothing outside it.
-fn file(url: &str) -> Option<PathBuf> {
-    let path = url.split(['?', '#']).next().unwrap_or_default();
-    let path = Path::new(path.strip_prefix('/')?);
-    let is_inside = path.components().all(|component| matches!(component, Component::Normal(_)));
-    let path = is_inside.then(|| Path::new(OUT).join(path))?;
-    let path = if path.is_dir() { path.join("index.html") } else { path };
-    path.is_file().then_some(path)
-}
-
-/// What a browser is to take a file for.
-fn kind(path: &Path) -> Header {
-    let kind = match path.extension().and_then(|extension| extension.to_str()).unwrap_or_default() {
-        "html" => "text/html; charset=utf-8",
-        "css" => "text/css; charset=utf-8",
-        "js" => "text/javascript; charset=utf-8",
-        "json" => "application/json",
-        "svg" => "image/svg+xml",
-        "png" => "image/png",
-        "gz" => "application/gzip",
-        "woff2" => "font/woff2",
-        _ => "application/octet-stream",
-    };
-    Header::from_bytes("Content-Type", kind).expect("a header of ours")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::io::{Read, Write};
+    use std::net::{SocketAddr, TcpStream};
+
+    /// The address of a folder that is shown.
+    fn shown(folder: &tempfile::TempDir) -> SocketAddr {
+        let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+        let address = listener.local_addr().unwrap();
+        let path = folder.path().to_owned();
+        std::thread::spawn(move || answer(listener, &path));
+        address
+    }
+
+    /// What is answered on an open connection.
+    fn asked(stream: &mut TcpStream, path: &str) -> String {
+        stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+        write!(stream, "GET {path} HTTP/1.1\r\nHost: book\r\n\r\n").unwrap();
+        let mut told = [0; 4096];
+        let length = stream.read(&mut told).expect("an answer");
+        String::from_utf8_lossy(&told[..length]).into_owned()
+    }
 
     #[test]
     fn nothing_outside_the_book_is_sent() {
-        for url in ["/../Cargo.toml", "/%2e%2e/Cargo.toml", "//etc/passwd", "/a/../../book.toml", "book.toml", ""] {
-            assert_eq!(file(url), None, "{url}");
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("secret"), "a secret").unwrap();
+        let out = tempfile::tempdir_in(folder.path()).unwrap();
+        fs::write(out.path().join("index.html"), "a page").unwrap();
+        let address = shown(&out);
+        let get = |path: &str| asked(&mut TcpStream::connect(address).unwrap(), path);
+        assert!(get("/").ends_with("a page"));
+        for path in ["/../secret", "/%2e%2e/secret", "/..%2fsecret", "//etc/passwd", "/a/../../secret", "/none"] {
+            let told = get(path);
+            assert!(told.starts_with("HTTP/1.1 4"), "{path}: {told}");
+        }
+    }
+
+    /// A pool of threads, one a connection, had left some of a burst without any.
+    #[test]
+    fn connections_that_stay_open_keep_nobody_waiting() {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("index.html"), "a page").unwrap();
+        let address = shown(&folder);
+        let burst = || -> Vec<TcpStream> { (0..8).map(|_| TcpStream::connect(address).unwrap()).collect() };
+        let mut open = burst();
+        open.iter_mut().for_each(|stream| assert!(asked(stream, "/").ends_with("a page")));
+        // Some go away, and more come than have gone; two of them say nothing.
+        open.truncate(5);
+        let mut more = burst();
+        more[2..].iter_mut().chain(&mut open).for_each(|stream| assert!(asked(stream, "/").ends_with("a page")));
+    }
+
+    #[test]
+    fn files_are_called_what_they_are() {
+        let folder = tempfile::tempdir().unwrap();
+        let address = shown(&folder);
+        let kinds = [
+            ("a.html", "text/html"),
+            ("a.css", "text/css"),
+            ("a.js", "text/javascript"),
+            ("a.svg", "image/svg+xml"),
+            ("a.woff2", "font/woff2"),
+            ("a.wasm.gz", "application/gzip"),
+        ];
+        for (name, kind) in kinds {
+            fs::write(folder.path().join(name), "x").unwrap();
+            let told = asked(&mut TcpStream::connect(address).unwrap(), &format!("/{name}"));
+            assert!(told.contains(&format!("content-type: {kind}")), "{name}: {told}");
+            // What is packed is the page's to unpack.
+            assert!(!told.contains("content-encoding"), "{name}: {told}");
         }
     }
 
