@@ -2,7 +2,7 @@
 //! energy-preserving rough diffuse BRDF*, JCGT 14(1) (2025): Fujii's Oren–Nayar, whose albedo has a closed form, and what
 //! it loses given back by a reciprocal lobe.
 
-use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, rgb};
+use super::{Bsdf, Character, Energy, Painted, Rgb, Sample, both_above, rgb};
 use crate::number::{Number, Vector, atan2, sin_cos_turns};
 use crate::sampling::warp::cosine_hemisphere;
 use std::f64::consts::{FRAC_1_PI, PI};
@@ -54,6 +54,16 @@ impl<N: Number> Bsdf<N> for Eon<N> {
     }
 
     #[inline(always)]
+    fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
+        let loss = self.loss(wo);
+        let direct = N::of(1.0) - loss;
+        let above = wo.z.gt(N::of(0.0));
+        Some(rgb(|c| (self.albedo[c] * direct + self.rebound(self.albedo[c]) * loss).only(above)))
+    }
+}
+
+impl<N: Number> Painted<N> for Eon<N> {
+    #[inline(always)]
     fn painted_eval_pdf(&self, rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
         Self { albedo: rho, ..*self }.eval_pdf(wi, wo)
     }
@@ -61,14 +71,6 @@ impl<N: Number> Bsdf<N> for Eon<N> {
     #[inline(always)]
     fn painted_sample(&self, rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
         Self { albedo: rho, ..*self }.sample(wo, u)
-    }
-
-    #[inline(always)]
-    fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
-        let loss = self.loss(wo);
-        let direct = N::of(1.0) - loss;
-        let above = wo.z.gt(N::of(0.0));
-        Some(rgb(|c| (self.albedo[c] * direct + self.rebound(self.albedo[c]) * loss).only(above)))
     }
 }
 

@@ -1,5 +1,6 @@
 //! The gate in front of a model: whatever comes in, what goes out is finite.
 
+use super::painted::{Painted, Repainted};
 use super::{Bsdf, Character, Rgb, Sample, rgb};
 use crate::number::{Number, Vector};
 
@@ -47,27 +48,21 @@ impl<N: Number, M: Bsdf<N>> Bsdf<N> for Guarded<M> {
     }
 
     #[inline(always)]
-    fn painted_eval_pdf(&self, rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
-        let (fit_i, fit_o) = (is_fit(wi), is_fit(wo));
-        let (f, pdf) = self.0.painted_eval_pdf(rho, or_normal(fit_i, wi), or_normal(fit_o, wo));
-        let fit = fit_i & fit_o;
-        (rgb(|c| f[c].only(fit)), pdf.only(fit))
-    }
-
-    #[inline(always)]
-    fn painted_sample(&self, rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
-        let fit = is_fit(wo);
-        let wo = or_normal(fit, wo);
-        let u = rgb(|k| N::select(u[k].ge(N::of(0.0)) & u[k].lt(N::of(1.0)), u[k], N::of(0.5)));
-        let drawn = self.0.painted_sample(rho, wo, u);
-        let is_drawn = is_fit(drawn.wi);
-        Sample { wi: or_normal(is_drawn, drawn.wi), ..drawn }.only(fit & is_drawn)
-    }
-
-    #[inline(always)]
     fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
         let fit = is_fit(wo);
         let albedo = self.0.albedo(or_normal(fit, wo))?;
         Some(rgb(|c| albedo[c].only(fit)))
+    }
+}
+
+impl<N: Number, M: Bsdf<N> + Painted<N>> Painted<N> for Guarded<M> {
+    #[inline(always)]
+    fn painted_eval_pdf(&self, rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
+        Guarded(Repainted { model: &self.0, rho }).eval_pdf(wi, wo)
+    }
+
+    #[inline(always)]
+    fn painted_sample(&self, rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
+        Guarded(Repainted { model: &self.0, rho }).sample(wo, u)
     }
 }

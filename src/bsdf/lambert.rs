@@ -1,6 +1,6 @@
 //! The diffuse surface (J. H. Lambert, *Photometria* (1760)): f = ρ/π whatever the directions (E48).
 
-use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, rgb};
+use super::{Bsdf, Character, Energy, Painted, Rgb, Sample, both_above, rgb};
 use crate::number::{Number, Vector};
 use crate::sampling::warp::cosine_hemisphere;
 use std::f64::consts::FRAC_1_PI;
@@ -37,6 +37,13 @@ impl<N: Number> Bsdf<N> for Lambert<N> {
     }
 
     #[inline(always)]
+    fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
+        Some(rgb(|c| self.albedo[c].only(wo.z.gt(N::of(0.0)))))
+    }
+}
+
+impl<N: Number> Painted<N> for Lambert<N> {
+    #[inline(always)]
     fn painted_eval_pdf(&self, rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
         Self { albedo: rho }.eval_pdf(wi, wo)
     }
@@ -44,10 +51,5 @@ impl<N: Number> Bsdf<N> for Lambert<N> {
     #[inline(always)]
     fn painted_sample(&self, rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
         Self { albedo: rho }.sample(wo, u)
-    }
-
-    #[inline(always)]
-    fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
-        Some(rgb(|c| self.albedo[c].only(wo.z.gt(N::of(0.0)))))
     }
 }

@@ -18,6 +18,7 @@
 //! | one bounce, and a second lobe for what it loses | [`compensated`], with the tables of [`losses`] |
 //! | what the first bounce returns | [`albedo`], with [`rules`] |
 //! | what takes any input | [`guard`] |
+//! | a ρ that differs from place to place | [`painted`] |
 
 pub mod albedo;
 #[cfg(any(test, feature = "references"))]
@@ -32,6 +33,7 @@ pub mod lambert;
 pub mod losses;
 pub mod microfacet;
 pub mod oren_nayar;
+pub mod painted;
 pub mod plastic;
 pub mod rough_conductor;
 pub mod rough_dielectric;
@@ -43,6 +45,7 @@ pub mod walk;
 mod zoo;
 
 pub use guard::Guarded;
+pub use painted::Painted;
 pub use zoo::{Entry, INDEX, METAL_INDEX, Setting, zoo};
 
 use crate::number::{Mask, Number, Vector};
@@ -150,16 +153,6 @@ pub trait Bsdf<N: Number>: Send + Sync {
 
     /// A direction for light that goes to `wo` to come from, from three numbers in 0 ≤ u < 1.
     fn sample(&self, wo: Vector<N>, u: [N; 3]) -> Sample<N>;
-
-    /// [`Bsdf::eval_pdf`] of another ρ [1] than the model's own; the same of a model that has none.
-    fn painted_eval_pdf(&self, _rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
-        self.eval_pdf(wi, wo)
-    }
-
-    /// [`Bsdf::sample`] of another ρ [1].
-    fn painted_sample(&self, _rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
-        self.sample(wo, u)
-    }
 
     /// f [sr⁻¹].
     fn eval(&self, wi: Vector<N>, wo: Vector<N>) -> Rgb<N> {

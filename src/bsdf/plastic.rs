@@ -12,7 +12,7 @@ use super::microfacet::{Distribution, Joint};
 use super::rough_conductor::RoughConductor;
 use super::rules::fejer;
 use super::smooth::SmoothConductor;
-use super::{Bsdf, Character, Energy, Rgb, Sample, both_above, rgb};
+use super::{Bsdf, Character, Energy, Painted, Rgb, Sample, both_above, rgb};
 use crate::number::{Number, Vector};
 use crate::sampling::warp::cosine_hemisphere;
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
@@ -188,6 +188,17 @@ impl<N: Number, C: Bsdf<N>> Bsdf<N> for Plastic<N, C> {
     }
 
     #[inline(always)]
+    fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
+        let returned = self.returned(wo);
+        let passed = N::of(1.0) - returned;
+        let inverse = N::of(PI) * self.passed;
+        let above = wo.z.gt(N::of(0.0));
+        Some(rgb(|c| (returned + passed * self.body[c] * inverse).only(above)))
+    }
+}
+
+impl<N: Number, C: Bsdf<N>> Painted<N> for Plastic<N, C> {
+    #[inline(always)]
     fn painted_eval_pdf(&self, rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
         self.eval_pdf_of(self.painted(rho), wi, wo)
     }
@@ -195,14 +206,5 @@ impl<N: Number, C: Bsdf<N>> Bsdf<N> for Plastic<N, C> {
     #[inline(always)]
     fn painted_sample(&self, rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
         self.sample_of(self.painted(rho), wo, u)
-    }
-
-    #[inline(always)]
-    fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
-        let returned = self.returned(wo);
-        let passed = N::of(1.0) - returned;
-        let inverse = N::of(PI) * self.passed;
-        let above = wo.z.gt(N::of(0.0));
-        Some(rgb(|c| (returned + passed * self.body[c] * inverse).only(above)))
     }
 }

@@ -2,13 +2,16 @@
 
 use super::coated::{CoatedDielectric, CoatedMetal, Film};
 use super::compensated::Compensated;
+use super::eon::Eon;
 use super::fresnel::Conductor;
+use super::lambert::Lambert;
 use super::microfacet::{Beckmann, Distribution, Ggx, Joint, Slopes};
+use super::painted::Painted;
 use super::plastic::Plastic;
 use super::rough_conductor::RoughConductor;
 use super::rough_dielectric::RoughDielectric;
 use super::walk::{Glass, Walk};
-use super::{Bsdf, Character, Guarded, Rgb, Sample, eon, lambert, oren_nayar, smooth};
+use super::{Bsdf, Character, Guarded, Rgb, Sample, oren_nayar, smooth};
 use crate::number::{Number, Vector, vectorised_lanes};
 use num_complex::Complex64;
 
@@ -88,6 +91,9 @@ impl Setting {
     }
 }
 
+/// Makes a model.
+type Make<M> = fn(&Setting) -> Box<M>;
+
 /// A model by name.
 #[derive(Clone, Copy)]
 pub struct Entry<N: Number> {
@@ -95,7 +101,8 @@ pub struct Entry<N: Number> {
     pub name: &'static str,
     /// What it is, in a few words.
     pub about: &'static str,
-    make: fn(&Setting) -> Box<dyn Bsdf<N>>,
+    make: Make<dyn Bsdf<N>>,
+    paint: Option<Make<dyn Painted<N>>>,
 }
 
 impl<N: Number> Entry<N> {
@@ -103,9 +110,25 @@ impl<N: Number> Entry<N> {
     pub fn make(&self, setting: &Setting) -> Box<dyn Bsdf<N>> {
         (self.make)(&setting.held())
     }
+
+    /// The model where ρ is that of the place, behind its gate; `None` if it has none.
+    pub fn make_painted(&self, setting: &Setting) -> Option<Box<dyn Painted<N>>> {
+        self.paint.map(|paint| paint(&setting.held()))
+    }
+
+    fn painted(self, paint: Make<dyn Painted<N>>) -> Self {
+        Self { paint: Some(paint), ..self }
+    }
 }
 
 fn boxed<N: Number>(model: impl Bsdf<N> + 'static) -> Box<dyn Bsdf<N>> {
+    match N::LANES {
+        1 => Box::new(Guarded(model)),
+        _ => Box::new(Dispatched(Guarded(model))),
+    }
+}
+
+fn painted<N: Number>(model: impl Bsdf<N> + Painted<N> + 'static) -> Box<dyn Painted<N>> {
     match N::LANES {
         1 => Box::new(Guarded(model)),
         _ => Box::new(Dispatched(Guarded(model))),
@@ -135,6 +158,15 @@ impl<N: Number, M: Bsdf<N>> Bsdf<N> for Dispatched<M> {
         )
     }
 
+    fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
+        vectorised_lanes::<N, _>(
+            #[inline(always)]
+            || self.0.albedo(wo),
+        )
+    }
+}
+
+impl<N: Number, M: Painted<N>> Painted<N> for Dispatched<M> {
     fn painted_eval_pdf(&self, rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
         vectorised_lanes::<N, _>(
             #[inline(always)]
@@ -148,43 +180,45 @@ impl<N: Number, M: Bsdf<N>> Bsdf<N> for Dispatched<M> {
             || self.0.painted_sample(rho, wo, u),
         )
     }
-
-    fn albedo(&self, wo: Vector<N>) -> Option<Rgb<N>> {
-        vectorised_lanes::<N, _>(
-            #[inline(always)]
-            || self.0.albedo(wo),
-        )
-    }
 }
 
 /// A model of facets whose slopes are distributed as the setting says.
 macro_rules! with_facets {
     ($setting:ident, $facets:ident => $model:expr) => {
+        with_facets!($setting, $facets => $model, boxed)
+    };
+    ($setting:ident, $facets:ident => $model:expr, $boxed:ident) => {
         match $setting.slopes {
             Slopes::Ggx => {
                 let $facets = Ggx::new($setting.alpha.map(N::of));
-                boxed($model)
+                $boxed($model)
             }
             Slopes::Beckmann => {
                 let $facets = Beckmann::new($setting.alpha.map(N::of));
-                boxed($model)
+                $boxed($model)
             }
         }
     };
 }
 
+fn lambert<N: Number>(of: &Setting) -> Lambert<N> {
+    Lambert { albedo: of.albedo.map(N::of) }
+}
+
+fn eon<N: Number>(of: &Setting) -> Eon<N> {
+    Eon { albedo: of.albedo.map(N::of), roughness: N::of(of.roughness) }
+}
+
 /// Every model.
 pub fn zoo<N: Number>() -> Vec<Entry<N>> {
-    let entry = |name, about, make| Entry { name, about, make };
+    let entry = |name, about, make| Entry { name, about, make, paint: None };
     vec![
-        entry("lambert", "diffuse", |s| boxed(lambert::Lambert { albedo: s.albedo.map(N::of) })),
+        entry("lambert", "diffuse", |s| boxed(lambert(s))).painted(|s| painted(lambert(s))),
         entry("oren-nayar", "rough and diffuse, as textbooks have it", |s| {
             let sigma = N::of(s.roughness * std::f64::consts::FRAC_PI_2);
             boxed(oren_nayar::OrenNayar { albedo: s.albedo.map(N::of), sigma })
         }),
-        entry("eon", "rough and diffuse, its energy kept", |s| {
-            boxed(eon::Eon { albedo: s.albedo.map(N::of), roughness: N::of(s.roughness) })
-        }),
+        entry("eon", "rough and diffuse, its energy kept", |s| boxed(eon(s))).painted(|s| painted(eon(s))),
         entry("mirror", "a plain mirror", |s| boxed(smooth::Mirror { reflectance: s.albedo.map(N::of) })),
         entry("conductor", "polished metal", |s| match &s.film {
             Some(film) => boxed(smooth::SmoothConductor { metal: CoatedMetal::new(film, s.metal) }),
@@ -209,12 +243,14 @@ pub fn zoo<N: Number>() -> Vec<Entry<N>> {
             "rough glass, one event",
             |s| with_facets!(s, facets => RoughDielectric::new(facets, s.joint, N::of(s.index))),
         ),
-        entry("plastic", "a diffuse body under a polished coat", |s| boxed(Plastic::smooth(s.albedo, s.index))),
+        entry("plastic", "a diffuse body under a polished coat", |s| boxed(Plastic::smooth(s.albedo, s.index)))
+            .painted(|s| painted(Plastic::smooth(s.albedo, s.index))),
         entry(
             "rough-plastic",
             "a diffuse body under a rough coat",
             |s| with_facets!(s, facets => Plastic::rough(facets, s.albedo, s.index)),
-        ),
+        )
+        .painted(|s| with_facets!(s, facets => Plastic::rough(facets, s.albedo, s.index), painted)),
         entry("conductor-walk", "rough metal, every bounce walked", |s| match &s.film {
             Some(film) => {
                 let metal = CoatedMetal::new(film, s.metal);

@@ -4,7 +4,7 @@ use crate::bsdf::coated::Film;
 use crate::bsdf::dispersive::{Dispersive, Hue};
 use crate::bsdf::fresnel::dielectric;
 use crate::bsdf::lambert::Lambert;
-use crate::bsdf::{self, Bsdf, Rgb, Sample, rgb, zoo};
+use crate::bsdf::{self, Bsdf, Painted, Rgb, Sample, rgb, zoo};
 use crate::colour::response::BAND;
 use crate::media;
 use crate::number::{Mask, Vector, Width};
@@ -21,7 +21,7 @@ pub struct Surfaces<N: Width> {
 }
 
 struct Model<N: Width> {
-    bsdf: Box<dyn Bsdf<N>>,
+    asked: Asked<N>,
     /// Whether its back is like its front.
     turns: bool,
     /// Absorption inside [1 over the unit of length]; 0 for what nothing gets into.
@@ -29,17 +29,28 @@ struct Model<N: Width> {
     is_specular: bool,
     dispersion: Option<Dispersive>,
     polished: Option<Polished>,
-    /// Whether its ρ is that of the place.
-    is_patterned: bool,
+}
+
+/// Who is asked of what it scatters.
+enum Asked<N: Width> {
+    Plain(Box<dyn Bsdf<N>>),
+    /// With ρ of the place.
+    Painted(Box<dyn Painted<N>>),
 }
 
 impl<N: Width> Model<N> {
     fn eval_pdf(&self, rho: Rgb<N>, wi: Vector<N>, wo: Vector<N>) -> (Rgb<N>, N) {
-        if self.is_patterned { self.bsdf.painted_eval_pdf(rho, wi, wo) } else { self.bsdf.eval_pdf(wi, wo) }
+        match &self.asked {
+            Asked::Plain(bsdf) => bsdf.eval_pdf(wi, wo),
+            Asked::Painted(bsdf) => bsdf.painted_eval_pdf(rho, wi, wo),
+        }
     }
 
     fn sample(&self, rho: Rgb<N>, wo: Vector<N>, u: [N; 3]) -> Sample<N> {
-        if self.is_patterned { self.bsdf.painted_sample(rho, wo, u) } else { self.bsdf.sample(wo, u) }
+        match &self.asked {
+            Asked::Plain(bsdf) => bsdf.sample(wo, u),
+            Asked::Painted(bsdf) => bsdf.painted_sample(rho, wo, u),
+        }
     }
 }
 
@@ -249,14 +260,14 @@ impl<N: Width> Surfaces<N> {
         for material in materials {
             let (name, setting) = material.model()?;
             let entry = zoo.iter().find(|entry| entry.name == name).expect("a model of the zoo");
+            let painted = material.pattern().and_then(|_| entry.make_painted(&setting));
             models.push(Model {
-                bsdf: entry.make(&setting),
+                asked: painted.map_or_else(|| Asked::Plain(entry.make(&setting)), Asked::Painted),
                 turns: !material.is_clear() && !matches!(material.base(), Material::Plastic { .. }),
                 absorption: material.absorption().map(|a| a / scale),
                 is_specular: material.is_specular(),
                 dispersion: material.dispersion()?,
                 polished: material.polished()?,
-                is_patterned: material.pattern().is_some(),
             });
             let role = match material.base() {
                 Material::Diffuse { .. } => LAMBERT,

@@ -173,9 +173,9 @@ fn another_reflectance_is_that_of_a_model_made_with_it() {
     for name in ["lambert", "eon", "plastic", "rough-plastic"] {
         let zoo = zoo::<f64>();
         let entry = zoo.iter().find(|entry| entry.name == name).expect("a model of the zoo");
-        let make =
-            |albedo| entry.make(&Setting { albedo, roughness: 0.6, index: 1.5, alpha: [0.3; 2], ..Setting::default() });
-        let (other, own) = (make([0.2, 0.5, 0.7]), make(rho));
+        let of = |albedo| Setting { albedo, roughness: 0.6, index: 1.5, alpha: [0.3; 2], ..Setting::default() };
+        let other = entry.make_painted(&of([0.2, 0.5, 0.7])).expect("a model with a reflectance");
+        let own = entry.make(&of(rho));
         for wi in directions {
             for wo in directions {
                 let [wi, wo] = [wi, wo].map(|w| length_and_way(Vector::<f64>::of(w)).1);
