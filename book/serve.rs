@@ -107,9 +107,20 @@ mod tests {
     fn asked(stream: &mut TcpStream, path: &str) -> String {
         stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
         write!(stream, "GET {path} HTTP/1.1\r\nHost: book\r\n\r\n").unwrap();
-        let mut told = [0; 4096];
-        let length = stream.read(&mut told).expect("an answer");
-        String::from_utf8_lossy(&told[..length]).into_owned()
+        let mut told = Vec::new();
+        let mut length = None;
+        while length.is_none_or(|length| told.len() < length) {
+            let mut part = [0; 4096];
+            let count = stream.read(&mut part).expect("an answer");
+            assert!(count > 0, "half an answer: {}", String::from_utf8_lossy(&told));
+            told.extend(&part[..count]);
+            let text = String::from_utf8_lossy(&told);
+            length = text.split_once("\r\n\r\n").map(|(head, _)| {
+                let body = head.lines().find_map(|line| line.strip_prefix("content-length: "));
+                head.len() + 4 + body.map_or(0, |body| body.parse::<usize>().expect("a length"))
+            });
+        }
+        String::from_utf8_lossy(&told).into_owned()
     }
 
     #[test]

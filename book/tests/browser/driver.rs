@@ -46,6 +46,8 @@ impl Browser {
         let asked = json!({"capabilities": {"alwaysMatch": {
             "goog:chromeOptions": {"args": FLAGS},
             "goog:loggingPrefs": {"browser": "ALL", "performance": "ALL"},
+            // A page is there at once or never; what a script asks of a module may take its time [ms].
+            "timeouts": {"pageLoad": 60_000, "script": 240_000},
         }}});
         let found = browser.send(&address, &asked);
         let id = found["sessionId"].as_str().unwrap_or_else(|| panic!("a session: {found}")).to_owned();
