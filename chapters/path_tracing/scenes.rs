@@ -172,7 +172,7 @@ pub(super) fn needle(glass: &str, bent: f64) -> Scene {
     // Along x within the glass; the edge is up, along y, and the prism long in z.
     let (side, tall) = (0.3, 0.3 * 3f64.sqrt() / 2.0);
     let section = [[-0.5 * side, -0.5 * tall, -0.1], [0.5 * side, -0.5 * tall, -0.1], [0.0, 0.5 * tall, -0.1]];
-    let mesh = Arc::new(Mesh::wedge(section, [0.0, 0.0, 0.2]));
+    let mesh = Arc::new(Mesh::prism(section, [0.0, 0.0, 0.2]));
     let prism = Geometry::Mesh { file: None, normals: Normals::Flat, mesh };
     // Halfway up, a quarter of the side from the middle.
     let (entry, exit) = ([-0.25 * side, 0.0], [0.25 * side, 0.0]);

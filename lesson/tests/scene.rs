@@ -438,7 +438,8 @@ fn a_name_is_one_that_a_terminal_shows_and_a_list_is_no_scene() -> Result<(), St
 fn the_scenes_of_the_lecture_are_listed_and_printed() {
     let list = lesson("render --list");
     assert_eq!((list.code, list.err.as_str()), (0, ""));
-    for name in ["cornell", "furnace", "glass", "prism", "polariser", "veach", "metals", "mesh", "far", "tiny"] {
+    for name in ["cornell", "furnace", "glass", "prism", "polariser", "rhomb", "veach", "metals", "mesh", "far", "tiny"]
+    {
         assert!(
             list.out.lines().any(|line| line.trim_start().starts_with(&format!("{name} "))),
             "{name}: {}",

@@ -5,6 +5,7 @@ mod furnace;
 mod plates;
 mod pool;
 pub mod prism;
+pub mod rhomb;
 mod room;
 #[cfg(test)]
 mod tests;
@@ -28,6 +29,11 @@ pub const BUILTIN: &[Builtin] = &[
     entry("glass", "the box with a mirror and a ball of glass: a caustic", room::glass),
     entry("prism", "a slit of light through a prism of dense flint: a rainbow", prism::prism),
     entry("polariser", "a pool through a polariser that takes the sky's glare off the water", pool::polariser),
+    entry(
+        "rhomb",
+        "Fresnel's rhomb before dark glass, through a polariser: circular light before linear",
+        rhomb::rhomb,
+    ),
     entry(
         "veach",
         "four plates of metal, ever rougher, and four lamps of one power: which sampling sees which?",

@@ -106,15 +106,17 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// A prism over a triangle [m], as long as a vector [m] that does not lie in it; its faces look outward.
-    pub fn wedge(section: [Triple; 3], along: Triple) -> Self {
-        let corner = |k: usize| if k < 3 { section[k] } else { plus(section[k - 3], along) };
-        let positions = (0..6).map(|k| corner(k).map(|x| x as f32)).collect();
+    /// A prism over a flat convex section [m] of `N` ≥ 3 corners in order, as long as a vector [m] that does not lie in it;
+    /// its faces look outward.
+    pub fn prism<const N: usize>(section: [Triple; N], along: Triple) -> Self {
+        let far = section.map(|corner| plus(corner, along));
+        let positions = section.iter().chain(&far).map(|corner| corner.map(|x| x as f32)).collect();
         let normal = cross(minus(section[1], section[0]), minus(section[2], section[0]));
-        let mut triangles = vec![[0, 2, 1], [3, 4, 5]];
-        for k in 0..3 {
-            let next = (k + 1) % 3;
-            triangles.extend([[k, next, next + 3], [k, next + 3, k + 3]]);
+        let n = N as u32;
+        let mut triangles: Vec<_> = (1..n - 1).flat_map(|k| [[0, k + 1, k], [n, n + k, n + k + 1]]).collect();
+        for k in 0..n {
+            let next = (k + 1) % n;
+            triangles.extend([[k, next, next + n], [k, next + n, k + n]]);
         }
         if dot(normal, along) < 0.0 {
             triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));

@@ -14,6 +14,22 @@ pub fn critical_angle(n_i: f64, n_t: f64) -> Option<f64> {
     (n_t < n_i).then(|| n_t.atan2(((n_i - n_t) * (n_i + n_t)).sqrt()))
 }
 
+/// Angles of incidence [rad] at which total reflection, out of glass of `n` [1] into the vacuum, turns the phase of p against
+/// that of s by `turn` [rad], 0 < `turn` < π, the steeper one first: with T = tan(½ turn) the roots
+/// sin²θ of (1 + T²)x² − (1 + 1/n²)x + 1/n² = 0. `None` where none does: the most is
+/// tan(½ turn) = (n² − 1)/(2n).
+/// (M. Born and E. Wolf, *Principles of Optics*, 7th ed., §1.5.4, eqs. (60) and (61))
+pub fn retarding_angles(n: f64, turn: f64) -> Option<[f64; 2]> {
+    let (m, slope) = ((1.0 / n).powi(2), 1.0 + (0.5 * turn).tan().powi(2));
+    let root = (1.0 + m).powi(2) - 4.0 * m * slope;
+    if !(root >= 0.0 && n > 1.0) {
+        return None;
+    }
+    // The other root by their product, which keeps its digits.
+    let larger = (1.0 + m + root.sqrt()) / (2.0 * slope);
+    Some([m / slope / larger, larger].map(|sin2| sin2.sqrt().atan2((1.0 - sin2).max(0.0).sqrt())))
+}
+
 /// Snell's law (E33): sin θ_t = n_i sin θ_i / n_t between clear media, as the refracted direction;
 /// `None` beyond the critical angle. Cosine and sine both keep their digits.
 pub fn refract(incidence: Incidence, n_i: f64, n_t: f64) -> Option<(f64, f64)> {
@@ -73,6 +89,32 @@ mod tests {
                 assert!((below.r_s - above.r_s).norm() <= allowed, "{n_i} {n_t} {offset}");
                 assert!((below.r_p - above.r_p).norm() <= allowed, "{n_i} {n_t} {offset}");
             }
+        }
+    }
+
+    #[test]
+    fn total_reflection_turns_by_what_was_asked() {
+        // Born & Wolf, §1.5.4: glass of 1.51, 45°, printed to a minute.
+        let printed = [48.0 + 37.0 / 60.0, 54.0 + 37.0 / 60.0].map(f64::to_radians);
+        let [one, other] = retarding_angles(1.51, std::f64::consts::FRAC_PI_4).unwrap();
+        assert!((one - printed[0]).abs() < 3e-4 && (other - printed[1]).abs() < 3e-4, "{one} {other}");
+        for n in [1.01, 1.5, 2.4, 4.0, 100.0] {
+            let most = 2.0 * f64::atan((n * n - 1.0) / (2.0 * n));
+            for part in [1e-6, 0.1, 0.5, 0.9, 0.999] {
+                let turn = part * most;
+                let angles = retarding_angles(n, turn).unwrap();
+                assert!(critical_angle(n, 1.0).unwrap() < angles[0] && angles[0] < angles[1], "{n} {turn}: {angles:?}");
+                for theta in angles {
+                    let a = amplitudes(Incidence::from_angle(theta), n, Complex64::from(1.0));
+                    // The angle is rounded; next to the ends the phase goes by the root of the distance from them, times 1/cos θ.
+                    let found = (a.r_p / a.r_s).arg().abs();
+                    assert!((found - turn).abs() < 1e-9 * turn.max(1e-3), "{n} {turn}: {found}");
+                }
+            }
+            assert_eq!(retarding_angles(n, most * 1.001), None);
+        }
+        for (n, turn) in [(1.0, 0.1), (0.5, 0.1), (f64::NAN, 0.1), (1.5, f64::NAN)] {
+            assert_eq!(retarding_angles(n, turn), None, "{n} {turn}");
         }
     }
 }

@@ -10,7 +10,7 @@
 mod angles;
 mod natural;
 
-pub use angles::{Dip, brewster_angle, critical_angle, dip, evanescent_depth, refract};
+pub use angles::{Dip, brewster_angle, critical_angle, dip, evanescent_depth, refract, retarding_angles};
 pub(crate) use natural::clear;
 pub use natural::{diffuse_reflectance, natural_reflectance, natural_reflectance_absorbing};
 

@@ -69,7 +69,7 @@ pub fn on_screen(wavelength: f64) -> Option<f64> {
 
 /// Beams of a lamp, a rainbow, and what is needed for it.
 pub(super) fn prism() -> Scene {
-    let mesh = Arc::new(Mesh::wedge(section(index(D_LINE)), [0.0, HEIGHT, 0.0]));
+    let mesh = Arc::new(Mesh::prism(section(index(D_LINE)), [0.0, HEIGHT, 0.0]));
     let wedge = Geometry::Mesh { file: None, normals: Normals::Flat, mesh };
     // A tunnel from behind the lamp to the slit, through which alone light gets out.
     let (back, wide, tall) = (LAMP - 0.01, 0.02, 0.05);

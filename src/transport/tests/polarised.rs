@@ -216,6 +216,38 @@ fn a_filter_takes_the_glare_off_the_pool() {
 }
 
 #[test]
+fn behind_a_rhomb_no_filter_tells_linear_light() {
+    let scene = |aside: f64, filter| {
+        let mut scene = (crate::scene::builtin::named("rhomb").expect("there").make)();
+        for place in [&mut scene.camera.origin, &mut scene.camera.target] {
+            place[0] += aside;
+        }
+        (scene.camera.width, scene.camera.height, scene.camera.fov_y_deg) = (1, 1, 1e-6);
+        scene.camera.polariser_deg = filter;
+        scene
+    };
+    let dark = powers(Incidence::from_angle(brewster_angle(1.0, 1.5)), 1.0, 1.5.into()).r_s;
+    let (glass, lamp) = (crate::scene::builtin::rhomb::INDEX, 10.0);
+    // Beside it nothing is chosen by chance: what the mirror returns of s, by the square of the filter's cosine to it.
+    for (filter, share) in [(None, 1.0), (Some(45.0), 0.0), (Some(0.0), 0.5), (Some(90.0), 0.5), (Some(135.0), 1.0)] {
+        let found = seen(&scene(-0.03, filter), polarised(), 1)[1].mean();
+        assert!((found - 0.5 * lamp * dark * share).abs() < 1e-6, "{filter:?}: {found}");
+    }
+    // Through it, half at any angle; what goes to and fro inside is circular as well. The same choices at every angle.
+    let through = [None, Some(0.0), Some(30.0), Some(45.0), Some(90.0), Some(135.0)].map(|filter| {
+        seen(&scene(0.0, filter), polarised(), 64).map(|channel| (channel.mean(), channel.standard_error()))
+    });
+    let (whole, error) = through[0][1];
+    for half in &through[1..] {
+        // Corners of meshes are single numbers.
+        assert!((2.0 * half[1].0 / whole - 1.0).abs() < 1e-5, "{half:?} of {whole}");
+    }
+    let face = ((glass - 1.0) / (glass + 1.0)).powi(2);
+    let exact = 0.5 * lamp * dark * (1.0 - face) / (1.0 + face);
+    assert!(z_test(whole, error, exact).p > SIGNIFICANCE, "{whole} ± {error} against {exact}");
+}
+
+#[test]
 fn a_scene_behind_a_filter_goes_to_who_looks_at_it() {
     let pool = (crate::scene::builtin::named("polariser").expect("there").make)();
     let needs = crate::transport::Needs::of(&pool);

@@ -160,7 +160,7 @@ fn a_prism_casts_one_rainbow_from_either_end() {
     // Under a lamp in the ceiling; by chance alone it takes longer.
     let mut scene = room(12);
     scene.shapes.retain(|shape| !matches!(shape.geometry, Geometry::Box { .. }));
-    let wedge = Mesh::wedge([[0.3, 0.3, 0.2], [0.7, 0.3, 0.2], [0.5, 0.646, 0.2]], [0.0, 0.0, 0.6]);
+    let wedge = Mesh::prism([[0.3, 0.3, 0.2], [0.7, 0.3, 0.2], [0.5, 0.646, 0.2]], [0.0, 0.0, 0.6]);
     scene.materials.push(("prism".into(), glass("sf11", [0.0; 3])));
     scene.shapes.push(shape(Geometry::Mesh { file: None, normals: Normals::Flat, mesh: Arc::new(wedge) }, "prism"));
     let lanes = |caustics, seed, pairs: u32| {
