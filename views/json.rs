@@ -135,7 +135,7 @@ fn picture(kind: &str, figure: &Figure) -> Value {
     let (path, svg) = match &figure.picture {
         Picture::File(path) => (Some(path), None),
         Picture::Svg(svg) => (None, Some(svg)),
-        Picture::Cells(_) | Picture::Absent => (None, None),
+        Picture::Cells(_) | Picture::Strips(_) | Picture::Absent => (None, None),
     };
     json!({ "kind": kind, "address": figure.address, "says": phrase(&figure.says), "path": path, "svg": svg })
 }

@@ -2,8 +2,9 @@
 
 pub use crate::block::Tone;
 
-use crate::block::{Cell, Cells};
+use crate::block::{Cell, Cells, Strips};
 use equation::face::Block;
+use std::sync::Arc;
 use unicode_width::UnicodeWidthStr;
 
 /// Columns that the last cell of a row is worth being wrapped in; a line that goes on has as many on the narrowest page.
@@ -19,6 +20,8 @@ pub enum Row {
     Text(Vec<(Tone, String)>),
     /// A row of a picture.
     Picture(Vec<Cell>),
+    /// A row of a picture, as the terminal is to be told of it.
+    Strip(Arc<str>),
 }
 
 impl Row {
@@ -27,6 +30,7 @@ impl Row {
         match self {
             Self::Text(pieces) => pieces.is_empty(),
             Self::Picture(cells) => cells.is_empty(),
+            Self::Strip(_) => false,
         }
     }
 
@@ -35,6 +39,7 @@ impl Row {
         match self {
             Self::Text(pieces) => pieces.iter().map(|(_, text)| text.as_str()).collect(),
             Self::Picture(cells) => cells.iter().map(|cell| cell.symbol).collect(),
+            Self::Strip(_) => String::new(),
         }
     }
 }
@@ -80,6 +85,11 @@ impl Page {
         for row in cells.rows() {
             self.rows.push(Row::Picture([&vec![margin; indent][..], row].concat()));
         }
+    }
+
+    /// A picture that the terminal draws.
+    pub fn strips(&mut self, strips: &Strips) {
+        self.rows.extend(strips.rows.iter().cloned().map(Row::Strip));
     }
 
     /// A paragraph: the first line starts at column `first`, the others at `rest`. Lines break at spaces; spans that

@@ -238,6 +238,7 @@ fn picture(page: &mut Page, figure: &Figure) {
     match &figure.picture {
         Picture::File(path) => page.verbatim(path),
         Picture::Cells(cells) => page.picture(0, cells),
+        Picture::Strips(strips) => page.strips(strips),
         Picture::Svg(_) | Picture::Absent => page.line(4, Tone::Address, &figure.address),
     }
 }

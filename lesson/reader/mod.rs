@@ -8,12 +8,14 @@
 //! | going to a step, setting parameters, finding words | [`contents`], [`panel`], [`find`] |
 //! | what takes its time, on threads of its own | [`work`] |
 //! | the terminal | [`screen`] |
+//! | pictures by its pixels | [`graphics`] |
 //! | what is remembered | [`bookmark`] |
 
 pub mod bookmark;
 mod contents;
 mod event;
 mod find;
+mod graphics;
 mod leaf;
 mod panel;
 mod screen;
@@ -28,6 +30,7 @@ use crate::stop::Stop;
 use bookmark::Book;
 use chapters::parameter::Setting;
 use event::Event;
+use graphics::Ground;
 use leaf::Leaf;
 use screen::{Colours, Screen};
 use state::{Effect, Reader, Start};
@@ -51,21 +54,14 @@ pub fn serve(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> {
     // Of the whole lecture the chapter is taken up that was read last.
     let at = if lesson.is_all() { last.unwrap_or(first) } else { first };
     let mut size = size();
-    let colours = Colours::of_terminal();
-    let start = Start {
-        at,
-        resume: whole,
-        size,
-        is_coloured: colours != Colours::None,
-        short: lesson.short,
-        details: lesson.details,
-        memory,
-        note,
-    };
+    let (colours, asked) = (Colours::of_terminal(), graphics::asked()?);
+    let mut screen = Screen::open(colours).map_err(|error| Stop::at("terminal", error))?;
+    let ground = Ground::of_terminal(asked, colours != Colours::None);
+    screen.draw_by(ground.protocol());
+    let start = Start { at, resume: whole, size, ground, short: lesson.short, details: lesson.details, memory, note };
     let mut reader = Reader::new(leaves, start);
     let (events, arrivals) = channel();
     let crew = Crew::hired(&events);
-    let mut screen = Screen::open(colours).map_err(|error| Stop::at("terminal", error))?;
     screen::listen(events.clone());
     let mut code = None;
     let mut failed = None;

@@ -1,6 +1,7 @@
 //! The terminal: how lines are painted, and that it is as it was when the reader is left, however that happens.
 
 use super::event::{Event, Key};
+use super::graphics::Protocol;
 use super::state::Line;
 use crossterm::event::{
     self as terminal, DisableMouseCapture, EnableMouseCapture, KeyCode, KeyEventKind, KeyModifiers,
@@ -53,6 +54,8 @@ impl Colours {
 pub struct Screen {
     out: BufWriter<Stdout>,
     colours: Colours,
+    /// How it is told of pictures, if it draws them.
+    protocol: Option<Protocol>,
     /// What stands on it, line by line.
     shown: Vec<String>,
 }
@@ -62,9 +65,14 @@ impl Screen {
     pub fn open(colours: Colours) -> io::Result<Self> {
         restore_on_panic();
         enable_raw_mode()?;
-        let screen = Self { out: BufWriter::new(stdout()), colours, shown: Vec::new() };
+        let screen = Self { out: BufWriter::new(stdout()), colours, protocol: None, shown: Vec::new() };
         execute!(stdout(), EnterAlternateScreen, EnableMouseCapture, DisableLineWrap, cursor::Hide)?;
         Ok(screen)
+    }
+
+    /// From now on pictures are drawn so.
+    pub fn draw_by(&mut self, protocol: Option<Protocol>) {
+        self.protocol = protocol;
     }
 
     /// Shows lines; those that are there already are not written again.
@@ -73,10 +81,13 @@ impl Screen {
         queue!(self.out, BeginSynchronizedUpdate)?;
         if painted.len() != self.shown.len() {
             self.shown.clear();
-            queue!(self.out, Clear(ClearType::All))?;
+            queue!(self.out, Print(self.protocol.map_or("", Protocol::all_erased)), Clear(ClearType::All))?;
         }
         // Cleared first: the cursor of a line that is full stays on its last letter, which clearing would take.
         for (at, line) in painted.iter().enumerate().filter(|(at, line)| self.shown.get(*at) != Some(line)) {
+            if let Some(protocol) = self.protocol {
+                queue!(self.out, Print(protocol.erased(at)))?;
+            }
             queue!(self.out, cursor::MoveTo(0, at as u16), Clear(ClearType::CurrentLine), Print(line))?;
         }
         queue!(self.out, EndSynchronizedUpdate)?;
@@ -94,6 +105,7 @@ impl Drop for Screen {
     fn drop(&mut self) {
         // A panic has given it back already.
         if !thread::panicking() {
+            let _ = queue!(self.out, Print(self.protocol.map_or("", Protocol::all_erased)));
             let _ = self.out.flush();
             restore();
         }
@@ -195,6 +207,7 @@ fn paint(line: &Line, colours: Colours) -> String {
             }
         }
         Row::Picture(cells) => paint_cells(&mut painted, cells, colours),
+        Row::Strip(told) => painted.push_str(told),
     }
     painted
 }
@@ -242,18 +255,30 @@ fn coloured(ground: u8, colour: [u8; 3], colours: Colours) -> String {
     }
 }
 
+/// Levels of a side of xterm's cube of colours.
+const LEVELS: [u8; 6] = [0, 95, 135, 175, 215, 255];
+
 /// The nearest of xterm's 256 colours: of its cube of six levels a side or its greys.
 fn indexed(colour: [u8; 3]) -> u8 {
-    const LEVELS: [u8; 6] = [0, 95, 135, 175, 215, 255];
-    let nearest = |part: u8| (0..6).min_by_key(|level| LEVELS[*level].abs_diff(part)).unwrap_or(0);
-    let [red, green, blue] = colour.map(nearest);
+    nearest_of_all(colour).0
+}
+
+/// The same as a colour.
+pub(super) fn nearest(colour: [u8; 3]) -> [u8; 3] {
+    nearest_of_all(colour).1
+}
+
+fn nearest_of_all(colour: [u8; 3]) -> (u8, [u8; 3]) {
+    let step = |part: u8| (0..6).min_by_key(|level| LEVELS[*level].abs_diff(part)).unwrap_or(0);
+    let [red, green, blue] = colour.map(step);
+    let in_cube = [red, green, blue].map(|at| LEVELS[at]);
     let mean = colour.iter().map(|part| u32::from(*part)).sum::<u32>() / 3;
     let grey = ((mean.max(8) - 8 + 5) / 10).min(23) as u8;
     let level = 8 + 10 * grey;
     let off = |other: [u8; 3]| colour.iter().zip(other).map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum::<u32>();
-    match off([level; 3]) < off([red, green, blue].map(|at| LEVELS[at])) {
-        true => 232 + grey,
-        false => (16 + 36 * red + 6 * green + blue) as u8,
+    match off([level; 3]) < off(in_cube) {
+        true => (232 + grey, [level; 3]),
+        false => ((16 + 36 * red + 6 * green + blue) as u8, in_cube),
     }
 }
 

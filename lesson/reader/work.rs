@@ -1,6 +1,7 @@
 //! What takes its time, away from the keys: figures, checks, races.
 
 use super::event::Event;
+use super::graphics::Ground;
 use crate::run::Watch;
 use chapters::figure::Plot;
 use chapters::parameter::Setting;
@@ -13,8 +14,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, RwLock};
 use std::thread;
-use views::block::Cells;
-use views::plot;
+use views::block::Picture;
 use views::report::QuantityReport;
 use views::report::entry::{Entry, judge, readout};
 use views::tell::Evidence;
@@ -40,6 +40,8 @@ pub struct Order {
     pub columns: usize,
     /// Rows to a panel.
     pub rows: usize,
+    /// What it is made of.
+    pub ground: Ground,
 }
 
 /// Where a picture comes from.
@@ -64,7 +66,7 @@ pub struct Job {
 #[derive(Debug)]
 pub enum Task {
     /// A picture is drawn.
-    Draw { which: Which, source: Source, order: Order, is_coloured: bool },
+    Draw { which: Which, source: Source, order: Order },
     /// The step's quantities are computed.
     Read { step: &'static Step, setting: Setting, edition: u32 },
     /// Evidence is judged.
@@ -84,7 +86,7 @@ pub struct Finished {
 #[derive(Debug)]
 pub enum Outcome {
     /// A picture, or nothing if drawing it failed.
-    Drawn { which: Which, order: Order, drawn: Option<(Arc<Plot>, Cells)> },
+    Drawn { which: Which, order: Order, drawn: Option<(Arc<Plot>, Picture)> },
     /// The step's quantities, or nothing if computing them failed.
     Read { edition: u32, readout: Option<Vec<QuantityReport>> },
     /// So many parts of a kind of evidence are done.
@@ -183,15 +185,15 @@ impl Job {
         // When nobody listens any more the program ends.
         let tell = |result| drop(events.send(Event::Done(Finished { leaf, result })));
         match self.task {
-            Task::Draw { which, source, order, is_coloured } => {
+            Task::Draw { which, source, order } => {
                 let _shared = quiet.read();
                 let drawn = catch_unwind(AssertUnwindSafe(|| {
                     let plot = match source {
                         Source::Figure(figure, setting) => Arc::new((figure.plot)(&setting)),
                         Source::Plot(plot) => plot,
                     };
-                    let cells = plot::cells(&plot, order.columns, order.rows, is_coloured);
-                    (plot, cells)
+                    let picture = order.ground.picture(&plot, order.columns, order.rows);
+                    (plot, picture)
                 }));
                 tell(Outcome::Drawn { which, order, drawn: drawn.ok() });
             }

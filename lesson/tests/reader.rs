@@ -30,6 +30,8 @@ struct Terminal {
     parser: vt100::Parser,
     /// The last bytes that came: a frame is whole where it says so.
     tail: Vec<u8>,
+    /// All that came.
+    sent: Vec<u8>,
 }
 
 impl Terminal {
@@ -48,6 +50,8 @@ impl Terminal {
         let mut command = command(&arguments);
         command.stdin(end()).stdout(end()).stderr(end());
         command.env("XDG_STATE_HOME", state).env("TERM", "xterm-256color").env_remove("NO_COLOR");
+        // Whatever terminal the tests are run in.
+        command.env("LESSON_GRAPHICS", "none");
         command.envs(environment.iter().copied());
         let child = command.spawn().unwrap();
         // The ends that the command holds would keep the terminal open for ever.
@@ -64,7 +68,14 @@ impl Terminal {
             }
         });
         let lines = |count| NonZeroU16::new(count).unwrap();
-        Self { child, master, bytes, parser: vt100::Parser::new(lines(rows), lines(columns), 0), tail: Vec::new() }
+        Self {
+            child,
+            master,
+            bytes,
+            parser: vt100::Parser::new(lines(rows), lines(columns), 0),
+            tail: Vec::new(),
+            sent: Vec::new(),
+        }
     }
 
     fn screen(&self) -> String {
@@ -87,6 +98,7 @@ impl Terminal {
             match self.bytes.recv_timeout(Duration::from_secs(1)) {
                 Ok(bytes) => {
                     self.parser.process(&bytes);
+                    self.sent.extend(&bytes);
                     self.tail.extend(bytes);
                     self.tail.drain(..self.tail.len().saturating_sub(FRAME_END.len()));
                 }
@@ -94,6 +106,11 @@ impl Terminal {
                 Err(_) => panic!("{what} did not come:\n{}", self.screen()),
             }
         }
+    }
+
+    /// How often something was sent.
+    fn count(&self, what: &str) -> usize {
+        self.sent.windows(what.len()).filter(|part| *part == what.as_bytes()).count()
     }
 
     fn shows(&mut self, text: &str) {
@@ -273,6 +290,36 @@ fn small_terminals_are_told_and_dumb_ones_get_everything_at_once() {
     let (code, text) = terminal.end();
     assert_eq!(code, 0);
     assert!(text.contains(" passed, 0 failed") && !text.contains("space on"), "{text}");
+}
+
+#[test]
+fn terminals_that_draw_are_told_of_pictures_row_by_row() {
+    for (protocol, begins) in
+        [("kitty", "\x1b_Ga=T,f=100,c="), ("iterm2", "\x1b]1337;File=size="), ("sixel", "\x1bP0;1;0q\"1;1;")]
+    {
+        let state = folder(&format!("reader-{protocol}"));
+        let mut terminal = Terminal::with("fresnel r_s", (80, 40), &state, &[("LESSON_GRAPHICS", protocol)]);
+        terminal.until("the page", |terminal| terminal.bar().contains("fresnel/r_s"));
+        terminal.press(" ");
+        terminal.until("the rest", |terminal| !terminal.bar().contains("answers"));
+        terminal.press("f");
+        terminal.until("the figure", |terminal| terminal.count(begins) > 10);
+        // No half blocks, and of what is sent nothing reads as text.
+        let screen = terminal.screen();
+        assert!(!screen.contains('▀') && !screen.contains("iVBOR") && !screen.contains("1337"), "{protocol}: {screen}");
+        // Gone with the step: in kitty's protocol they would stay.
+        let before = terminal.count("\x1b_Ga=d,d=");
+        terminal.press("n");
+        terminal.until("the next step", |terminal| !terminal.bar().contains("fresnel/r_s"));
+        assert_eq!(protocol == "kitty", terminal.count("\x1b_Ga=d,d=") > before, "{protocol}");
+        terminal.press("q");
+        assert_eq!(terminal.end().0, 0, "{protocol}");
+    }
+    // One that cannot be known is refused before the terminal is touched.
+    let state = folder("reader-graphics");
+    let (code, text) = Terminal::with("fresnel r_s", (80, 24), &state, &[("LESSON_GRAPHICS", "regis")]).end();
+    assert_eq!(code, 2);
+    assert!(text.contains("LESSON_GRAPHICS") && text.contains("kitty, iterm2, sixel or none"), "{text}");
 }
 
 #[test]

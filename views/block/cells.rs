@@ -1,5 +1,7 @@
 //! Pictures in the cells of a terminal.
 
+use std::sync::Arc;
+
 /// Where one letter stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cell {
@@ -17,10 +19,30 @@ impl Cell {
         Self { symbol, ink: None, paper: None }
     }
 
-    /// The same, further from what catches the eye: colours half way to grey.
+    /// The same, further from what catches the eye.
     fn dimmed(self) -> Self {
-        let pale = |colour: [u8; 3]| colour.map(|part| ((u16::from(part) + 2 * 0x80) / 3) as u8);
-        Self { ink: self.ink.map(pale), paper: self.paper.map(pale), ..self }
+        Self { ink: self.ink.map(|colour| colour.map(pale)), paper: self.paper.map(|colour| colour.map(pale)), ..self }
+    }
+}
+
+/// A part of a colour, two thirds of the way to grey.
+pub(crate) fn pale(part: u8) -> u8 {
+    ((u16::from(part) + 2 * 0x80) / 3) as u8
+}
+
+/// A picture that a terminal draws by itself: what to send for each row, and the same put back.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Strips {
+    /// As it is.
+    pub rows: Vec<Arc<str>>,
+    /// While something newer is on its way.
+    pub pale: Vec<Arc<str>>,
+}
+
+impl Strips {
+    /// The same, put back: something newer is on its way.
+    pub fn dimmed(&self) -> Self {
+        Self { rows: self.pale.clone(), pale: self.pale.clone() }
     }
 }
 

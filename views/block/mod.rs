@@ -7,7 +7,9 @@ mod cells;
 mod question;
 mod span;
 
-pub use cells::{Cell, Cells};
+#[cfg(feature = "png")]
+pub(crate) use cells::pale;
+pub use cells::{Cell, Cells, Strips};
 pub use question::{Answers, Choice, Question};
 pub use span::{Span, Tone};
 
@@ -342,8 +344,21 @@ pub enum Picture {
     Svg(String),
     /// Here, in the cells of a terminal.
     Cells(Cells),
+    /// Here, in the pixels of a terminal.
+    Strips(Strips),
     /// Nowhere yet.
     Absent,
+}
+
+impl Picture {
+    /// The same, put back while something newer is on its way, if it is here in a terminal.
+    pub fn dimmed(&self) -> Self {
+        match self {
+            Self::Cells(cells) => Self::Cells(cells.dimmed()),
+            Self::Strips(strips) => Self::Strips(strips.dimmed()),
+            other => other.clone(),
+        }
+    }
 }
 
 impl Block {

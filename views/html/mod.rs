@@ -352,7 +352,7 @@ impl Writer<'_> {
                     let svg = lines.join("\n");
                     writer.line(format!("<div role=\"img\" aria-label=\"{says}\">{svg}</div>"));
                 }
-                Picture::Cells(_) | Picture::Absent => {}
+                Picture::Cells(_) | Picture::Strips(_) | Picture::Absent => {}
             }
             writer.line(format!("<figcaption>{}</figcaption>", phrase(&figure.says)));
         });

@@ -5,8 +5,8 @@
 
 use super::canvas::{Across, Usual};
 use super::palette::Colour;
-use super::png::{built, fill, stroke};
-use super::sheet::{Image, Item, Sheet, Text};
+use super::png::{built, fill, paste, stroke};
+use super::sheet::{Item, Sheet, Text};
 use super::{MARGIN, TITLE, block_height, draw_as, text as type_};
 use crate::block::{Cell, Cells};
 use chapters::figure::{Panel, Plot};
@@ -15,7 +15,7 @@ use tiny_skia::{Color, PathBuilder, Pixmap, Transform};
 use unicode_width::UnicodeWidthChar;
 
 /// Pixels of the sheet to a column: the width of a letter of its text.
-const COLUMN: f64 = 8.0;
+pub(super) const COLUMN: f64 = 8.0;
 /// Pixels of the sheet to a row: twice as high as a column is wide, as terminals have it.
 const ROW: f64 = 16.0;
 /// Columns that a panel with axes needs at least to stand beside another.
@@ -32,22 +32,7 @@ const MARK: f32 = 0.7;
 /// The figure in at most so many `columns`, and `rows` to a panel, but for figures that need more to be read. In
 /// colours, each half of a cell is a pixel; without, a cell has eight dots.
 pub fn cells(plot: &Plot, columns: usize, rows: usize, is_coloured: bool) -> Cells {
-    let has_axes = plot.panels.iter().any(|panel| !matches!(panel, Panel::Picture(_)));
-    // Panels that are read stand under each other unless there is room for two; pictures are looked at side by side.
-    let beside = if has_axes { columns / BESIDE } else { usize::MAX };
-    let across = plot.columns.min(beside).clamp(1, plot.panels.len().max(1));
-    let across = if has_axes { across.min(2) } else { across };
-    let down = if has_axes { plot.panels.len().div_ceil(across) } else { 1 };
-    let width = columns as f64 * COLUMN - (across + 1) as f64 * MARGIN;
-    let title = type_::wrap(&plot.title, TITLE, columns as f64 * COLUMN - 4.0 * MARGIN);
-    let height = rows as f64 * ROW - 3.0 * MARGIN - block_height(title.len(), TITLE);
-    let usual = ((width / across as f64).max(10.0 * COLUMN), height.max(5.0 * ROW));
-    let sheet = draw_as::<Usual>(plot, across, usual);
-    // A panel that needs more than it was offered gets it, within reason.
-    let most = (rows * down) as f64 * 1.5 * ROW;
-    let shrink = (columns as f64 * COLUMN / f64::from(sheet.width)).min(most / f64::from(sheet.height)).min(1.0);
-    let columns = ((f64::from(sheet.width) * shrink / COLUMN).ceil() as usize).clamp(1, columns.max(1));
-    let rows = ((f64::from(sheet.height) * shrink / ROW).ceil() as usize).max(1);
+    let Layout { sheet, shrink, columns, rows } = laid_out(plot, columns, rows);
     let (pixels_across, pixels_down) = if is_coloured { (1, 2) } else { (2, 4) };
     let scale = shrink * pixels_across as f64 / COLUMN;
     let raster = raster(&sheet, scale, columns * pixels_across, rows * pixels_down);
@@ -71,6 +56,38 @@ pub fn cells(plot: &Plot, columns: usize, rows: usize, is_coloured: bool) -> Cel
     texts.sort_by(|a, b| b.size.total_cmp(&a.size).then(turned(a).total_cmp(&turned(b))));
     texts.iter().for_each(|text| write(&mut cells, &mut taken, columns, text, shrink));
     Cells::new(columns, cells)
+}
+
+/// A sheet for a terminal.
+pub(super) struct Layout {
+    pub sheet: Sheet,
+    /// By what its lengths are to be multiplied to fit.
+    pub shrink: f64,
+    /// How many there are.
+    pub columns: usize,
+    /// How many there are, where they are twice as high as columns are wide.
+    pub rows: usize,
+}
+
+/// The figure for at most so many `columns`, and `rows` to a panel.
+pub(super) fn laid_out(plot: &Plot, columns: usize, rows: usize) -> Layout {
+    let has_axes = plot.panels.iter().any(|panel| !matches!(panel, Panel::Picture(_)));
+    // Panels that are read stand under each other unless there is room for two; pictures are looked at side by side.
+    let beside = if has_axes { columns / BESIDE } else { usize::MAX };
+    let across = plot.columns.min(beside).clamp(1, plot.panels.len().max(1));
+    let across = if has_axes { across.min(2) } else { across };
+    let down = if has_axes { plot.panels.len().div_ceil(across) } else { 1 };
+    let width = columns as f64 * COLUMN - (across + 1) as f64 * MARGIN;
+    let title = type_::wrap(&plot.title, TITLE, columns as f64 * COLUMN - 4.0 * MARGIN);
+    let height = rows as f64 * ROW - 3.0 * MARGIN - block_height(title.len(), TITLE);
+    let usual = ((width / across as f64).max(10.0 * COLUMN), height.max(5.0 * ROW));
+    let sheet = draw_as::<Usual>(plot, across, usual);
+    // A panel that needs more than it was offered gets it, within reason.
+    let most = (rows * down) as f64 * 1.5 * ROW;
+    let shrink = (columns as f64 * COLUMN / f64::from(sheet.width)).min(most / f64::from(sheet.height)).min(1.0);
+    let columns = ((f64::from(sheet.width) * shrink / COLUMN).ceil() as usize).clamp(1, columns.max(1));
+    let rows = ((f64::from(sheet.height) * shrink / ROW).ceil() as usize).max(1);
+    Layout { sheet, shrink, columns, rows }
 }
 
 /// The sheet in pixels, but for its text.
@@ -104,33 +121,6 @@ fn raster(sheet: &Sheet, scale: f64, width: usize, height: usize) -> Vec<[u8; 3]
         }
     }
     pixmap.data().chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect()
-}
-
-/// Copies the cells: a pixel takes the mean of those that it covers, or the nearest.
-fn paste(pixmap: &mut Pixmap, image: &Image, scale: f64) {
-    let edge = |at: f64, limit: u32| (at * scale).round().clamp(0.0, f64::from(limit)) as usize;
-    let (left, right) = (edge(image.place.left, pixmap.width()), edge(image.place.right, pixmap.width()));
-    let (top, bottom) = (edge(image.place.top, pixmap.height()), edge(image.place.bottom, pixmap.height()));
-    let stride = pixmap.width() as usize;
-    let covered = |k: usize, pixels: usize, cells: usize| {
-        let first = (k * cells / pixels).min(cells - 1);
-        first..((k + 1) * cells / pixels).clamp(first + 1, cells)
-    };
-    let pixels = pixmap.pixels_mut();
-    for y in top..bottom {
-        let rows = covered(y - top, bottom - top, image.rows());
-        for x in left..right {
-            let columns = covered(x - left, right - left, image.columns);
-            let mut sum = [0.0; 3];
-            for cell in rows.clone().flat_map(|row| &image.cells[row * image.columns..][columns.clone()]) {
-                // Light adds up, what is written down of it does not.
-                sum.iter_mut().zip(cell).for_each(|(sum, part)| *sum += (f64::from(*part) / 255.0).powf(2.2));
-            }
-            let count = (rows.len() * columns.len()) as f64;
-            let [red, green, blue] = sum.map(|sum| (255.0 * (sum / count).powf(1.0 / 2.2)).round() as u8);
-            pixels[y * stride + x] = tiny_skia::ColorU8::from_rgba(red, green, blue, 255).premultiply();
-        }
-    }
 }
 
 /// Sets a line of text where there is room for all of it: two that overlap could neither be read.

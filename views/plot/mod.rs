@@ -22,6 +22,8 @@ mod marks;
 mod outline;
 mod palette;
 #[cfg(feature = "png")]
+mod pixels;
+#[cfg(feature = "png")]
 mod png;
 mod sheet;
 mod svg;
@@ -32,6 +34,8 @@ mod ticks;
 
 #[cfg(feature = "png")]
 pub use cells::cells;
+#[cfg(feature = "png")]
+pub use pixels::{Pixels, pixels};
 
 use axes::Axes;
 use canvas::{Across, Anchor, Canvas, Down, Frame, Place, Usual};

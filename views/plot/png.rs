@@ -9,9 +9,14 @@ use tiny_skia::{Color, FillRule, LineCap, LineJoin, PathBuilder, Pixmap, Stroke,
 /// The sheet on white.
 pub fn write(sheet: &Sheet) -> Vec<u8> {
     let (width, height) = (sheet.width.max(1) * DENSITY, sheet.height.max(1) * DENSITY);
+    encode::png(width, height, &painted(sheet, f64::from(DENSITY), width, height))
+}
+
+/// The sheet on white, so many pixels to each of its own, sRGB by pixel.
+pub(super) fn painted(sheet: &Sheet, density: f64, width: u32, height: u32) -> Vec<u8> {
     let mut pixmap = Pixmap::new(width, height).expect("a figure fits into memory");
     pixmap.fill(Color::WHITE);
-    let scale = Transform::from_scale(DENSITY as f32, DENSITY as f32);
+    let scale = Transform::from_scale(density as f32, density as f32);
     for item in &sheet.items {
         match item {
             Item::Fill { path, paint } => fill(&mut pixmap, built(path), paint, scale),
@@ -20,11 +25,10 @@ pub fn write(sheet: &Sheet) -> Vec<u8> {
             }
             Item::Stroke { path, paint, width, dashes } => stroke(&mut pixmap, path, paint, *width, dashes, scale),
             Item::Text(text) => set(&mut pixmap, text, scale),
-            Item::Image(image) => paste(&mut pixmap, image),
+            Item::Image(image) => paste(&mut pixmap, image, density),
         }
     }
-    let opaque: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
-    encode::png(width, height, &opaque)
+    pixmap.data().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect()
 }
 
 pub(super) fn built(path: &Path) -> Option<tiny_skia::Path> {
@@ -72,18 +76,28 @@ fn set(pixmap: &mut Pixmap, text: &Text, scale: Transform) {
     fill(pixmap, outline(&text.label, f64::from(text.size)), &text.paint, transform);
 }
 
-/// Copies the cells without smoothing: a pixel takes the colour of the cell that its centre lies in.
-fn paste(pixmap: &mut Pixmap, image: &Image) {
-    let edge = |at: f64, limit: u32| (at * f64::from(DENSITY)).round().clamp(0.0, f64::from(limit)) as usize;
+/// Copies the cells: a pixel takes the mean of those that it covers, or the nearest.
+pub(super) fn paste(pixmap: &mut Pixmap, image: &Image, scale: f64) {
+    let edge = |at: f64, limit: u32| (at * scale).round().clamp(0.0, f64::from(limit)) as usize;
     let (left, right) = (edge(image.place.left, pixmap.width()), edge(image.place.right, pixmap.width()));
     let (top, bottom) = (edge(image.place.top, pixmap.height()), edge(image.place.bottom, pixmap.height()));
     let stride = pixmap.width() as usize;
-    let cell = |k: usize, pixels: usize, cells: usize| ((2 * k + 1) * cells / (2 * pixels)).min(cells - 1);
+    let covered = |k: usize, pixels: usize, cells: usize| {
+        let first = (k * cells / pixels).min(cells - 1);
+        first..((k + 1) * cells / pixels).clamp(first + 1, cells)
+    };
     let pixels = pixmap.pixels_mut();
     for y in top..bottom {
-        let row = cell(y - top, bottom - top, image.rows()) * image.columns;
+        let rows = covered(y - top, bottom - top, image.rows());
         for x in left..right {
-            let [red, green, blue] = image.cells[row + cell(x - left, right - left, image.columns)];
+            let columns = covered(x - left, right - left, image.columns);
+            let mut sum = [0.0; 3];
+            for cell in rows.clone().flat_map(|row| &image.cells[row * image.columns..][columns.clone()]) {
+                // Light adds up, what is written down of it does not.
+                sum.iter_mut().zip(cell).for_each(|(sum, part)| *sum += (f64::from(*part) / 255.0).powf(2.2));
+            }
+            let count = (rows.len() * columns.len()) as f64;
+            let [red, green, blue] = sum.map(|sum| (255.0 * (sum / count).powf(1.0 / 2.2)).round() as u8);
             pixels[y * stride + x] = tiny_skia::ColorU8::from_rgba(red, green, blue, 255).premultiply();
         }
     }

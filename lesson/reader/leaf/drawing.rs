@@ -4,13 +4,13 @@ use super::Look;
 use crate::reader::work::Order;
 use chapters::figure::Plot;
 use std::sync::Arc;
-use views::block::Cells;
+use views::block::{Cells, Picture};
 
 /// A picture that is drawn somewhere else.
 #[derive(Default)]
 pub(super) struct Drawing {
     pub plot: Option<(u32, Arc<Plot>)>,
-    pub cells: Option<(Order, Cells)>,
+    pub picture: Option<(Order, Picture)>,
     pub asked: Option<Order>,
     /// Whether the last attempt failed.
     pub is_lost: bool,
@@ -19,7 +19,7 @@ pub(super) struct Drawing {
 impl Drawing {
     /// Whether it has to be drawn so; if it has, it is asked for.
     pub(super) fn wants(&mut self, order: Order) -> bool {
-        let is_there = self.cells.as_ref().is_some_and(|(made, _)| *made == order);
+        let is_there = self.picture.as_ref().is_some_and(|(made, _)| *made == order);
         let wants = !is_there && self.asked.is_none() && !self.is_lost;
         if wants {
             self.asked = Some(order);
@@ -28,13 +28,13 @@ impl Drawing {
     }
 
     /// The picture, put back while a newer one is on its way.
-    pub(super) fn shown(&self, look: &Look, edition: u32) -> Cells {
-        match &self.cells {
-            Some((made, cells)) if made.edition == edition => cells.clone(),
-            Some((_, cells)) if !self.is_lost => cells.dimmed(),
+    pub(super) fn shown(&self, look: &Look, edition: u32) -> Picture {
+        match &self.picture {
+            Some((made, picture)) if made.edition == edition => picture.clone(),
+            Some((_, picture)) if !self.is_lost => picture.dimmed(),
             _ => {
                 let note = if self.is_lost { "this figure could not be drawn" } else { "drawing …" };
-                Cells::note(look.width.min(60), picture_rows(look), note)
+                Picture::Cells(Cells::note(look.width.min(60), picture_rows(look), note))
             }
         }
     }

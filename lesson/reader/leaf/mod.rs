@@ -5,6 +5,7 @@ mod page;
 
 pub use page::{Name, Part};
 
+use super::graphics::Ground;
 use super::work::{Job, Order, Outcome, Source, Task, Which};
 use crate::run;
 use chapters::parameter::Setting;
@@ -70,8 +71,8 @@ pub struct Look {
     pub width: usize,
     /// Rows of a page.
     pub height: usize,
-    /// Whether there are colours.
-    pub is_coloured: bool,
+    /// What pictures are made of.
+    pub ground: Ground,
     /// The short way.
     pub short: bool,
     /// What is shown of derivations.
@@ -210,9 +211,9 @@ impl Leaf {
                 };
                 drawing.asked = None;
                 drawing.is_lost = drawn.is_none() && order.edition == self.edition;
-                if let Some((plot, cells)) = drawn {
+                if let Some((plot, picture)) = drawn {
                     drawing.plot = Some((order.edition, plot));
-                    drawing.cells = Some((order, cells));
+                    drawing.picture = Some((order, picture));
                 }
             }
             Outcome::Progress { .. } | Outcome::Judged { .. } => {}
@@ -243,7 +244,7 @@ impl Leaf {
         if self.asks().is_some() {
             return Vec::new();
         }
-        let order = Order { edition: self.edition, columns: look.width, rows: picture_rows(look) };
+        let order = Order { edition: self.edition, columns: look.width, rows: picture_rows(look), ground: look.ground };
         let shown = self.shown_figures();
         let figures = self.step.exhibit.figures.iter().zip(&mut self.figures).take(shown).enumerate();
         let of_figures = figures.filter_map(|(at, (figure, drawing))| {
@@ -259,7 +260,7 @@ impl Leaf {
             let source = Source::Plot(Arc::clone(plot));
             drawing.wants(order).then_some((Which::Race(at), source))
         });
-        let draw = |(which, source)| Task::Draw { which, source, order, is_coloured: look.is_coloured };
+        let draw = |(which, source)| Task::Draw { which, source, order };
         let mut tasks: Vec<Task> = of_figures.chain(of_races).map(draw).collect();
         if !look.short && self.step.readout.is_some() && self.read.0 != Some(self.edition) && self.read.1.is_none() {
             self.read.1 = Some(self.edition);

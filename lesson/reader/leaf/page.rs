@@ -3,7 +3,7 @@
 use super::{Leaf, Look, State, key};
 use chapters::text::Phrase;
 use chapters::vocabulary::{Given, Question};
-use views::block::{Block, Details, Picture, Span, Tone};
+use views::block::{Block, Details, Span, Tone};
 use views::page::{Page, Row};
 use views::report::entry::ask;
 use views::report::{StepReport, Verdict};
@@ -76,7 +76,7 @@ impl Leaf {
         }
         let shown = self.shown_figures();
         for (at, figure) in self.step.exhibit.figures.iter().enumerate().take(shown) {
-            let picture = Picture::Cells(self.figures[at].shown(look, self.edition));
+            let picture = self.figures[at].shown(look, self.edition);
             parts.add(Name::Figure(at), true, &[teller.shown(report, figure, picture)]);
         }
         parts.add(Name::Menu, true, &[self.menu(report)]);
@@ -170,8 +170,7 @@ impl Leaf {
                 let mut drawn = drawn.map(|drawing| drawing.shown(look, self.edition));
                 for block in teller.evidence(report, kind) {
                     blocks.push(block);
-                    if let Some(cells) = drawn.next() {
-                        let picture = Picture::Cells(cells);
+                    if let Some(picture) = drawn.next() {
                         let says = Phrase::verbatim("Error against time:");
                         blocks.push(Block::Figure(views::block::Figure { address: String::new(), says, picture }));
                     }

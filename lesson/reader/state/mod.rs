@@ -20,6 +20,7 @@ pub use shown::Line;
 use super::bookmark::{Memory, Place};
 use super::contents::{Choice, Contents};
 use super::event::{Event, Key};
+use super::graphics::Ground;
 use super::leaf::{Leaf, Look, Name, key};
 use super::panel::{Panel, Turn};
 use super::work::Job;
@@ -68,7 +69,7 @@ pub struct Reader {
     /// The first row on the screen.
     top: usize,
     size: (usize, usize),
-    is_coloured: bool,
+    ground: Ground,
     short: bool,
     details: Details,
     mode: Mode,
@@ -90,8 +91,8 @@ pub struct Start {
     pub resume: bool,
     /// Columns and rows of the terminal.
     pub size: (usize, usize),
-    /// Whether there are colours.
-    pub is_coloured: bool,
+    /// What pictures are made of.
+    pub ground: Ground,
     /// The short way.
     pub short: bool,
     /// What is shown of derivations.
@@ -111,14 +112,14 @@ impl Reader {
                 *answer = kept.and_then(|answer| answer.given(question.options().len()));
             }
         }
-        let Start { at, size, is_coloured, short, details, memory, note, .. } = start;
+        let Start { at, size, ground, short, details, memory, note, .. } = start;
         let sheet = Sheet { parts: Vec::new(), starts: Vec::new(), rows: Vec::new() };
         let mut reader = Self {
             leaves,
             at,
             top: 0,
             size,
-            is_coloured,
+            ground,
             short,
             details,
             mode: Mode::Read,
@@ -172,7 +173,10 @@ impl Reader {
             }
             Event::Key(key) => self.press(key),
             Event::Wheel(notches) => self.scroll(notches * NOTCH),
-            Event::Resize(columns, rows) => self.resize((columns, rows)),
+            Event::Resize(columns, rows) => {
+                self.ground = self.ground.resized();
+                self.resize((columns, rows));
+            }
             Event::Done(done) => {
                 let is_here = done.leaf == self.at;
                 self.leaves[done.leaf].take(done.result);
@@ -314,7 +318,7 @@ impl Reader {
         Look {
             width: self.width(),
             height: self.height(),
-            is_coloured: self.is_coloured,
+            ground: self.ground,
             short: self.short,
             details: self.details,
         }

@@ -2,10 +2,10 @@
 
 use super::shown::KEYS;
 use super::*;
+use crate::reader::graphics::Ground;
 use crate::reader::work::{Finished, Order, Outcome, Source, Task};
 use chapters::parameter::Setting;
 use std::sync::Arc;
-use views::plot;
 use views::report::entry::readout;
 
 fn reader(at: &str, size: (usize, usize)) -> Reader {
@@ -17,7 +17,7 @@ fn reader(at: &str, size: (usize, usize)) -> Reader {
         at,
         resume: false,
         size,
-        is_coloured: true,
+        ground: Ground::Halves,
         short: false,
         details: Details::default(),
         memory: Memory::default(),
@@ -50,13 +50,13 @@ fn draw(reader: &mut Reader) {
     for effect in reader.effects() {
         let Effect::Do(Job { leaf, task }) = effect else { continue };
         let result = match task {
-            Task::Draw { which, source, order, is_coloured } => {
+            Task::Draw { which, source, order } => {
                 let plot = match source {
                     Source::Figure(figure, setting) => Arc::new((figure.plot)(&setting)),
                     Source::Plot(plot) => plot,
                 };
-                let cells = plot::cells(&plot, order.columns, order.rows, is_coloured);
-                Outcome::Drawn { which, order, drawn: Some((plot, cells)) }
+                let picture = order.ground.picture(&plot, order.columns, order.rows);
+                Outcome::Drawn { which, order, drawn: Some((plot, picture)) }
             }
             Task::Read { step, setting, edition } => Outcome::Read { edition, readout: Some(readout(step, &setting)) },
             _ => continue,
