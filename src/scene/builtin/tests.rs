@@ -174,11 +174,11 @@ fn the_mesh_is_a_closed_surface_that_looks_outward() {
 
 #[test]
 fn lamps_send_their_light_where_something_is() {
-    // Quads that send out light look down; balls to all sides.
+    // Quads that send out light look down, though one at a slant; balls to all sides.
     for builtin in BUILTIN {
         let scene = (builtin.make)();
         let downward = quads(&scene).into_iter().filter(|(.., shape)| shape.emission.is_some());
-        downward.for_each(|(vertices, ..)| assert!(normal(vertices)[1] < -0.99, "{}", builtin.name));
+        downward.for_each(|(vertices, ..)| assert!(normal(vertices)[1] < -0.6, "{}", builtin.name));
         let is_lit = scene.environment.is_some()
             || scene.shapes.iter().any(|shape| shape.emission.is_some())
             || !scene.lights.is_empty();
