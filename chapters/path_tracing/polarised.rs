@@ -51,7 +51,7 @@ pub(super) const EXHIBIT: Exhibit = exhibit(
             plates,
         ),
         figure(
-            "rhomb",
+            "circular",
             "Fresnel's rhomb before dark glass that mirrors a lamp at Brewster's angle, through a polariser that is turned: the mirror's light is linear and goes out once, behind the rhomb it is circular and stays.",
             circular,
         ),
