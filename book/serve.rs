@@ -55,7 +55,11 @@ fn answer(listener: TcpListener, folder: &Path) -> std::io::Result<()> {
         listener.set_nonblocking(true)?;
         let listener = tokio::net::TcpListener::from_std(listener)?;
         loop {
-            let (stream, _) = listener.accept().await?;
+            // Short of descriptors, or gone before it was answered: the next one may do better.
+            let Ok((stream, _)) = listener.accept().await else {
+                std::thread::sleep(WAIT);
+                continue;
+            };
             let answers =
                 http1::Builder::new().serve_connection(TokioIo::new(stream), TowerToHyperService::new(files.clone()));
             // A browser that has gone away misses nothing.

@@ -351,7 +351,8 @@ const MODULE: &str = "
         const numbers = (path) => path.split(/[^-.0-9]+/).map(Number);
         const near = (path, its) => {
             const [mine, others] = [numbers(path), numbers(its)];
-            return mine.length === others.length && mine.every((place, at) => Math.abs(place - others[at]) < 0.0201);
+            const letters = (text) => text.replace(/[-.0-9]+/g, '#');
+            return letters(path) === letters(its) && mine.length === others.length && mine.every((place, at) => Math.abs(place - others[at]) < 0.0201);
         };
         return ours.length === theirs.length
             && ours.every((part, at) => part === theirs[at] || (at % 2 === 1 && near(part, theirs[at])));
