@@ -100,6 +100,7 @@ pub fn serve(selection: Selection, lesson: &Lesson) -> Result<ExitCode, Stop> {
         if let Event::Resize(columns, rows) = event {
             size = (columns, rows);
             screen.forget();
+            reader.draw_on(ground.resized());
         }
         reader.take(event);
         // What has come meanwhile is shown together.

@@ -151,6 +151,11 @@ impl Reader {
         reader
     }
 
+    /// From now on pictures are made of that.
+    pub fn draw_on(&mut self, ground: Ground) {
+        self.ground = ground;
+    }
+
     /// What is to be done outside since it was last asked.
     pub fn effects(&mut self) -> Vec<Effect> {
         std::mem::take(&mut self.effects)
@@ -173,10 +178,7 @@ impl Reader {
             }
             Event::Key(key) => self.press(key),
             Event::Wheel(notches) => self.scroll(notches * NOTCH),
-            Event::Resize(columns, rows) => {
-                self.ground = self.ground.resized();
-                self.resize((columns, rows));
-            }
+            Event::Resize(columns, rows) => self.resize((columns, rows)),
             Event::Done(done) => {
                 let is_here = done.leaf == self.at;
                 self.leaves[done.leaf].take(done.result);
